@@ -1,0 +1,290 @@
+//! Indexed triangle meshes and the checks at the door.
+
+use thiserror::Error;
+
+/// Triangles as indices into shared vertices; counter-clockwise is front.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Positions, in the caller's unit.
+    pub vertices: Vec<[f32; 3]>,
+    /// Three vertex indices a triangle. A triangle's place here is its primitive index.
+    pub indices: Vec<[u32; 3]>,
+    /// Unit shading normals, one a vertex, or empty: then triangles are shaded flat. A zero normal asks for flat shading.
+    pub normals: Vec<[f32; 3]>,
+    /// Index into the scene's materials, one a triangle, or empty: then all use material 0.
+    pub materials: Vec<u32>,
+    /// Named runs of triangles, in order and without gaps, or empty. Errors name the part.
+    pub parts: Vec<Part>,
+}
+
+/// A named run of triangles.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Part {
+    /// The name that the file gives, or a number.
+    pub name: String,
+    /// The run's first triangle.
+    pub first_triangle: u32,
+    /// How many triangles it has.
+    pub triangle_count: u32,
+}
+
+/// What makes a mesh unfit to build from.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum MeshError {
+    /// More triangles than a `u32` or a node reference can number.
+    #[error("{triangle_count} triangles are too many: at most {limit} can be numbered")]
+    TooManyTriangles {
+        /// How many there are.
+        triangle_count: usize,
+        /// How many there may be.
+        limit: usize,
+    },
+    /// More vertices than a `u32` can number.
+    #[error("{vertex_count} vertices are too many: at most 4294967295 can be numbered")]
+    TooManyVertices {
+        /// How many there are.
+        vertex_count: usize,
+    },
+    /// A face names a vertex that is not there.
+    #[error("{part}face {face} names vertex {vertex}, but there are only {vertex_count} vertices")]
+    IndexOutOfRange {
+        /// `mesh "name", `, or empty.
+        part: String,
+        /// The face, counted from 0 within the part.
+        face: usize,
+        /// The index it names.
+        vertex: u32,
+        /// How many vertices there are.
+        vertex_count: usize,
+    },
+    /// A face has a corner that is NaN or infinite.
+    #[error("{part}face {face} has vertex {vertex} at ({x}, {y}, {z}), which is not finite")]
+    NotFinite {
+        /// `mesh "name", `, or empty.
+        part: String,
+        /// The face, counted from 0 within the part.
+        face: usize,
+        /// The vertex, counted from 0.
+        vertex: u32,
+        /// Its coordinates.
+        x: f32,
+        /// Its coordinates.
+        y: f32,
+        /// Its coordinates.
+        z: f32,
+    },
+    /// A per-vertex or per-triangle list has the wrong length.
+    #[error("{count} {what} for {expected} {of}")]
+    LengthMismatch {
+        /// `normals` or `materials`.
+        what: &'static str,
+        /// How many there are.
+        count: usize,
+        /// How many there should be.
+        expected: usize,
+        /// `vertices` or `triangles`.
+        of: &'static str,
+    },
+}
+
+impl Mesh {
+    /// Checks all that the builder relies on: counts, indices in range, finite corners. Vertices that no face uses may
+    /// be anything.
+    ///
+    /// # Errors
+    /// The first fault found, by face.
+    pub fn validate(&self) -> Result<(), MeshError> {
+        self.validate_counts()?;
+        match (0..self.indices.len()).find(|&face| !self.face_is_sound(face)) {
+            Some(face) => Err(self.face_fault(face)),
+            None => Ok(()),
+        }
+    }
+
+    /// Drops every face with an index out of range or a corner that is not finite, and says how many those were.
+    pub fn drop_unsound_faces(&mut self) -> usize {
+        let sound: Vec<bool> = (0..self.indices.len())
+            .map(|face| self.face_is_sound(face))
+            .collect();
+        let dropped = sound.iter().filter(|&&sound| !sound).count();
+        if dropped == 0 {
+            return 0;
+        }
+        for part in &mut self.parts {
+            let first = part.first_triangle as usize;
+            let before = sound[..first].iter().filter(|&&sound| sound).count();
+            let run = &sound[first..first + part.triangle_count as usize];
+            part.first_triangle = before as u32;
+            part.triangle_count = run.iter().filter(|&&sound| sound).count() as u32;
+        }
+        retain_by(&mut self.indices, &sound);
+        if !self.materials.is_empty() {
+            retain_by(&mut self.materials, &sound);
+        }
+        dropped
+    }
+
+    fn validate_counts(&self) -> Result<(), MeshError> {
+        let limit = slimbvh_core::MAX_TRIANGLES as usize;
+        if self.indices.len() > limit {
+            return Err(MeshError::TooManyTriangles {
+                triangle_count: self.indices.len(),
+                limit,
+            });
+        }
+        if self.vertices.len() > u32::MAX as usize {
+            return Err(MeshError::TooManyVertices {
+                vertex_count: self.vertices.len(),
+            });
+        }
+        if !self.normals.is_empty() && self.normals.len() != self.vertices.len() {
+            return Err(MeshError::LengthMismatch {
+                what: "normals",
+                count: self.normals.len(),
+                expected: self.vertices.len(),
+                of: "vertices",
+            });
+        }
+        if !self.materials.is_empty() && self.materials.len() != self.indices.len() {
+            return Err(MeshError::LengthMismatch {
+                what: "materials",
+                count: self.materials.len(),
+                expected: self.indices.len(),
+                of: "triangles",
+            });
+        }
+        Ok(())
+    }
+
+    fn face_is_sound(&self, face: usize) -> bool {
+        self.indices[face].iter().all(|&vertex| {
+            self.vertices
+                .get(vertex as usize)
+                .is_some_and(|position| position.iter().all(|x| x.is_finite()))
+        })
+    }
+
+    /// Describes the first fault of an unsound face.
+    fn face_fault(&self, face: usize) -> MeshError {
+        let (part, face_in_part) = self.locate(face);
+        for vertex in self.indices[face] {
+            match self.vertices.get(vertex as usize) {
+                None => {
+                    return MeshError::IndexOutOfRange {
+                        part,
+                        face: face_in_part,
+                        vertex,
+                        vertex_count: self.vertices.len(),
+                    };
+                }
+                Some(&[x, y, z]) if !(x.is_finite() && y.is_finite() && z.is_finite()) => {
+                    return MeshError::NotFinite {
+                        part,
+                        face: face_in_part,
+                        vertex,
+                        x,
+                        y,
+                        z,
+                    };
+                }
+                Some(_) => {}
+            }
+        }
+        unreachable!("face {face} was found unsound")
+    }
+
+    /// The part that holds a face, as a phrase for messages, and the face's number within it.
+    fn locate(&self, face: usize) -> (String, usize) {
+        let part = self.parts.iter().find(|part| {
+            let first = part.first_triangle as usize;
+            (first..first + part.triangle_count as usize).contains(&face)
+        });
+        match part {
+            Some(part) => (
+                format!("mesh \"{}\", ", part.name),
+                face - part.first_triangle as usize,
+            ),
+            None => (String::new(), face),
+        }
+    }
+}
+
+/// Keeps the items whose flag is set.
+fn retain_by<T>(items: &mut Vec<T>, keep: &[bool]) {
+    let mut flags = keep.iter();
+    items.retain(|_| flags.next().copied().unwrap_or(true));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn two_parts() -> Mesh {
+        Mesh {
+            vertices: vec![
+                [0.0, 0.0, 0.0],
+                [1.0, 0.0, 0.0],
+                [0.0, 2.0, 0.0],
+                [0.0, 0.0, 3.0],
+            ],
+            indices: vec![[0, 1, 2], [0, 1, 3], [1, 2, 3]],
+            materials: vec![7, 8, 9],
+            parts: vec![
+                Part {
+                    name: "a".into(),
+                    first_triangle: 0,
+                    triangle_count: 1,
+                },
+                Part {
+                    name: "b".into(),
+                    first_triangle: 1,
+                    triangle_count: 2,
+                },
+            ],
+            ..Mesh::default()
+        }
+    }
+
+    #[test]
+    fn faults_name_part_face_and_vertex() {
+        let mut mesh = two_parts();
+        assert_eq!(mesh.validate(), Ok(()));
+        mesh.indices[2][1] = 4;
+        let message = mesh.validate().unwrap_err().to_string();
+        assert_eq!(
+            message,
+            "mesh \"b\", face 1 names vertex 4, but there are only 4 vertices"
+        );
+        mesh.vertices[3][2] = f32::NAN;
+        let message = mesh.validate().unwrap_err().to_string();
+        assert_eq!(
+            message,
+            "mesh \"b\", face 0 has vertex 3 at (0, 0, NaN), which is not finite"
+        );
+    }
+
+    #[test]
+    fn unsound_faces_are_dropped_with_their_materials() {
+        let mut mesh = two_parts();
+        mesh.indices[1][0] = 99;
+        assert_eq!(mesh.drop_unsound_faces(), 1);
+        assert_eq!(mesh.indices, [[0, 1, 2], [1, 2, 3]]);
+        assert_eq!(mesh.materials, [7, 9]);
+        assert_eq!(
+            (mesh.parts[1].first_triangle, mesh.parts[1].triangle_count),
+            (1, 1)
+        );
+        assert_eq!(mesh.validate(), Ok(()));
+        assert_eq!(mesh.drop_unsound_faces(), 0);
+    }
+
+    #[test]
+    fn lists_of_the_wrong_length_are_refused() {
+        let mut mesh = two_parts();
+        mesh.normals = vec![[0.0, 0.0, 1.0]; 3];
+        assert_eq!(
+            mesh.validate().unwrap_err().to_string(),
+            "3 normals for 4 vertices"
+        );
+    }
+}

@@ -1,0 +1,85 @@
+//! Scenes: a mesh, its materials, cameras and lights.
+
+use crate::Mesh;
+
+/// Everything a picture is made from, in the caller's unit.
+#[derive(Clone, Debug, Default)]
+pub struct Scene {
+    /// All geometry, flattened to one level.
+    pub mesh: Mesh,
+    /// What `Mesh::materials` points into. Empty stands for one default material.
+    pub materials: Vec<Material>,
+    /// Cameras, the first of which is used. Empty asks for a default camera that sees the whole model.
+    pub cameras: Vec<Camera>,
+    /// Lights. Empty asks for a default light.
+    pub lights: Vec<Light>,
+    /// Faces that a lenient loader left out because they were broken.
+    pub dropped_face_count: usize,
+}
+
+/// Lambert reflection, with a mirror's share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Linear RGB, each 0 to 1.
+    pub base_color: [f32; 3],
+    /// Share of light that is reflected as by a mirror, 0 to 1.
+    pub mirror: f32,
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self {
+            base_color: [0.8, 0.8, 0.8],
+            mirror: 0.0,
+        }
+    }
+}
+
+/// Where the picture is seen from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// The eye's position.
+    pub eye: [f32; 3],
+    /// The point in the middle of the picture.
+    pub target: [f32; 3],
+    /// A direction that points up in the picture; need not be perpendicular to the view.
+    pub up: [f32; 3],
+    /// Perspective or orthographic.
+    pub projection: Projection,
+}
+
+/// How a camera spreads its rays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// All rays leave the eye.
+    Perspective {
+        /// Full vertical angle of view in degrees, above 0 and below 180.
+        vertical_fov: f32,
+    },
+    /// All rays are parallel.
+    Orthographic {
+        /// Height of the picture in the scene's unit.
+        height: f32,
+    },
+}
+
+/// A light source without extent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Light {
+    /// Parallel light, as from the sun.
+    Directional {
+        /// Where the light travels to.
+        direction: [f32; 3],
+        /// Linear RGB irradiance on a surface that faces the light.
+        color: [f32; 3],
+    },
+    /// Light from one point, falling off with the squared distance.
+    Point {
+        /// Where it is.
+        position: [f32; 3],
+        /// Linear RGB radiant intensity: irradiance at distance 1.
+        color: [f32; 3],
+        /// Distance beyond which it lights nothing; `f32::INFINITY` for no limit.
+        range: f32,
+    },
+}
