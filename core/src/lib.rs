@@ -1,5 +1,46 @@
-//! core
+//! The algorithms of slimbvh, written once: plain functions of an index, small parameters and read-only slices that
+//! return what to store. They run on the CPU and, compiled to SPIR-V, on the GPU.
+//!
+//! Stages, in the order of a frame, a file each: `bounds → morton → sort → topology → refit → trace → shade`.
+//!
+//! Conventions: right-handed, counter-clockwise is front, t in units of the ray direction's length, angles in radians.
 #![no_std]
+#![forbid(unsafe_code)]
 
-/// Largest number of triangles in one hierarchy: a leaf reference holds its first triangle in 29 bits.
-pub const MAX_TRIANGLES: u32 = 1 << 29;
+#[cfg(test)]
+extern crate std;
+
+pub mod aabb;
+pub mod bounds;
+pub mod float;
+pub mod lattice;
+pub mod morton;
+pub mod node;
+pub mod ray;
+pub mod refit;
+pub mod scan;
+pub mod slab;
+pub mod snap;
+pub mod sort;
+pub mod topology;
+pub mod trace;
+pub mod triangle;
+pub mod watertight;
+
+pub use aabb::Aabb;
+pub use node::{Node, NodeRef};
+pub use ray::{Hit, NO_PRIMITIVE, Ray};
+pub use triangle::{IndexedTriangles, LeafTriangle, Triangle};
+
+/// Largest number of triangles in one hierarchy: a leaf reference holds its first triangle in 28 bits.
+pub const MAX_TRIANGLES: u32 = 1 << 28;
+
+/// An element of a slice, or `otherwise` where there is none: no index can panic.
+#[inline(always)]
+pub(crate) fn load<T: Copy>(slice: &[T], index: u32, otherwise: T) -> T {
+    if (index as usize) < slice.len() {
+        slice[index as usize]
+    } else {
+        otherwise
+    }
+}

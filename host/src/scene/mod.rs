@@ -1,5 +1,33 @@
 //! Scenes: a mesh, its materials, cameras and lights.
 
+#[cfg(feature = "scenes")]
+mod contain;
+#[cfg(feature = "scenes")]
+mod error;
+#[cfg(feature = "scenes")]
+mod faces;
+#[cfg(feature = "scenes")]
+mod gltf;
+#[cfg(feature = "scenes")]
+mod load;
+#[cfg(feature = "scenes")]
+mod obj;
+#[cfg(feature = "scenes")]
+mod off;
+#[cfg(feature = "scenes")]
+mod ply;
+#[cfg(feature = "scenes")]
+mod stl;
+#[cfg(all(test, feature = "scenes"))]
+mod tests;
+
+#[cfg(feature = "scenes")]
+pub use error::{Indexed, LoadError};
+#[cfg(feature = "scenes")]
+pub use gltf::GltfError;
+#[cfg(feature = "scenes")]
+pub use load::{LoadOptions, load};
+
 use crate::Mesh;
 
 /// Everything a picture is made from, in the caller's unit.

@@ -1,0 +1,99 @@
+//! Stage `bounds`: the box around all triangles, and the power of two that carries the scene to magnitude 1.
+
+use crate::aabb::Aabb;
+use crate::float::{abs, exponent, max, min};
+use crate::triangle::IndexedTriangles;
+
+/// One lane per run of triangles. Reads the triangles `first..first + count`. Returns the box around them.
+#[inline]
+#[must_use]
+pub fn run_bounds(first: u32, count: u32, triangles: &IndexedTriangles) -> Aabb {
+    let mut bounds = Aabb::EMPTY;
+    for i in first..first + count {
+        bounds = bounds.union(triangles.triangle(i).bounds());
+    }
+    bounds
+}
+
+/// Workgroup reduction, one lane per box: at each step with `distance` = LANES/2 … 1 every lane below `distance`
+/// stores this. Lane 0 ends with the union of all. Returns the lane's new box.
+#[inline(always)]
+#[must_use]
+pub fn reduce_step<const LANES: usize>(lane: u32, distance: u32, boxes: &[Aabb; LANES]) -> Aabb {
+    let own = boxes[lane as usize % LANES];
+    let other = boxes[(lane + distance) as usize % LANES];
+    own.union(other)
+}
+
+/// The exponent e for which the largest magnitude of a coordinate times `2^e` lies in `[1/2, 1)`; 0 where all are zero.
+#[inline]
+#[must_use]
+pub fn scene_exponent(bounds: &Aabb) -> i32 {
+    if bounds.is_empty() {
+        return 0;
+    }
+    let largest = max(
+        max(axis_magnitude(bounds, 0), axis_magnitude(bounds, 1)),
+        axis_magnitude(bounds, 2),
+    );
+    if largest > 0.0 {
+        -(exponent(largest) + 1)
+    } else {
+        0
+    }
+}
+
+/// The largest magnitude of a coordinate on one axis.
+#[inline]
+pub(crate) fn axis_magnitude(bounds: &Aabb, axis: usize) -> f32 {
+    let (low, high) = match axis {
+        0 => (bounds.min.x, bounds.max.x),
+        1 => (bounds.min.y, bounds.max.y),
+        _ => (bounds.min.z, bounds.max.z),
+    };
+    // Both ends of the range may be negative, or both positive.
+    max(max(abs(low), abs(high)), min(abs(low), abs(high)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+    use proptest::prelude::*;
+
+    fn boxed(min: [f32; 3], max: [f32; 3]) -> Aabb {
+        Aabb {
+            min: Vec3::from_array(min),
+            max: Vec3::from_array(max),
+        }
+    }
+
+    #[test]
+    fn scene_is_carried_below_one() {
+        assert_eq!(
+            scene_exponent(&boxed([-3.0, 0.0, 0.0], [1.0, 2.0, 0.5])),
+            -2
+        );
+        assert_eq!(scene_exponent(&boxed([0.0; 3], [0.75, 0.5, 0.25])), 0);
+        assert_eq!(scene_exponent(&boxed([0.0; 3], [1.0, 0.5, 0.25])), -1);
+        assert_eq!(scene_exponent(&boxed([0.0; 3], [0.0; 3])), 0);
+        assert_eq!(scene_exponent(&Aabb::EMPTY), 0);
+    }
+
+    proptest! {
+        #[test]
+        fn reduction_in_steps_is_the_union(points in proptest::array::uniform8(proptest::array::uniform3(-9.0f32..9.0))) {
+            let mut boxes = points.map(|p| boxed(p, p));
+            let expected = boxes.iter().fold(Aabb::EMPTY, |a, &b| a.union(b));
+            let mut distance = 4;
+            while distance > 0 {
+                let before = boxes;
+                for lane in 0..distance {
+                    boxes[lane as usize] = reduce_step(lane, distance, &before);
+                }
+                distance /= 2;
+            }
+            prop_assert_eq!(boxes[0], expected);
+        }
+    }
+}

@@ -1,0 +1,239 @@
+//! Rays, hits, and the form in which a ray is traced.
+
+use crate::float::{abs, exponent, is_finite, max, min, power_of_two, scale_by_power_of_two};
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+
+/// A half line, or a part of one: the points `origin + t · direction` with `t_min <= t <= t_max`. 32 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Ray {
+    /// Bytes 0–11: where t is 0.
+    pub origin: [f32; 3],
+    /// Bytes 12–15: smallest t; below 0 reaches behind the origin.
+    pub t_min: f32,
+    /// Bytes 16–27: need not have unit length; t is in units of its length.
+    pub direction: [f32; 3],
+    /// Bytes 28–31: largest t; may be infinite.
+    pub t_max: f32,
+}
+
+const _: () = assert!(size_of::<Ray>() == 32);
+
+impl Ray {
+    /// The half line from a point, t from 0 to infinity.
+    #[inline]
+    #[must_use]
+    pub fn new(origin: [f32; 3], direction: [f32; 3]) -> Self {
+        Self {
+            origin,
+            t_min: 0.0,
+            direction,
+            t_max: f32::MAX,
+        }
+    }
+
+    /// A ray that hits nothing: its range is empty.
+    pub const NOTHING: Self = Self {
+        origin: [0.0; 3],
+        t_min: 1.0,
+        direction: [0.0; 3],
+        t_max: 0.0,
+    };
+}
+
+/// Stands for no primitive: in a miss, and where none is to be excluded.
+pub const NO_PRIMITIVE: u32 = u32::MAX;
+
+/// Where a ray meets a triangle: `P = (1-u-v)·v0 + u·v1 + v·v2`. 16 bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Hit {
+    /// Bytes 0–3: in units of the direction's length; `f32::MAX` for a miss.
+    pub t: f32,
+    /// Bytes 4–7: weight of v1.
+    pub u: f32,
+    /// Bytes 8–11: weight of v2.
+    pub v: f32,
+    /// Bytes 12–15: the caller's index; [`NO_PRIMITIVE`] for a miss.
+    pub primitive: u32,
+}
+
+const _: () = assert!(size_of::<Hit>() == 16);
+
+impl Hit {
+    /// No hit.
+    pub const MISS: Self = Self {
+        t: f32::MAX,
+        u: 0.0,
+        v: 0.0,
+        primitive: NO_PRIMITIVE,
+    };
+
+    /// Whether something was hit.
+    #[inline]
+    #[must_use]
+    pub const fn is_hit(&self) -> bool {
+        self.primitive != NO_PRIMITIVE
+    }
+}
+
+/// Origins farther from the scene than this many times its size see nothing.
+pub const FARTHEST_ORIGIN: f32 = power_of_two(40);
+
+/// Direction components this much smaller than the largest count as zero.
+const PARALLEL: f32 = power_of_two(-60);
+
+/// A ray as the tracer uses it: in the scene's magnitude, axes ordered so that the direction is longest on the last
+/// one, where it lies between 1 and 2.
+///
+/// Two planes' origins differ only on axes where the direction is zero: there they are shifted apart, so that an origin
+/// between the planes, or on one of them, is inside for every t without infinities in any product.
+#[derive(Clone, Copy, Debug)]
+pub struct PreparedRay {
+    /// Which of x, y, z comes first, second and last.
+    pub axes: [u32; 3],
+    /// Origin in that order.
+    pub origin: [f32; 3],
+    /// Direction in that order.
+    pub direction: [f32; 3],
+    /// What is subtracted from a box's min.
+    pub min_origin: [f32; 3],
+    /// What is subtracted from a box's max.
+    pub max_origin: [f32; 3],
+    /// Reciprocals of the direction, finite.
+    pub inverse: [f32; 3],
+    /// Smallest t, in units of the prepared direction.
+    pub t_min: f32,
+    /// Largest t, in units of the prepared direction; below `t_min` for rays that hit nothing.
+    pub t_max: f32,
+    /// `t = t_prepared · 2^-t_exponent`.
+    pub t_exponent: i32,
+}
+
+impl PreparedRay {
+    /// Carries a ray to the magnitude of a scene whose coordinates were multiplied by `2^scene_exponent`. Exact: powers
+    /// of two only. A ray with a NaN or infinite number in it (an infinite `t_max` aside), with a zero direction or an
+    /// origin beyond [`FARTHEST_ORIGIN`] hits nothing.
+    #[inline]
+    #[must_use]
+    pub fn new(ray: &Ray, scene_exponent: i32) -> Self {
+        let direction = Vec3::from_array(ray.direction);
+        let longest = max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
+        let sane = is_finite(direction.x)
+            && is_finite(direction.y)
+            && is_finite(direction.z)
+            && is_finite(ray.origin[0])
+            && is_finite(ray.origin[1])
+            && is_finite(ray.origin[2])
+            && is_finite(ray.t_min)
+            && longest > 0.0;
+        let direction_exponent = if sane { exponent(longest) } else { 0 };
+
+        // The longest axis comes last, so that shearing along it is well conditioned.
+        let last = if abs(direction.x) == longest {
+            0
+        } else if abs(direction.y) == longest {
+            1
+        } else {
+            2
+        };
+        let first = if last == 2 { 0 } else { last + 1 };
+        let second = if first == 2 { 0 } else { first + 1 };
+        let axes = [first, second, last];
+
+        let a = Axis::new(ray, first, scene_exponent, direction_exponent);
+        let b = Axis::new(ray, second, scene_exponent, direction_exponent);
+        let c = Axis::new(ray, last, scene_exponent, direction_exponent);
+        let near = abs(a.origin) <= FARTHEST_ORIGIN
+            && abs(b.origin) <= FARTHEST_ORIGIN
+            && abs(c.origin) <= FARTHEST_ORIGIN;
+
+        let t_exponent = scene_exponent + direction_exponent;
+        let (t_min, t_max) = if sane && near {
+            (
+                clamp_t(scale_by_power_of_two(ray.t_min, t_exponent)),
+                clamp_t(scale_by_power_of_two(ray.t_max, t_exponent)),
+            )
+        } else {
+            (1.0, 0.0)
+        };
+        Self {
+            axes,
+            origin: [a.origin, b.origin, c.origin],
+            direction: [a.direction, b.direction, c.direction],
+            min_origin: [a.min_origin, b.min_origin, c.min_origin],
+            max_origin: [a.max_origin, b.max_origin, c.max_origin],
+            inverse: [a.inverse, b.inverse, c.inverse],
+            t_min,
+            t_max,
+            t_exponent,
+        }
+    }
+
+    /// A hit's t in the caller's unit.
+    #[inline]
+    #[must_use]
+    pub fn restore(&self, hit: Hit) -> Hit {
+        if hit.is_hit() {
+            Hit {
+                t: clamp_t(scale_by_power_of_two(hit.t, -self.t_exponent)),
+                ..hit
+            }
+        } else {
+            Hit::MISS
+        }
+    }
+}
+
+/// Keeps overflowed parameters finite. NaN becomes the largest.
+#[inline(always)]
+fn clamp_t(t: f32) -> f32 {
+    max(min(t, f32::MAX), -f32::MAX)
+}
+
+/// One axis of a prepared ray.
+struct Axis {
+    origin: f32,
+    direction: f32,
+    min_origin: f32,
+    max_origin: f32,
+    inverse: f32,
+}
+
+impl Axis {
+    #[inline(always)]
+    fn new(ray: &Ray, axis: u32, scene_exponent: i32, direction_exponent: i32) -> Self {
+        let origin = scale_by_power_of_two(pick(ray.origin, axis), scene_exponent);
+        let direction = scale_by_power_of_two(pick(ray.direction, axis), -direction_exponent);
+        if abs(direction) < PARALLEL {
+            // At least one step of the float grid to both sides, and far more than 2^-100.
+            let shift = max(abs(origin) * power_of_two(-23), PARALLEL);
+            Self {
+                origin,
+                direction: 0.0,
+                min_origin: origin + shift,
+                max_origin: origin - shift,
+                inverse: power_of_two(100),
+            }
+        } else {
+            Self {
+                origin,
+                direction,
+                min_origin: origin,
+                max_origin: origin,
+                inverse: 1.0 / direction,
+            }
+        }
+    }
+}
+
+/// A component by number, without a dynamic index.
+#[inline(always)]
+const fn pick(v: [f32; 3], axis: u32) -> f32 {
+    match axis {
+        0 => v[0],
+        1 => v[1],
+        _ => v[2],
+    }
+}

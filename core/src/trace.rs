@@ -1,0 +1,191 @@
+//! Stage `trace`: one traversal for every tree, every codec and every question.
+
+use crate::float::max;
+use crate::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
+use crate::slab::slab;
+use crate::triangle::Triangle;
+use crate::watertight::intersect;
+
+mod collect;
+mod sources;
+
+pub use collect::{AnyHit, ClosestHit, Collector, Counted, NearestHits};
+pub use sources::{BruteForce, LeafTriangles, PlainNodes};
+
+/// Where the traversal finds nodes.
+pub trait NodeSource {
+    /// What names a node on the stack, with all that decoding it needs.
+    type Cursor: Copy;
+
+    /// Where to begin.
+    fn root(&self) -> Self::Cursor;
+
+    /// The triangles of a leaf; `None` for an inner node.
+    fn leaf(&self, cursor: Self::Cursor) -> LeafRun;
+
+    /// An inner node's children.
+    fn children(&self, cursor: Self::Cursor, axes: [u32; 3]) -> Children<Self::Cursor>;
+
+    /// Bound on the number of nodes and leaves: no traversal takes more steps, whatever the source holds.
+    fn step_limit(&self) -> u32;
+}
+
+/// What a cursor stands for.
+#[derive(Clone, Copy, Debug)]
+pub struct LeafRun {
+    /// Whether it is a leaf at all.
+    pub is_leaf: bool,
+    /// First triangle.
+    pub first: u32,
+    /// How many.
+    pub count: u32,
+}
+
+/// An inner node, opened: its children's planes in the order of the ray's axes, left child first.
+#[derive(Clone, Copy)]
+pub struct Children<C> {
+    /// Smaller planes.
+    pub low: [[f32; 2]; 3],
+    /// Larger planes.
+    pub high: [[f32; 2]; 3],
+    /// The children.
+    pub left: C,
+    /// The children.
+    pub right: C,
+}
+
+/// Where the traversal finds triangles.
+pub trait TriangleSource {
+    /// A triangle by its place in leaf order.
+    fn triangle(&self, place: u32) -> Triangle;
+
+    /// Its index in the caller's list.
+    fn primitive(&self, place: u32) -> u32;
+}
+
+/// The stack holds one entry a level below the root. Trees of 63-bit codes have at most 63 + 28 levels
+/// ([`crate::topology::depth_bound`]), trees of 30-bit codes 30 + 28.
+pub const STACK_SIZE: usize = 128;
+
+/// Walks the tree, near child first, and offers every triangle that the ray meets to the collector. `skip` names a
+/// primitive that does not count, [`NO_PRIMITIVE`] for none.
+///
+/// A node is passed over only if the ray misses its box or enters it beyond the collector's limit.
+#[inline(always)]
+pub fn traverse<N: NodeSource, T: TriangleSource, C: Collector>(
+    nodes: &N,
+    triangles: &T,
+    ray: &PreparedRay,
+    skip: u32,
+    collector: &mut C,
+) {
+    let mut cursor = nodes.root();
+    let mut stack = [cursor; STACK_SIZE];
+    let mut stack_enter = [0.0f32; STACK_SIZE];
+    let mut depth = 0usize;
+    let mut at_node = ray.t_min <= ray.t_max;
+    let mut steps = nodes.step_limit();
+
+    while (at_node || depth > 0) && steps > 0 {
+        if !at_node {
+            // Take the nearest node that waits, unless a hit has been found before it.
+            depth -= 1;
+            cursor = stack[depth % STACK_SIZE];
+            at_node = stack_enter[depth % STACK_SIZE] <= collector.limit();
+        }
+        if at_node {
+            steps -= 1;
+            let run = nodes.leaf(cursor);
+            if run.is_leaf {
+                for place in run.first..run.first + run.count {
+                    collector.count_triangle();
+                    let primitive = triangles.primitive(place);
+                    let hit = intersect(
+                        ray,
+                        &triangles.triangle(place),
+                        collector.limit(),
+                        primitive,
+                    );
+                    if hit.is_hit() && primitive != skip {
+                        collector.offer(hit);
+                    }
+                }
+                at_node = false;
+                if collector.is_done() {
+                    depth = 0;
+                }
+            } else {
+                collector.count_node();
+                let node = nodes.children(cursor, ray.axes);
+                let boxes = slab::<2>(ray, node.low, node.high);
+                let limit = collector.limit();
+                let enter_left = max(boxes.enter[0], ray.t_min);
+                let enter_right = max(boxes.enter[1], ray.t_min);
+                let meets_left = enter_left <= boxes.exit[0] && enter_left <= limit;
+                let meets_right = enter_right <= boxes.exit[1] && enter_right <= limit;
+                let left_first = enter_left <= enter_right;
+                if meets_left && meets_right {
+                    stack[depth % STACK_SIZE] = if left_first { node.right } else { node.left };
+                    stack_enter[depth % STACK_SIZE] = max(enter_left, enter_right);
+                    depth += 1;
+                    cursor = if left_first { node.left } else { node.right };
+                } else {
+                    cursor = if meets_left { node.left } else { node.right };
+                    at_node = meets_left || meets_right;
+                }
+            }
+        }
+    }
+}
+
+/// The hit with the smallest `(t, primitive)`, or [`Hit::MISS`].
+#[inline]
+#[must_use]
+pub fn closest_hit<N: NodeSource, T: TriangleSource>(
+    nodes: &N,
+    triangles: &T,
+    ray: &Ray,
+    scene_exponent: i32,
+    skip: u32,
+) -> Hit {
+    let prepared = PreparedRay::new(ray, scene_exponent);
+    let mut collector = ClosestHit::new(prepared.t_max);
+    traverse(nodes, triangles, &prepared, skip, &mut collector);
+    prepared.restore(collector.hit)
+}
+
+/// Whether the ray meets anything; stops at the first.
+#[doc(alias = "occluded")]
+#[inline]
+#[must_use]
+pub fn any_hit<N: NodeSource, T: TriangleSource>(
+    nodes: &N,
+    triangles: &T,
+    ray: &Ray,
+    scene_exponent: i32,
+    skip: u32,
+) -> bool {
+    let prepared = PreparedRay::new(ray, scene_exponent);
+    let mut collector = AnyHit::new(prepared.t_max);
+    traverse(nodes, triangles, &prepared, skip, &mut collector);
+    collector.found
+}
+
+/// The K hits with the smallest `(t, primitive)` in order, the rest [`Hit::MISS`].
+#[inline]
+#[must_use]
+pub fn nearest_hits<const K: usize, N: NodeSource, T: TriangleSource>(
+    nodes: &N,
+    triangles: &T,
+    ray: &Ray,
+    scene_exponent: i32,
+) -> [Hit; K] {
+    let prepared = PreparedRay::new(ray, scene_exponent);
+    let mut collector = NearestHits::<K>::new(prepared.t_max);
+    traverse(nodes, triangles, &prepared, NO_PRIMITIVE, &mut collector);
+    let mut hits = collector.hits;
+    for hit in &mut hits {
+        *hit = prepared.restore(*hit);
+    }
+    hits
+}

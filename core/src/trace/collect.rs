@@ -1,0 +1,198 @@
+//! What a traversal is asked for.
+
+use crate::ray::Hit;
+
+/// Gathers hits, and says how far away a hit still matters.
+pub trait Collector {
+    /// The largest t, in prepared units, at which a hit may still change the answer.
+    fn limit(&self) -> f32;
+
+    /// Takes a hit with `t <= limit`.
+    fn offer(&mut self, hit: Hit);
+
+    /// Whether the answer is final.
+    #[inline(always)]
+    fn is_done(&self) -> bool {
+        false
+    }
+
+    /// Called for each inner node that is opened.
+    #[inline(always)]
+    fn count_node(&mut self) {}
+
+    /// Called for each triangle that is tested.
+    #[inline(always)]
+    fn count_triangle(&mut self) {}
+}
+
+/// The hit with the smallest `(t, primitive)`.
+#[derive(Clone, Copy, Debug)]
+pub struct ClosestHit {
+    /// The best so far.
+    pub hit: Hit,
+    limit: f32,
+}
+
+impl ClosestHit {
+    /// Looks for hits up to `t_max`.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(t_max: f32) -> Self {
+        Self {
+            hit: Hit::MISS,
+            limit: t_max,
+        }
+    }
+}
+
+impl Collector for ClosestHit {
+    #[inline(always)]
+    fn limit(&self) -> f32 {
+        self.limit
+    }
+
+    #[inline(always)]
+    fn offer(&mut self, hit: Hit) {
+        if precedes(&hit, &self.hit) {
+            self.hit = hit;
+            self.limit = hit.t;
+        }
+    }
+}
+
+/// Whether there is a hit at all.
+#[derive(Clone, Copy, Debug)]
+pub struct AnyHit {
+    /// Whether one was found.
+    pub found: bool,
+    limit: f32,
+}
+
+impl AnyHit {
+    /// Looks for hits up to `t_max`.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(t_max: f32) -> Self {
+        Self {
+            found: false,
+            limit: t_max,
+        }
+    }
+}
+
+impl Collector for AnyHit {
+    #[inline(always)]
+    fn limit(&self) -> f32 {
+        self.limit
+    }
+
+    #[inline(always)]
+    fn offer(&mut self, _hit: Hit) {
+        self.found = true;
+    }
+
+    #[inline(always)]
+    fn is_done(&self) -> bool {
+        self.found
+    }
+}
+
+/// The K hits with the smallest `(t, primitive)`, in order.
+#[derive(Clone, Copy, Debug)]
+pub struct NearestHits<const K: usize> {
+    /// Misses at the end.
+    pub hits: [Hit; K],
+    limit: f32,
+}
+
+impl<const K: usize> NearestHits<K> {
+    /// Looks for hits up to `t_max`.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(t_max: f32) -> Self {
+        Self {
+            hits: [Hit::MISS; K],
+            limit: t_max,
+        }
+    }
+}
+
+impl<const K: usize> Collector for NearestHits<K> {
+    #[inline(always)]
+    fn limit(&self) -> f32 {
+        self.limit
+    }
+
+    /// Insertion: the new hit moves up, what it passes moves down, the last falls out.
+    #[inline(always)]
+    fn offer(&mut self, hit: Hit) {
+        let mut moving = hit;
+        for i in 0..K {
+            if precedes(&moving, &self.hits[i]) {
+                let displaced = self.hits[i];
+                self.hits[i] = moving;
+                moving = displaced;
+            }
+        }
+        if K > 0 && self.hits[K - 1].is_hit() {
+            self.limit = self.hits[K - 1].t;
+        }
+    }
+}
+
+/// The order of hits: by t, then by the caller's index. A miss comes last.
+#[inline(always)]
+fn precedes(a: &Hit, b: &Hit) -> bool {
+    a.t < b.t || (a.t == b.t && a.primitive < b.primitive)
+}
+
+/// A collector that also counts what the traversal touches.
+#[derive(Clone, Copy, Debug)]
+pub struct Counted<C> {
+    /// The answer.
+    pub inner: C,
+    /// Inner nodes opened; each tests two boxes.
+    pub node_count: u32,
+    /// Triangles tested.
+    pub triangle_count: u32,
+}
+
+impl<C> Counted<C> {
+    /// Counts from zero.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(inner: C) -> Self {
+        Self {
+            inner,
+            node_count: 0,
+            triangle_count: 0,
+        }
+    }
+}
+
+impl<C: Collector> Collector for Counted<C> {
+    #[inline(always)]
+    fn limit(&self) -> f32 {
+        self.inner.limit()
+    }
+
+    #[inline(always)]
+    fn offer(&mut self, hit: Hit) {
+        self.inner.offer(hit);
+    }
+
+    #[inline(always)]
+    fn is_done(&self) -> bool {
+        self.inner.is_done()
+    }
+
+    #[inline(always)]
+    fn count_node(&mut self) {
+        self.node_count += 1;
+    }
+
+    #[inline(always)]
+    fn count_triangle(&mut self) {
+        self.triangle_count += 1;
+    }
+}

@@ -1,0 +1,116 @@
+//! Ray against triangle, watertight (after Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection").
+//!
+//! Each vertex is carried into the ray's space by one function ([`shear`]) that knows nothing of the triangle, so a
+//! shared vertex has the same bits in all its triangles. On which side of an edge the ray passes is decided by comparing
+//! two rounded products: rounding is monotone, so the answer is right or "on the edge", the same for both triangles of
+//! the edge, and on the edge is inside.
+
+use crate::float::{max, min};
+use crate::ray::{Hit, PreparedRay};
+use crate::slab::slab;
+use crate::triangle::Triangle;
+use glam::Vec3;
+
+/// A vertex seen along the ray: x and y across, scaled by the direction's last component; z along, unscaled.
+#[derive(Clone, Copy)]
+struct Sheared {
+    x: f32,
+    y: f32,
+    z: f32,
+}
+
+/// Without a division: `x·dz − z·dx` has the sign of the exact one or is zero, as both products round monotonically.
+#[inline(always)]
+fn shear(ray: &PreparedRay, vertex: Vec3) -> Sheared {
+    let [dx, dy, dz] = ray.direction;
+    let x = component(vertex, ray.axes[0]) - ray.origin[0];
+    let y = component(vertex, ray.axes[1]) - ray.origin[1];
+    let z = component(vertex, ray.axes[2]) - ray.origin[2];
+    Sheared {
+        x: x * dz - z * dx,
+        y: y * dz - z * dy,
+        z,
+    }
+}
+
+/// A component by number.
+#[inline(always)]
+pub(crate) fn component(v: Vec3, axis: u32) -> f32 {
+    if axis == 0 {
+        v.x
+    } else if axis == 1 {
+        v.y
+    } else {
+        v.z
+    }
+}
+
+/// Where the ray meets the triangle within `t_min..=limit`, in prepared t; [`Hit::MISS`] otherwise. Both sides count.
+///
+/// A hit needs three things: the ray passes inside or on all edges; it passes the slab test of the triangle's own tight
+/// box; and t, raised to the box's entry where rounding left it before that, lies in range. As an ancestor's box is
+/// entered no later than the triangle's own, no tree can lose the hit or find another.
+#[inline(always)]
+#[must_use]
+pub fn intersect(ray: &PreparedRay, triangle: &Triangle, limit: f32, primitive: u32) -> Hit {
+    let a = shear(ray, triangle.v0);
+    let b = shear(ray, triangle.v1);
+    let c = shear(ray, triangle.v2);
+
+    // Twice the signed areas that the ray's point spans with each edge, as two rounded products.
+    let (p0, q0) = (c.x * b.y, c.y * b.x);
+    let (p1, q1) = (a.x * c.y, a.y * c.x);
+    let (p2, q2) = (b.x * a.y, b.y * a.x);
+    let front = (p0 >= q0) & (p1 >= q1) & (p2 >= q2);
+    let back = (p0 <= q0) & (p1 <= q1) & (p2 <= q2);
+    if !(front | back) {
+        return Hit::MISS;
+    }
+
+    // A fused difference may have the other sign: clamp it to the side that the comparison chose.
+    let sign = if front { 1.0 } else { -1.0 };
+    let e0 = max((p0 - q0) * sign, 0.0);
+    let e1 = max((p1 - q1) * sign, 0.0);
+    let e2 = max((p2 - q2) * sign, 0.0);
+    let area = e0 + e1 + e2;
+    if !(area >= f32::MIN_POSITIVE) {
+        return Hit::MISS;
+    }
+    let scale = 1.0 / area;
+    let u = e1 * scale;
+    let v = e2 * scale;
+    let t = (e0 * a.z + e1 * b.z + e2 * c.z) * scale * ray.inverse[2];
+    if !(t >= ray.t_min && t <= limit) {
+        return Hit::MISS;
+    }
+
+    // The triangle's own box has the last word.
+    let bounds = triangle.bounds();
+    let low = in_order(ray, bounds.min);
+    let high = in_order(ray, bounds.max);
+    let interval = slab::<1>(ray, low, high);
+    let enter = max(interval.enter[0], ray.t_min);
+    let t = max(t, enter);
+    if enter <= interval.exit[0] && t <= limit {
+        Hit { t, u, v, primitive }
+    } else {
+        Hit::MISS
+    }
+}
+
+/// A point's coordinates in the order of the ray's axes.
+#[inline(always)]
+fn in_order(ray: &PreparedRay, v: Vec3) -> [[f32; 1]; 3] {
+    [
+        [component(v, ray.axes[0])],
+        [component(v, ray.axes[1])],
+        [component(v, ray.axes[2])],
+    ]
+}
+
+/// Keeps barycentric coordinates of a hit in range: rounding may leave u + v a little above 1.
+#[inline]
+#[must_use]
+pub fn weights(u: f32, v: f32) -> Vec3 {
+    Vec3::new(max(1.0 - u - v, 0.0), min(u, 1.0), min(v, 1.0))
+}

@@ -1,0 +1,147 @@
+//! What a mesh is made of: its connected components, which of them are closed, which way they face, and its faults.
+
+mod buckets;
+mod collinear;
+mod components;
+mod union_find;
+mod weld;
+
+#[cfg(test)]
+mod tests;
+
+use crate::Mesh;
+use buckets::Buckets;
+
+pub(crate) use weld::weld;
+
+/// The facts of one mesh. See [`analyze`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Analysis {
+    /// Triangles, faulty ones included.
+    pub triangle_count: usize,
+    /// Vertices, unused ones included.
+    pub vertex_count: usize,
+    /// Distinct positions of used vertices. Only equal positions are one; -0 equals +0.
+    pub welded_vertex_count: usize,
+    /// Pieces that hang together by edges, largest first, equal ones by their first triangle. Triangles that welding
+    /// makes a point have no edge and are in none.
+    pub components: Vec<Component>,
+    /// The box around all used vertices; `None` for a mesh without triangles.
+    pub bounds: Option<Bounds>,
+    /// Triangles whose corners lie on one line, decided exactly.
+    pub degenerate_triangle_count: usize,
+    /// Triangles that have the same three positions as an earlier one, in any rotation and winding.
+    pub duplicate_triangle_count: usize,
+}
+
+/// Triangles that hang together by shared edges between welded vertices. Touching in a point does not connect.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Component {
+    /// How many triangles it has.
+    pub triangle_count: usize,
+    /// Whether every directed edge occurs as often as its reverse. So a closed surface with one face turned over is not
+    /// closed, and two closed surfaces that share an edge are.
+    pub closed: bool,
+    /// Whether no edge is passed in one direction more than once oftener than in the other: an edge of two triangles
+    /// is passed once each way. True for every closed component; a border does no harm.
+    pub consistently_wound: bool,
+    /// Whether the front sides face out, by the sign of the volume. `None` when not closed, or when rounding could
+    /// have turned the sign.
+    pub outward: Option<bool>,
+    /// Volume inside, negative when the front sides face in. Of an open component: the volume of the cone from the
+    /// middle of its bounds.
+    pub signed_volume: f64,
+    /// The box around it.
+    pub bounds: Bounds,
+}
+
+/// A box that is never empty.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Smallest coordinates.
+    pub min: [f32; 3],
+    /// Largest coordinates.
+    pub max: [f32; 3],
+}
+
+impl Bounds {
+    /// The smallest box around some points; `None` for no points.
+    pub fn around(points: impl IntoIterator<Item = [f32; 3]>) -> Option<Self> {
+        let mut points = points.into_iter();
+        let first = points.next()?;
+        let mut bounds = Self {
+            min: first,
+            max: first,
+        };
+        for point in points {
+            bounds.include(point);
+        }
+        Some(bounds)
+    }
+
+    /// Grows the box to hold a point.
+    pub fn include(&mut self, point: [f32; 3]) {
+        for (axis, x) in point.into_iter().enumerate() {
+            self.min[axis] = self.min[axis].min(x);
+            self.max[axis] = self.max[axis].max(x);
+        }
+    }
+
+    /// The point in the middle.
+    #[must_use]
+    pub fn center(&self) -> [f64; 3] {
+        [0, 1, 2].map(|axis| 0.5 * (f64::from(self.min[axis]) + f64::from(self.max[axis])))
+    }
+}
+
+/// Takes stock of a mesh in time O(n log n) on one thread.
+///
+/// # Panics
+/// If a triangle names a vertex that is not there; [`Mesh::validate`] finds that.
+#[must_use]
+pub fn analyze(mesh: &Mesh) -> Analysis {
+    // Name every corner by its position.
+    let ids = weld(&mesh.vertices);
+    let triangles: Vec<[u32; 3]> = mesh
+        .indices
+        .iter()
+        .map(|triangle| triangle.map(|vertex| ids[vertex as usize]))
+        .collect();
+
+    // Count the positions that triangles use.
+    let mut used = vec![false; mesh.vertices.len()];
+    for &id in triangles.as_flattened() {
+        used[id as usize] = true;
+    }
+
+    let corners = |triangle: &[u32; 3]| triangle.map(|vertex| mesh.vertices[vertex as usize]);
+    Analysis {
+        triangle_count: mesh.indices.len(),
+        vertex_count: mesh.vertices.len(),
+        welded_vertex_count: used.iter().filter(|&&used| used).count(),
+        components: components::components(mesh, &triangles),
+        bounds: Bounds::around(mesh.indices.iter().flat_map(corners)),
+        degenerate_triangle_count: mesh
+            .indices
+            .iter()
+            .filter(|triangle| collinear::are_collinear(corners(triangle)))
+            .count(),
+        duplicate_triangle_count: count_duplicates(&triangles, mesh.vertices.len()),
+    }
+}
+
+/// Triangles whose three welded vertices an earlier triangle has too.
+fn count_duplicates(triangles: &[[u32; 3]], vertex_count: usize) -> usize {
+    let by_smallest_vertex = Buckets::new(
+        vertex_count,
+        triangles.iter().map(|&triangle| {
+            let mut sorted = triangle;
+            sorted.sort_unstable();
+            (sorted[0], u64::from(sorted[1]) << 32 | u64::from(sorted[2]))
+        }),
+    );
+    by_smallest_vertex
+        .iter()
+        .map(|(_, others)| others.windows(2).filter(|pair| pair[0] == pair[1]).count())
+        .sum()
+}

@@ -1,0 +1,122 @@
+//! A built hierarchy, and the questions it answers.
+
+use slimbvh_core::aabb::Aabb;
+use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};
+use slimbvh_core::trace::{self, LeafTriangles, PlainNodes};
+use slimbvh_core::{LeafTriangle, Node};
+
+/// A bounding volume hierarchy over a mesh. Filled by a [`crate::Builder`], which can fill it again without allocating.
+#[derive(Clone, Debug, Default)]
+pub struct Bvh {
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) triangles: Vec<LeafTriangle>,
+    pub(crate) bounds: Option<Aabb>,
+    pub(crate) scene_exponent: i32,
+    pub(crate) depth_bound: u32,
+}
+
+impl Bvh {
+    /// The hit with the smallest t, and among equals with the smallest primitive index; [`Hit::MISS`] where there is none.
+    ///
+    /// Rays are in the mesh's unit. A ray with a NaN in it, an infinite origin or a zero direction hits nothing.
+    #[must_use]
+    pub fn closest_hit(&self, ray: &Ray) -> Hit {
+        trace::closest_hit(
+            &self.node_source(),
+            &self.triangle_source(),
+            ray,
+            self.scene_exponent,
+            NO_PRIMITIVE,
+        )
+    }
+
+    /// Whether the ray meets anything; stops at the first triangle found.
+    #[doc(alias = "occluded")]
+    #[must_use]
+    pub fn any_hit(&self, ray: &Ray) -> bool {
+        trace::any_hit(
+            &self.node_source(),
+            &self.triangle_source(),
+            ray,
+            self.scene_exponent,
+            NO_PRIMITIVE,
+        )
+    }
+
+    /// The K hits with the smallest `(t, primitive)`, in order; [`Hit::MISS`] fills what is left.
+    #[must_use]
+    pub fn nearest_hits<const K: usize>(&self, ray: &Ray) -> [Hit; K] {
+        trace::nearest_hits(
+            &self.node_source(),
+            &self.triangle_source(),
+            ray,
+            self.scene_exponent,
+        )
+    }
+
+    /// The box around all triangles, in the mesh's unit; `None` for an empty mesh.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Aabb> {
+        self.bounds
+    }
+
+    /// How many triangles there are.
+    #[must_use]
+    pub fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// How many inner nodes there are.
+    #[must_use]
+    pub fn node_count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Bytes of the nodes.
+    #[must_use]
+    pub fn node_bytes(&self) -> usize {
+        size_of_val(self.nodes.as_slice())
+    }
+
+    /// Bytes of the triangles in the leaves.
+    #[must_use]
+    pub fn triangle_bytes(&self) -> usize {
+        size_of_val(self.triangles.as_slice())
+    }
+
+    /// No path from the root is longer than this.
+    #[must_use]
+    pub fn depth_bound(&self) -> u32 {
+        self.depth_bound
+    }
+
+    /// All coordinates inside are the mesh's times two to this power.
+    #[must_use]
+    pub fn scene_exponent(&self) -> i32 {
+        self.scene_exponent
+    }
+
+    /// The nodes, the root first.
+    #[must_use]
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// The triangles in leaf order, carried to magnitude 1.
+    #[must_use]
+    pub fn leaf_triangles(&self) -> &[LeafTriangle] {
+        &self.triangles
+    }
+
+    /// The nodes, as the tracer reads them.
+    #[must_use]
+    pub fn node_source(&self) -> PlainNodes<'_> {
+        PlainNodes(&self.nodes)
+    }
+
+    /// The triangles, as the tracer reads them.
+    #[must_use]
+    pub fn triangle_source(&self) -> LeafTriangles<'_> {
+        LeafTriangles(&self.triangles)
+    }
+}

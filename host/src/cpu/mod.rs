@@ -1,0 +1,6 @@
+//! The CPU backend: core's kernels under rayon. The number of threads never changes a bit.
+
+mod build;
+mod sort;
+
+pub use build::{BuildConfig, Builder, CodeBits};

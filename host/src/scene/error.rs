@@ -1,0 +1,318 @@
+//! Why a scene cannot be loaded.
+
+use super::gltf::GltfError;
+use crate::MeshError;
+use std::io;
+use thiserror::Error;
+
+/// Why a scene cannot be loaded: one sentence that names the file, the place and the numbers.
+#[derive(Debug, Error)]
+pub enum LoadError {
+    /// The operating system refuses the file.
+    #[error("cannot read \"{file}\": {error}")]
+    Read {
+        /// The path as given.
+        file: String,
+        /// What the operating system says.
+        error: io::Error,
+    },
+    /// The path names a directory, a device or a pipe.
+    #[error("\"{file}\" is not a regular file")]
+    NotAFile {
+        /// The path as given.
+        file: String,
+    },
+    /// The file is larger than [`LoadOptions::max_file_bytes`](super::LoadOptions::max_file_bytes).
+    #[error("\"{file}\" has {}; at most {} are read", Size(*size_bytes), Size(*limit_bytes))]
+    TooLarge {
+        /// The path as given.
+        file: String,
+        /// The file's size.
+        size_bytes: u64,
+        /// The largest size that is read.
+        limit_bytes: u64,
+    },
+    /// No loader goes by the extension.
+    #[error(
+        "\"{file}\" has the extension \"{extension}\"; slimbvh reads gltf, glb, obj, ply, stl and off"
+    )]
+    UnknownExtension {
+        /// The path as given.
+        file: String,
+        /// What follows its last dot.
+        extension: String,
+    },
+    /// The path has no extension to tell the format by.
+    #[error("\"{file}\" has no extension; slimbvh reads gltf, glb, obj, ply, stl and off")]
+    NoExtension {
+        /// The path as given.
+        file: String,
+    },
+    /// The file stops before all that it announces.
+    #[error("\"{file}\" ends early: {announced} {what} are announced, {found} are there")]
+    EndsEarly {
+        /// The path as given.
+        file: String,
+        /// What is counted, in the plural.
+        what: String,
+        /// How many the header promises.
+        announced: u64,
+        /// How many are complete.
+        found: u64,
+    },
+    /// The file stops before its header is complete.
+    #[error("\"{file}\" ends within its header")]
+    HeaderCut {
+        /// The path as given.
+        file: String,
+    },
+    /// A header line does not follow the format.
+    #[error("\"{file}\", line {line}: the header line \"{text}\" is not understood")]
+    HeaderLine {
+        /// The path as given.
+        file: String,
+        /// The line, counted from 1.
+        line: usize,
+        /// The line's first characters.
+        text: String,
+    },
+    /// Something that the format requires is absent.
+    #[error("\"{file}\" has no {what}")]
+    Missing {
+        /// The path as given.
+        file: String,
+        /// What is absent.
+        what: String,
+    },
+    /// An OFF file of a kind that is not read.
+    #[error(
+        "\"{file}\" begins with \"{header}\"; of OFF files, text with the prefixes C, N and ST is read"
+    )]
+    OffKind {
+        /// The path as given.
+        file: String,
+        /// What it begins with.
+        header: String,
+    },
+    /// A word stands where a number belongs.
+    #[error("\"{file}\", line {line}: \"{text}\" is not {expected}")]
+    BadNumber {
+        /// The path as given.
+        file: String,
+        /// The line, counted from 1.
+        line: usize,
+        /// The word's first characters.
+        text: String,
+        /// `a number`, `a count` or `an index`.
+        expected: &'static str,
+    },
+    /// A binary file has an impossible list length or index.
+    #[error("\"{file}\": {what} {item} holds {value}, which is not {expected}")]
+    BadValue {
+        /// The path as given.
+        file: String,
+        /// The kind of item.
+        what: String,
+        /// The item, counted from 0.
+        item: u64,
+        /// The number that is there.
+        value: f64,
+        /// `a count` or `an index`.
+        expected: &'static str,
+    },
+    /// A line stops before all its numbers.
+    #[error("\"{file}\", line {line}: {needed} numbers are needed, {found} are there")]
+    TooFewNumbers {
+        /// The path as given.
+        file: String,
+        /// The line, counted from 1.
+        line: usize,
+        /// How many belong there.
+        needed: u64,
+        /// How many there are.
+        found: u64,
+    },
+    /// A face names a vertex or a normal that is not there.
+    #[error("\"{file}\"{}: {part}face {face} names {} {index}, but there are only {count} {}", at(*line), list.one(), list.many())]
+    IndexOutOfRange {
+        /// The path as given.
+        file: String,
+        /// The line, counted from 1, where the format has lines.
+        line: Option<usize>,
+        /// `mesh "name", `, or empty.
+        part: String,
+        /// The face, counted from 0 in the file or the part.
+        face: usize,
+        /// What the face names.
+        list: Indexed,
+        /// The index as the file writes it.
+        index: i64,
+        /// How many there are.
+        count: usize,
+    },
+    /// The OBJ reader refuses the file.
+    #[error("\"{file}\"{}: {error}", at(*line))]
+    Obj {
+        /// The path as given.
+        file: String,
+        /// The line, counted from 1, where it is known.
+        line: Option<usize>,
+        /// What the reader says.
+        error: tobj::LoadError,
+    },
+    /// The PLY header is incomplete or contradicts itself.
+    #[error("\"{file}\": {message}")]
+    PlyHeader {
+        /// The path as given.
+        file: String,
+        /// What the header reader says.
+        message: String,
+    },
+    /// The STL reader refuses a face.
+    #[error("\"{file}\", face {face}: {error}")]
+    Stl {
+        /// The path as given.
+        file: String,
+        /// The face, counted from 0.
+        face: usize,
+        /// What the reader says.
+        error: io::Error,
+    },
+    /// An STL text stops before `endsolid`.
+    #[error("\"{file}\" ends early: face {face} is not complete, or \"endsolid\" is missing")]
+    StlCut {
+        /// The path as given.
+        file: String,
+        /// The face, counted from 0.
+        face: usize,
+    },
+    /// The glTF scene contradicts itself or its buffers.
+    #[error("\"{file}\": {error}")]
+    Gltf {
+        /// The path as given.
+        file: String,
+        /// What is wrong.
+        error: GltfError,
+    },
+    /// The faces are not fit to build from.
+    #[error("\"{file}\": {error}")]
+    Mesh {
+        /// The path as given.
+        file: String,
+        /// What is wrong.
+        error: MeshError,
+    },
+    /// There is nothing to draw.
+    #[error("\"{file}\" holds no triangles{}", left_out(*dropped_face_count))]
+    NoTriangles {
+        /// The path as given.
+        file: String,
+        /// How many broken faces were left out.
+        dropped_face_count: usize,
+    },
+    /// A reader has a fault that the file brings to light.
+    #[error("the {format} reader failed on \"{file}\": {message}; please report it with the file")]
+    Panicked {
+        /// The path as given.
+        file: String,
+        /// The format's name.
+        format: &'static str,
+        /// What the reader says.
+        message: String,
+    },
+}
+
+/// What a face's corner can name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Indexed {
+    /// Positions.
+    Vertices,
+    /// Shading normals.
+    Normals,
+}
+
+impl Indexed {
+    fn one(self) -> &'static str {
+        match self {
+            Self::Vertices => "vertex",
+            Self::Normals => "normal",
+        }
+    }
+
+    fn many(self) -> &'static str {
+        match self {
+            Self::Vertices => "vertices",
+            Self::Normals => "normals",
+        }
+    }
+}
+
+/// The first characters of a word or a line, for a message.
+pub(super) fn excerpt(text: &str) -> String {
+    const LENGTH: usize = 40;
+    let text = text.trim();
+    match text.char_indices().nth(LENGTH) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+/// `, line 12`, or nothing where lines are not known.
+fn at(line: Option<usize>) -> String {
+    line.map_or_else(String::new, |line| format!(", line {line}"))
+}
+
+fn left_out(dropped_face_count: usize) -> String {
+    match dropped_face_count {
+        0 => String::new(),
+        count => format!("; {count} broken faces were left out"),
+    }
+}
+
+/// A size in bytes, with the largest unit below it.
+struct Size(u64);
+
+impl std::fmt::Display for Size {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        const UNITS: [(&str, u32); 3] = [("GiB", 30), ("MiB", 20), ("KiB", 10)];
+        match UNITS.iter().find(|(_, shift)| self.0 >> shift > 0) {
+            Some((unit, shift)) => {
+                write!(f, "{:.1} {unit}", self.0 as f64 / (1_u64 << shift) as f64)
+            }
+            None => write!(f, "{} bytes", self.0),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_read_well() {
+        assert_eq!(Size(5_476_083_302).to_string(), "5.1 GiB");
+        assert_eq!(Size(4 << 30).to_string(), "4.0 GiB");
+        assert_eq!(Size(1536).to_string(), "1.5 KiB");
+        assert_eq!(Size(1023).to_string(), "1023 bytes");
+    }
+
+    #[test]
+    fn a_fault_of_a_reader_asks_for_a_report() {
+        let error = LoadError::Panicked {
+            file: "x.ply".into(),
+            format: "PLY",
+            message: "index out of bounds".into(),
+        };
+        assert_eq!(
+            error.to_string(),
+            "the PLY reader failed on \"x.ply\": index out of bounds; please report it with the file"
+        );
+    }
+
+    #[test]
+    fn excerpts_cut_between_characters() {
+        assert_eq!(excerpt("  plain \n"), "plain");
+        let long = "ä".repeat(50);
+        assert_eq!(excerpt(&long), format!("{}…", "ä".repeat(40)));
+    }
+}

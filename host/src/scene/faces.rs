@@ -1,0 +1,151 @@
+//! Polygons to triangles, checked against the vertices that they name.
+
+use super::error::Indexed;
+use super::load::Source;
+use super::{LoadError, Scene};
+use crate::{Mesh, MeshError};
+
+/// A mesh in the making.
+pub(super) struct Faces<'a> {
+    source: &'a Source<'a>,
+    /// All but the triangles is the reader's to fill.
+    pub mesh: Mesh,
+    /// Faces left out so far.
+    pub dropped_count: usize,
+}
+
+/// Where a face stands, for messages.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    /// The line, counted from 1, where the format has lines.
+    pub line: Option<usize>,
+    /// The name of the face's part, where it has one.
+    pub part: Option<&'a str>,
+    /// The face, counted from 0 in the file or the part.
+    pub face: usize,
+}
+
+/// A run of the mesh's vertices, which faces number from 0.
+#[derive(Clone, Copy)]
+pub(super) struct Run {
+    /// The run's first vertex in the mesh.
+    pub first: u32,
+    /// How many there are.
+    pub count: usize,
+}
+
+impl<'a> Faces<'a> {
+    pub fn new(source: &'a Source<'a>) -> Self {
+        Self {
+            source,
+            mesh: Mesh::default(),
+            dropped_count: 0,
+        }
+    }
+
+    /// The run that the next `count` vertices will be.
+    pub fn next_run(&self, count: usize) -> Result<Run, LoadError> {
+        let first = self.mesh.vertices.len();
+        if first.saturating_add(count) > u32::MAX as usize {
+            return Err(self.mesh_error(MeshError::TooManyVertices {
+                vertex_count: first.saturating_add(count),
+            }));
+        }
+        Ok(Run {
+            first: first as u32,
+            count,
+        })
+    }
+
+    /// Adds a polygon as a fan around its first corner; fewer than three corners add nothing. A polygon that names a
+    /// vertex outside of the run is left out if the options are lenient.
+    pub fn polygon(
+        &mut self,
+        corners: &[i64],
+        run: Run,
+        place: Place<'_>,
+    ) -> Result<(), LoadError> {
+        let outside = |&&corner: &&i64| !usize::try_from(corner).is_ok_and(|i| i < run.count);
+        if let Some(&index) = corners.iter().find(outside) {
+            if self.source.options.lenient {
+                self.dropped_count += 1;
+                return Ok(());
+            }
+            return Err(LoadError::IndexOutOfRange {
+                file: self.source.file.clone(),
+                line: place.line,
+                part: place
+                    .part
+                    .map_or_else(String::new, |part| format!("mesh \"{part}\", ")),
+                face: place.face,
+                list: Indexed::Vertices,
+                index,
+                count: run.count,
+            });
+        }
+        // Below `run.count`, and so below 2^32.
+        let vertex = |i: usize| run.first + corners[i] as u32;
+        for i in 2..corners.len() {
+            self.mesh
+                .indices
+                .push([vertex(0), vertex(i - 1), vertex(i)]);
+        }
+        self.check_triangle_count()
+    }
+
+    /// Refuses more triangles than can be built from, before they fill the memory.
+    fn check_triangle_count(&self) -> Result<(), LoadError> {
+        let limit = slimbvh_core::MAX_TRIANGLES as usize;
+        if self.mesh.indices.len() <= limit {
+            return Ok(());
+        }
+        Err(self.mesh_error(MeshError::TooManyTriangles {
+            triangle_count: self.mesh.indices.len(),
+            limit,
+        }))
+    }
+
+    fn mesh_error(&self, error: MeshError) -> LoadError {
+        LoadError::Mesh {
+            file: self.source.file.clone(),
+            error,
+        }
+    }
+
+    /// A scene of the mesh alone.
+    pub fn into_scene(self) -> Scene {
+        Scene {
+            mesh: self.mesh,
+            dropped_face_count: self.dropped_count,
+            ..Scene::default()
+        }
+    }
+}
+
+/// The normal with length 1; zero, which asks for flat shading, if it has no direction.
+pub(super) fn unit_or_zero(normal: [f32; 3]) -> [f32; 3] {
+    glam::Vec3::from_array(normal)
+        .normalize_or_zero()
+        .to_array()
+}
+
+/// A share between 0 and 1; 0 for NaN.
+pub(super) fn share(value: f32) -> f32 {
+    if value > 0.0 { value.min(1.0) } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_and_normals_are_never_nan() {
+        assert_eq!(share(f32::NAN), 0.0);
+        assert_eq!(share(-2.0), 0.0);
+        assert_eq!(share(7.0), 1.0);
+        assert_eq!(unit_or_zero([0.0, 3.0, 4.0]), [0.0, 0.6, 0.8]);
+        assert_eq!(unit_or_zero([f32::NAN, 1.0, 2.0]), [0.0; 3]);
+        assert_eq!(unit_or_zero([0.0; 3]), [0.0; 3]);
+        assert_eq!(unit_or_zero([1e30, 0.0, 0.0]), [0.0; 3]);
+    }
+}

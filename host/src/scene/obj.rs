@@ -1,0 +1,157 @@
+//! OBJ: groups of polygons, with materials in files beside.
+//!
+//! `tobj` reads what [`lines`] and [`materials`] let through.
+
+mod lines;
+mod materials;
+
+use super::faces::unit_or_zero;
+use super::load::Source;
+use super::{LoadError, Material, Scene};
+use crate::{Mesh, Part};
+use lines::{BrokenFace, Fault, Lines};
+use std::cell::RefCell;
+
+/// The name that `tobj` gives to faces outside of any group.
+const NO_NAME: &str = "unnamed_object";
+
+/// Reads all polygons; a part for each named group or object. Lines and points are passed over.
+pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadError> {
+    let text = String::from_utf8_lossy(&bytes);
+    // `tobj` finds such faces late and without their line, or overflows at their indices.
+    let mut broken = Vec::new();
+    for face in lines::broken_faces(&text) {
+        if !source.options.lenient {
+            return Err(refuse(&face, source));
+        }
+        broken.push(face);
+    }
+
+    let options = tobj::LoadOptions {
+        single_index: true,
+        triangulate: true,
+        ignore_points: true,
+        ignore_lines: true,
+    };
+    // A library that cannot be read stops the loading, which `tobj` alone would not.
+    let library_error = RefCell::new(None);
+    let mut lines = Lines::new(&text, &broken);
+    let read = tobj::load_obj_buf(&mut lines, &options, |library| {
+        materials::read(library, source).map_err(|error| {
+            library_error.replace(Some(error));
+            tobj::LoadError::ReadError
+        })
+    });
+    if let Some(error) = library_error.into_inner() {
+        return Err(error);
+    }
+    let (models, library) = read.map_err(|error| LoadError::Obj {
+        file: source.file.clone(),
+        line: is_of_a_line(error).then_some(lines.line()),
+        error,
+    })?;
+
+    let mut scene = Scene {
+        materials: library
+            .unwrap_or_default()
+            .iter()
+            .map(materials::convert)
+            .collect(),
+        dropped_face_count: broken.len(),
+        ..Scene::default()
+    };
+    for model in models {
+        append(&mut scene.mesh, model, scene.materials.len());
+    }
+    tidy(&mut scene);
+    Ok(scene)
+}
+
+/// Adds a model's triangles, with `default_material` where it names none.
+fn append(mesh: &mut Mesh, model: tobj::Model, default_material: usize) {
+    let tobj::Model { mesh: added, name } = model;
+    let first_vertex = mesh.vertices.len() as u32;
+    let first_triangle = mesh.indices.len() as u32;
+    let triangle_count = (added.indices.len() / 3) as u32;
+    if triangle_count == 0 {
+        return;
+    }
+
+    // `tobj` gives normals to the vertices that have one and then no longer says to which.
+    let (vertices, _) = added.positions.as_chunks::<3>();
+    let (normals, _) = added.normals.as_chunks::<3>();
+    mesh.vertices.extend(vertices);
+    if normals.len() == vertices.len() {
+        mesh.normals
+            .extend(normals.iter().map(|&normal| unit_or_zero(normal)));
+    } else {
+        mesh.normals.resize(mesh.vertices.len(), [0.0; 3]);
+    }
+    let (triangles, _) = added.indices.as_chunks::<3>();
+    mesh.indices.extend(
+        triangles
+            .iter()
+            .map(|t| t.map(|vertex| first_vertex + vertex)),
+    );
+    let material = added.material_id.unwrap_or(default_material) as u32;
+    mesh.materials.resize(mesh.indices.len(), material);
+
+    // A change of material begins a new model but no new part.
+    match mesh.parts.last_mut() {
+        Some(part) if part.name == name => part.triangle_count += triangle_count,
+        _ => mesh.parts.push(Part {
+            name,
+            first_triangle,
+            triangle_count,
+        }),
+    }
+}
+
+/// Removes lists that say nothing and adds the default material if a triangle has it.
+fn tidy(scene: &mut Scene) {
+    let mesh = &mut scene.mesh;
+    if mesh.normals.iter().all(|normal| *normal == [0.0; 3]) {
+        mesh.normals.clear();
+    }
+    if matches!(&mesh.parts[..], [part] if part.name == NO_NAME) {
+        mesh.parts.clear();
+    }
+    if scene.materials.is_empty() {
+        mesh.materials.clear();
+    } else if mesh.materials.contains(&(scene.materials.len() as u32)) {
+        scene.materials.push(Material::default());
+    }
+}
+
+/// Whether the reader finds the fault in the line that it has just read, and not at the end of a group.
+fn is_of_a_line(error: tobj::LoadError) -> bool {
+    use tobj::LoadError as E;
+    !matches!(
+        error,
+        E::FaceVertexOutOfBounds
+            | E::FaceNormalOutOfBounds
+            | E::FaceTexCoordOutOfBounds
+            | E::FaceColorOutOfBounds
+            | E::InvalidPolygon
+    )
+}
+
+fn refuse(broken: &BrokenFace, source: &Source<'_>) -> LoadError {
+    let (file, line) = (source.file.clone(), Some(broken.line));
+    match broken.fault {
+        Fault::Unreadable => LoadError::Obj {
+            file,
+            line,
+            error: tobj::LoadError::FaceParseError,
+        },
+        Fault::Outside { list, index, count } => LoadError::IndexOutOfRange {
+            file,
+            line,
+            part: String::new(),
+            face: broken.face,
+            list,
+            index,
+            count,
+        },
+    }
+}

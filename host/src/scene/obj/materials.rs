@@ -1,0 +1,64 @@
+//! Material libraries (MTL).
+
+use super::super::faces::share;
+use super::super::load::{Source, read_file};
+use super::super::{LoadError, Material};
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// The materials of a library, which may be missing. `tobj` is given only the lines that count and that it can read: it
+/// panics at a colour of fewer than three numbers, and gives up the library at one that is no number.
+pub(super) fn read(
+    library: &Path,
+    source: &Source<'_>,
+) -> Result<(Vec<tobj::Material>, Names), LoadError> {
+    let path = source.beside(library);
+    let bytes = match read_file(&path, source.options.max_file_bytes) {
+        Ok(bytes) => bytes,
+        Err(LoadError::Read { error, .. }) if error.kind() == ErrorKind::NotFound => {
+            return Ok(Default::default());
+        }
+        Err(error) => return Err(error),
+    };
+    let text = String::from_utf8_lossy(&bytes);
+    let lines: Vec<&str> = text.lines().filter(|line| is_readable(line)).collect();
+    tobj::load_mtl_buf(&mut lines.join("\n").as_bytes()).map_err(|error| LoadError::Obj {
+        file: path.display().to_string(),
+        line: None,
+        error,
+    })
+}
+
+/// Materials by name.
+type Names = std::collections::HashMap<String, usize>;
+
+/// Whether the line begins a material, or says one of the things that [`convert`] asks for and says it well.
+fn is_readable(line: &str) -> bool {
+    let mut words = line.split_whitespace();
+    match words.next() {
+        Some("newmtl") => words.next().is_some(),
+        Some("Kd" | "Ks") => {
+            let numbers = words.take(3).filter(|word| word.parse::<f32>().is_ok());
+            numbers.count() == 3
+        }
+        Some("illum") => words.next().is_some_and(|word| word.parse::<u8>().is_ok()),
+        _ => false,
+    }
+}
+
+/// The diffuse colour; the specular one as a mirror if the illumination model is the one with reflection.
+pub(super) fn convert(material: &tobj::Material) -> Material {
+    const REFLECTION: u8 = 3;
+    let specular = material.specular.unwrap_or_default();
+    let is_mirror = material.illumination_model == Some(REFLECTION);
+    Material {
+        base_color: match material.diffuse {
+            Some(diffuse) => diffuse.map(share),
+            None => Material::default().base_color,
+        },
+        mirror: match is_mirror {
+            true => share(specular.into_iter().fold(0.0, f32::max)),
+            false => 0.0,
+        },
+    }
+}

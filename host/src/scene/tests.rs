@@ -1,0 +1,174 @@
+//! The loaders, through [`load`] and files on disk.
+
+mod gltf;
+mod mutation;
+mod obj;
+mod off;
+mod ply;
+mod stl;
+
+use super::{LoadError, LoadOptions, Scene, load};
+use std::path::PathBuf;
+use tempfile::TempDir;
+
+/// Corners of a box of 1×2×3; bit 0 of a corner's number is its place along x, bit 1 along y, bit 2 along z.
+const CORNERS: [[f32; 3]; 8] = [
+    [0.0, 0.0, 0.0],
+    [1.0, 0.0, 0.0],
+    [0.0, 2.0, 0.0],
+    [1.0, 2.0, 0.0],
+    [0.0, 0.0, 3.0],
+    [1.0, 0.0, 3.0],
+    [0.0, 2.0, 3.0],
+    [1.0, 2.0, 3.0],
+];
+
+/// Its sides, counter-clockwise from outside.
+const SIDES: [[u32; 4]; 6] = [
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+];
+
+/// A folder of files for one test.
+struct Files(TempDir);
+
+impl Files {
+    fn new() -> Self {
+        Self(TempDir::new().expect("a temporary folder"))
+    }
+
+    /// A folder with one file.
+    fn with(name: &str, bytes: impl AsRef<[u8]>) -> Self {
+        let files = Self::new();
+        files.put(name, bytes);
+        files
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn put(&self, name: &str, bytes: impl AsRef<[u8]>) {
+        std::fs::write(self.path(name), bytes).expect("a file in the temporary folder");
+    }
+
+    fn load_with(&self, name: &str, options: &LoadOptions) -> Result<Scene, LoadError> {
+        load(&self.path(name), options)
+    }
+
+    fn load(&self, name: &str) -> Scene {
+        self.load_with(name, &LoadOptions::default())
+            .unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    fn load_leniently(&self, name: &str) -> Scene {
+        self.load_with(name, &lenient())
+            .unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// The message of the error, without the folder.
+    fn refusal_with(&self, name: &str, options: &LoadOptions) -> String {
+        let folder = format!("{}/", self.0.path().display());
+        match self.load_with(name, options) {
+            Ok(_) => panic!("{name} is loaded"),
+            Err(error) => error.to_string().replace(&folder, ""),
+        }
+    }
+
+    fn refusal(&self, name: &str) -> String {
+        self.refusal_with(name, &LoadOptions::default())
+    }
+}
+
+fn lenient() -> LoadOptions {
+    LoadOptions {
+        lenient: true,
+        ..LoadOptions::default()
+    }
+}
+
+/// A sixth of the determinant of every triangle: the volume, if the surface is closed and counter-clockwise outside.
+fn volume(scene: &Scene) -> f32 {
+    let mesh = &scene.mesh;
+    let corner = |vertex: u32| glam::Vec3::from_array(mesh.vertices[vertex as usize]);
+    let six_times = |[a, b, c]: [u32; 3]| corner(a).dot(corner(b).cross(corner(c)));
+    mesh.indices.iter().map(|t| six_times(*t)).sum::<f32>() / 6.0
+}
+
+/// Checks that the scene is the box of 1×2×3.
+fn assert_is_box(scene: &Scene) {
+    assert_eq!(scene.mesh.indices.len(), 12);
+    assert_eq!(volume(scene), 6.0);
+    for vertex in &scene.mesh.vertices {
+        assert!(CORNERS.contains(vertex), "{vertex:?}");
+    }
+    assert_eq!(scene.mesh.validate(), Ok(()));
+}
+
+#[test]
+fn the_extension_tells_the_format_in_any_case() {
+    let files = Files::with("BOX.OFF", off::sample());
+    assert_is_box(&files.load("BOX.OFF"));
+    files.put("x.abc", "");
+    assert_eq!(
+        files.refusal("x.abc"),
+        "\"x.abc\" has the extension \"abc\"; slimbvh reads gltf, glb, obj, ply, stl and off"
+    );
+    assert_eq!(
+        files.refusal("box"),
+        "\"box\" has no extension; slimbvh reads gltf, glb, obj, ply, stl and off"
+    );
+}
+
+#[test]
+fn files_that_cannot_be_read_are_named() {
+    let files = Files::new();
+    assert_eq!(
+        files.refusal("x.ply"),
+        "cannot read \"x.ply\": No such file or directory (os error 2)"
+    );
+    std::fs::create_dir(files.path("folder.obj")).expect("a folder");
+    assert_eq!(
+        files.refusal("folder.obj"),
+        "\"folder.obj\" is not a regular file"
+    );
+}
+
+#[test]
+fn larger_files_than_allowed_are_not_read() {
+    let files = Files::with("box.off", off::sample());
+    let size = off::sample().len() as u64;
+    let options = |max_file_bytes| LoadOptions {
+        lenient: false,
+        max_file_bytes,
+    };
+    assert_is_box(
+        &files
+            .load_with("box.off", &options(size))
+            .unwrap_or_else(|error| panic!("{error}")),
+    );
+    assert_eq!(
+        files.refusal_with("box.off", &options(size - 1)),
+        format!(
+            "\"box.off\" has {size} bytes; at most {} bytes are read",
+            size - 1
+        )
+    );
+}
+
+#[test]
+fn empty_files_of_every_format_are_refused() {
+    let empty = |name: &str| Files::with(name, "").refusal(name);
+    assert_eq!(empty("x.off"), "\"x.off\" ends within its header");
+    assert_eq!(empty("x.ply"), "\"x.ply\" ends within its header");
+    assert_eq!(empty("x.stl"), "\"x.stl\" ends within its header");
+    assert_eq!(empty("x.obj"), "\"x.obj\" holds no triangles");
+    assert_eq!(
+        empty("x.gltf"),
+        "\"x.gltf\": the JSON is not glTF 2.0: EOF while parsing a value at line 1 column 0"
+    );
+}

@@ -1,0 +1,136 @@
+use super::*;
+
+/// The box, with its sides as quads and a colour for each.
+pub(super) fn sample() -> String {
+    let mut text = String::from("OFF\n# a box of 1×2×3\n8 6 0\n\n");
+    for [x, y, z] in CORNERS {
+        text += &format!("{x} {y} {z}\n");
+    }
+    for [a, b, c, d] in SIDES {
+        text += &format!("4 {a} {b} {c} {d} 255 0 128 # side\n");
+    }
+    text
+}
+
+#[test]
+fn quads_become_triangles() {
+    let scene = Files::with("box.off", sample()).load("box.off");
+    assert_is_box(&scene);
+    assert_eq!(scene.mesh.vertices, CORNERS);
+    assert_eq!(scene.mesh.indices[..2], [[0, 4, 6], [0, 6, 2]]);
+}
+
+#[test]
+fn counts_may_stand_behind_the_keyword_and_lines_end_as_they_like() {
+    let text = sample()
+        .replace("OFF\n# a box of 1×2×3\n8 6 0", "OFF 8 6")
+        .replace('\n', "\r\n");
+    assert_is_box(&Files::with("box.off", text).load("box.off"));
+}
+
+#[test]
+fn normals_are_read_and_colours_passed_over() {
+    let text = "CNOFF 3 2\n1 0 0 0 0 2 1 1 1 1\n0 2 0 0 3 4 1 1 1 1\n0 0 3 0 0 0 1 1 1 1\n3 0 1 2\n2 0 1\n";
+    let scene = Files::with("x.off", text).load("x.off");
+    assert_eq!(
+        scene.mesh.vertices,
+        [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]]
+    );
+    assert_eq!(
+        scene.mesh.normals,
+        [[0.0, 0.0, 1.0], [0.0, 0.6, 0.8], [0.0; 3]]
+    );
+    assert_eq!(scene.mesh.indices, [[0, 1, 2]]);
+}
+
+#[test]
+fn faults_name_line_and_face() {
+    let refusal = |text: String| Files::with("a.off", text).refusal("a.off");
+    assert_eq!(
+        refusal(sample().replace("4 2 6 7 3", "4 2 6 9 3")),
+        "\"a.off\", line 16: face 3 names vertex 9, but there are only 8 vertices"
+    );
+    assert_eq!(
+        refusal(sample().replace("4 2 6 7 3", "4 2 6 -1 3")),
+        "\"a.off\", line 16: face 3 names vertex -1, but there are only 8 vertices"
+    );
+    assert_eq!(
+        refusal(sample().replace("4 2 6 7 3 255 0 128", "9 2 6 7 3")),
+        "\"a.off\", line 16: 10 numbers are needed, 5 are there"
+    );
+    assert_eq!(
+        refusal(sample().replace("1 0 3\n", "1 zero 3\n")),
+        "\"a.off\", line 10: \"zero\" is not a number"
+    );
+    assert_eq!(
+        refusal(sample().replace("1 0 3\n", "1 0\n")),
+        "\"a.off\", line 10: 3 numbers are needed, 2 are there"
+    );
+    assert_eq!(
+        refusal(sample().replace("8 6 0", "8 7 0")),
+        "\"a.off\" ends early: 7 faces are announced, 6 are there"
+    );
+    assert_eq!(
+        refusal("OFF\n8 -1 0\n".into()),
+        "\"a.off\", line 2: \"-1\" is not a count"
+    );
+}
+
+#[test]
+fn huge_counts_are_not_believed() {
+    assert_eq!(
+        Files::with("a.off", "OFF\n4000000000 1 0\n0 0 0\n").refusal("a.off"),
+        "\"a.off\" ends early: 4000000000 vertices are announced, 1 are there"
+    );
+    assert_eq!(
+        Files::with("a.off", "OFF\n1 1\n0 0 0\n18446744073709551615 0 0").refusal("a.off"),
+        "\"a.off\", line 4: 18446744073709551615 numbers are needed, 3 are there"
+    );
+}
+
+#[test]
+fn other_kinds_are_refused() {
+    let refusal = |text: &str| Files::with("a.off", text).refusal("a.off");
+    let rest = "of OFF files, text with the prefixes C, N and ST is read";
+    assert_eq!(
+        refusal("4OFF\n"),
+        format!("\"a.off\" begins with \"4OFF\"; {rest}")
+    );
+    assert_eq!(
+        refusal("OFF BINARY\n"),
+        format!("\"a.off\" begins with \"OFF BINARY\"; {rest}")
+    );
+    assert_eq!(
+        refusal("8 6 0\n"),
+        format!("\"a.off\" begins with \"8\"; {rest}")
+    );
+}
+
+#[test]
+fn lenient_loading_leaves_broken_faces_out() {
+    let text = sample()
+        .replace("4 2 6 7 3", "4 2 6 9 3")
+        .replace("1 0 3\n", "nan 0 3\n");
+    let files = Files::with("a.off", text);
+    // Gone are a quad, which is one face, and the four triangles with corner 5.
+    let scene = files.load_leniently("a.off");
+    assert_eq!(scene.mesh.indices.len(), 6);
+    assert_eq!(scene.dropped_face_count, 5);
+    assert!(scene.mesh.indices.iter().all(|face| !face.contains(&5)));
+    let refusal = files.refusal("a.off");
+    assert!(refusal.contains("vertex 9"), "{refusal}");
+
+    let files = Files::with("b.off", sample().replace("1 0 3\n", "nan 0 3\n"));
+    assert_eq!(
+        files.refusal("b.off"),
+        "\"b.off\": face 3 has vertex 5 at (NaN, 0, 3), which is not finite"
+    );
+}
+
+#[test]
+fn text_need_not_be_utf_8() {
+    let bytes = [b"OFF # caf\xe9\n".as_slice(), &sample().as_bytes()[4..]].concat();
+    assert_is_box(&Files::with("box.off", bytes).load("box.off"));
+    let refusal = Files::with("a.off", b"OFF\n1 1\n0 \xe9 0").refusal("a.off");
+    assert_eq!(refusal, "\"a.off\", line 3: \"\u{fffd}\" is not a number");
+}

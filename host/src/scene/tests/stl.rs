@@ -1,0 +1,136 @@
+use super::*;
+
+/// The twelve triangles of the box.
+fn triangles() -> impl Iterator<Item = [[f32; 3]; 3]> {
+    let fan = |[a, b, c, d]: [u32; 4]| [[a, b, c], [a, c, d]];
+    let place = |corner: u32| CORNERS[corner as usize];
+    SIDES.into_iter().flat_map(fan).map(move |t| t.map(place))
+}
+
+pub(super) fn text() -> String {
+    let mut text = String::from("solid a box\n");
+    for triangle in triangles() {
+        text += "  facet normal 0 0 0\n    outer loop\n";
+        for [x, y, z] in triangle {
+            text += &format!("      vertex {x} {y:e} {z}\n");
+        }
+        text += "    endloop\n  endfacet\n";
+    }
+    text + "endsolid a box\n"
+}
+
+pub(super) fn binary() -> Vec<u8> {
+    let mut bytes = b"solid, says the header of this binary file".to_vec();
+    bytes.resize(80, b' ');
+    bytes.extend(12_u32.to_le_bytes());
+    for triangle in triangles() {
+        bytes.extend([0; 12]);
+        let numbers = triangle.into_iter().flatten();
+        bytes.extend(numbers.flat_map(f32::to_le_bytes));
+        bytes.extend([0; 2]);
+    }
+    bytes
+}
+
+#[test]
+fn text_and_bytes_read_the_same() {
+    let from_text = Files::with("box.stl", text()).load("box.stl");
+    let from_bytes = Files::with("box.stl", binary()).load("box.stl");
+    assert_is_box(&from_text);
+    assert_is_box(&from_bytes);
+    assert_eq!(from_text.mesh.vertices.len(), 8, "corners are welded");
+    assert_eq!(from_text.mesh.indices, from_bytes.mesh.indices);
+    assert_eq!(from_text.mesh.parts[0].name, "a box");
+    assert!(from_bytes.mesh.parts.is_empty());
+}
+
+#[test]
+fn every_solid_is_a_part() {
+    let two = format!("{}{}", text(), text().replace("a box", "Another"));
+    let scene = Files::with("two.stl", two).load("two.stl");
+    assert_eq!(scene.mesh.indices.len(), 24);
+    assert_eq!(scene.mesh.vertices.len(), 8);
+    let parts = scene.mesh.parts.iter();
+    let parts: Vec<_> = parts
+        .map(|p| (p.name.as_str(), p.first_triangle, p.triangle_count))
+        .collect();
+    assert_eq!(parts, [("a box", 0, 12), ("Another", 12, 12)]);
+}
+
+#[test]
+fn text_is_known_in_any_case_and_without_a_name() {
+    let shouted = text().to_uppercase().replace('\n', "\r\n");
+    assert_is_box(&Files::with("box.stl", shouted).load("box.stl"));
+    let nameless = text().replace(" a box", "");
+    let scene = Files::with("box.stl", format!("\n {nameless}\n\n")).load("box.stl");
+    assert_is_box(&scene);
+    assert!(scene.mesh.parts.is_empty());
+    let latin = [b"solid caf\xe9\n", &text().as_bytes()[12..]].concat();
+    assert_is_box(&Files::with("box.stl", latin).load("box.stl"));
+}
+
+#[test]
+fn truncated_files_say_what_is_missing() {
+    let whole = binary();
+    assert_eq!(
+        Files::with("x.stl", &whole[..whole.len() - 60]).refusal("x.stl"),
+        "\"x.stl\" ends early: 12 triangles are announced, 10 are there"
+    );
+    let whole = text();
+    assert_eq!(
+        Files::with("x.stl", &whole[..whole.len() - 60]).refusal("x.stl"),
+        "\"x.stl\" ends early: face 11 is not complete, or \"endsolid\" is missing"
+    );
+}
+
+#[test]
+fn huge_counts_are_not_believed() {
+    let mut bytes = binary();
+    bytes[..80].fill(b'x');
+    bytes[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
+    assert_eq!(
+        Files::with("x.stl", bytes).refusal("x.stl"),
+        "\"x.stl\" ends early: 4294967295 triangles are announced, 12 are there"
+    );
+}
+
+#[test]
+fn faults_name_the_face() {
+    let refusal =
+        |old: &str, new: &str| Files::with("x.stl", text().replacen(old, new, 1)).refusal("x.stl");
+    assert_eq!(
+        refusal("vertex 1 2e0 3", "vertex 1 two 3"),
+        "\"x.stl\", face 2: invalid float literal"
+    );
+    assert_eq!(
+        refusal("vertex 1 2e0 3", "vertex 1 nan 3"),
+        "\"x.stl\", face 2: expected finite f32, got NaN which is Nan"
+    );
+    assert_eq!(
+        refusal("endsolid a box\n", ""),
+        "\"x.stl\" ends early: face 12 is not complete, or \"endsolid\" is missing"
+    );
+}
+
+#[test]
+fn lenient_loading_leaves_broken_faces_out() {
+    // Two in a row, and one more.
+    let text = text().replace("vertex 1 2e0 3", "vertex 1 nan 3");
+    let bad = text
+        .split("endfacet")
+        .filter(|face| face.contains("nan"))
+        .count();
+    let scene = Files::with("x.stl", text).load_leniently("x.stl");
+    assert_eq!(scene.mesh.indices.len(), 12 - bad);
+    assert_eq!(scene.dropped_face_count, bad);
+    assert!(bad > 2);
+
+    let mut bytes = binary();
+    bytes[84 + 12..84 + 16].copy_from_slice(&f32::NAN.to_le_bytes());
+    let files = Files::with("x.stl", bytes);
+    assert_eq!(files.load_leniently("x.stl").dropped_face_count, 1);
+    assert_eq!(
+        files.refusal("x.stl"),
+        "\"x.stl\": face 0 has vertex 0 at (NaN, 0, 0), which is not finite"
+    );
+}
