@@ -12,25 +12,23 @@
 pub const fn to_lattice(x: f32, step_exponent: i32) -> i32 {
     let bits = x.to_bits();
     let biased = (bits >> 23) & 0xff;
-    let fraction = bits & 0x007f_ffff;
-    let (significand, scale) = if biased == 0 {
-        (fraction, -149)
-    } else {
-        (fraction | 0x0080_0000, biased as i32 - 150)
-    };
-    let shift = step_exponent - scale;
-    let magnitude = if shift <= 0 {
-        significand.wrapping_shl((-shift) as u32)
-    } else if shift <= 24 {
-        (significand + (1 << (shift - 1))) >> shift
-    } else {
+    let is_normal = (biased != 0) as u32;
+    let significand = (bits & 0x007f_ffff) | (is_normal << 23);
+    let shift = step_exponent - (biased as i32 - is_normal as i32 + 1 - 150);
+
+    // Without a branch: one of both shifts is by nothing. Shifts of 25 and more leave nothing, with or without the half.
+    let left = if shift < 0 { -shift } else { 0 };
+    let right = if shift < 0 {
         0
-    };
-    if bits >> 31 == 0 {
-        magnitude as i32
+    } else if shift > 31 {
+        31
     } else {
-        -(magnitude as i32)
-    }
+        shift
+    };
+    let half = (1u32 << right) >> 1;
+    let magnitude = (significand.wrapping_shl(left as u32) + half) >> right;
+    let sign = bits as i32 >> 31;
+    (magnitude as i32 ^ sign) - sign
 }
 
 #[cfg(test)]

@@ -12,19 +12,24 @@ extern crate std;
 
 pub mod aabb;
 pub mod bounds;
+pub mod camera;
 pub mod float;
 pub mod lattice;
 pub mod morton;
 pub mod node;
+pub mod orientation;
 pub mod ray;
 pub mod refit;
 pub mod scan;
+pub mod shade;
 pub mod slab;
 pub mod snap;
 pub mod sort;
+pub mod surface;
 pub mod topology;
 pub mod trace;
 pub mod triangle;
+pub mod view;
 pub mod watertight;
 
 pub use aabb::Aabb;

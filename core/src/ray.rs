@@ -1,6 +1,7 @@
 //! Rays, hits, and the form in which a ray is traced.
 
 use crate::float::{abs, exponent, is_finite, max, min, power_of_two, scale_by_power_of_two};
+use crate::slab::PlanePair;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
@@ -97,10 +98,8 @@ pub struct PreparedRay {
     pub origin: [f32; 3],
     /// Direction in that order.
     pub direction: [f32; 3],
-    /// What is subtracted from a box's min.
-    pub min_origin: [f32; 3],
-    /// What is subtracted from a box's max.
-    pub max_origin: [f32; 3],
+    /// What is subtracted from a pair of boxes' planes ([`crate::slab`]).
+    pub plane_origins: [PlanePair; 3],
     /// Reciprocals of the direction, finite.
     pub inverse: [f32; 3],
     /// Smallest t, in units of the prepared direction.
@@ -162,8 +161,7 @@ impl PreparedRay {
             axes,
             origin: [a.origin, b.origin, c.origin],
             direction: [a.direction, b.direction, c.direction],
-            min_origin: [a.min_origin, b.min_origin, c.min_origin],
-            max_origin: [a.max_origin, b.max_origin, c.max_origin],
+            plane_origins: [a.plane_origins, b.plane_origins, c.plane_origins],
             inverse: [a.inverse, b.inverse, c.inverse],
             t_min,
             t_max,
@@ -196,8 +194,7 @@ fn clamp_t(t: f32) -> f32 {
 struct Axis {
     origin: f32,
     direction: f32,
-    min_origin: f32,
-    max_origin: f32,
+    plane_origins: PlanePair,
     inverse: f32,
 }
 
@@ -209,19 +206,18 @@ impl Axis {
         if abs(direction) < PARALLEL {
             // At least one step of the float grid to both sides, and far more than 2^-100.
             let shift = max(abs(origin) * power_of_two(-23), PARALLEL);
+            let (low, high) = (origin + shift, origin - shift);
             Self {
                 origin,
                 direction: 0.0,
-                min_origin: origin + shift,
-                max_origin: origin - shift,
+                plane_origins: PlanePair::new(low, low, high, high),
                 inverse: power_of_two(100),
             }
         } else {
             Self {
                 origin,
                 direction,
-                min_origin: origin,
-                max_origin: origin,
+                plane_origins: PlanePair::splat(origin),
                 inverse: 1.0 / direction,
             }
         }

@@ -8,30 +8,66 @@ use crate::aabb::Aabb;
 use crate::node::Node;
 use crate::triangle::LeafTriangle;
 use bytemuck::{Pod, Zeroable};
-use glam::Vec3;
+use glam::Vec4;
 
 /// Triangles in an entry of the pyramid's level 0.
 pub const GROUP_SIZE: u32 = 4;
 
-/// An entry of the pyramid. 24 bytes: min, max.
+/// An entry of the pyramid. 32 bytes: min, unused, max, unused.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(transparent)]
-pub struct PyramidBox(pub [f32; 6]);
+pub struct PyramidBox(pub [f32; 8]);
 
-impl From<Aabb> for PyramidBox {
-    #[inline(always)]
-    fn from(b: Aabb) -> Self {
-        Self([b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z])
-    }
+/// A box in vectors of four, the last lane unused.
+#[derive(Clone, Copy)]
+struct WideBox {
+    min: Vec4,
+    max: Vec4,
 }
 
-impl From<PyramidBox> for Aabb {
+impl WideBox {
+    const EMPTY: Self = Self {
+        min: Vec4::splat(f32::MAX),
+        max: Vec4::splat(-f32::MAX),
+    };
+
     #[inline(always)]
-    fn from(PyramidBox(p): PyramidBox) -> Self {
+    fn union(self, other: Self) -> Self {
         Self {
-            min: Vec3::new(p[0], p[1], p[2]),
-            max: Vec3::new(p[3], p[4], p[5]),
+            min: self.min.min(other.min),
+            max: self.max.max(other.max),
         }
+    }
+
+    #[inline(always)]
+    fn of_triangle(i: u32, triangles: &[LeafTriangle]) -> Self {
+        let LeafTriangle {
+            vertices: v,
+            primitive,
+        } = crate::load(triangles, i, LeafTriangle::zeroed());
+        // Each vector reaches one number into what follows.
+        let a = Vec4::new(v[0], v[1], v[2], v[3]);
+        let b = Vec4::new(v[3], v[4], v[5], v[6]);
+        let c = Vec4::new(v[6], v[7], v[8], f32::from_bits(primitive));
+        Self {
+            min: a.min(b).min(c),
+            max: a.max(b).max(c),
+        }
+    }
+
+    #[inline(always)]
+    fn of_entry(i: u32, pyramid: &[PyramidBox]) -> Self {
+        let PyramidBox(p) = crate::load(pyramid, i, PyramidBox([0.0; 8]));
+        Self {
+            min: Vec4::new(p[0], p[1], p[2], p[3]),
+            max: Vec4::new(p[4], p[5], p[6], p[7]),
+        }
+    }
+
+    #[inline(always)]
+    fn entry(self) -> PyramidBox {
+        let (a, b) = (self.min, self.max);
+        PyramidBox([a.x, a.y, a.z, 0.0, b.x, b.y, b.z, 0.0])
     }
 }
 
@@ -45,24 +81,30 @@ pub const fn group_count(triangle_count: u32) -> u32 {
 /// One thread per entry of level 0. Reads its triangles. Returns their box.
 #[inline(always)]
 #[must_use]
-pub fn group_bounds(group: u32, triangles: &[LeafTriangle]) -> Aabb {
+pub fn group_bounds(group: u32, triangles: &[LeafTriangle]) -> PyramidBox {
     let first = group * GROUP_SIZE;
-    let mut bounds = Aabb::EMPTY;
+    let mut bounds = WideBox::EMPTY;
     for i in first..first + GROUP_SIZE {
         if i < triangles.len() as u32 {
-            bounds = bounds.union(triangle_bounds(i, triangles));
+            bounds = bounds.union(WideBox::of_triangle(i, triangles));
         }
     }
-    bounds
+    bounds.entry()
 }
 
 /// One thread per entry of a further level. Reads two entries of the level below. Returns their union.
 #[inline(always)]
 #[must_use]
-pub fn parent_bounds(entry: u32, below: &[PyramidBox]) -> Aabb {
-    let left = crate::load(below, 2 * entry, Aabb::EMPTY.into());
-    let right = crate::load(below, 2 * entry + 1, Aabb::EMPTY.into());
-    Aabb::from(left).union(right.into())
+pub fn parent_bounds(entry: u32, below: &[PyramidBox]) -> PyramidBox {
+    let left = 2 * entry;
+    let right = if left + 1 < below.len() as u32 {
+        left + 1
+    } else {
+        left
+    };
+    WideBox::of_entry(left, below)
+        .union(WideBox::of_entry(right, below))
+        .entry()
 }
 
 /// The box of the triangles `first..=last`. `pyramid` holds all levels, one after the other.
@@ -74,22 +116,36 @@ pub fn range_bounds(
     triangles: &[LeafTriangle],
     pyramid: &[PyramidBox],
 ) -> Aabb {
-    let mut bounds = Aabb::EMPTY;
+    let bounds = wide_range_bounds(first, last, triangles, pyramid);
+    Aabb {
+        min: bounds.min.truncate(),
+        max: bounds.max.truncate(),
+    }
+}
+
+#[inline(always)]
+fn wide_range_bounds(
+    first: u32,
+    last: u32,
+    triangles: &[LeafTriangle],
+    pyramid: &[PyramidBox],
+) -> WideBox {
+    let mut bounds = WideBox::EMPTY;
 
     // Whole groups inside the range; what hangs over at both ends comes triangle by triangle.
     let mut low = first.div_ceil(GROUP_SIZE);
     let mut high = (last + 1) / GROUP_SIZE;
     if low >= high {
         for i in first..=last {
-            bounds = bounds.union(triangle_bounds(i, triangles));
+            bounds = bounds.union(WideBox::of_triangle(i, triangles));
         }
         return bounds;
     }
     for i in first..low * GROUP_SIZE {
-        bounds = bounds.union(triangle_bounds(i, triangles));
+        bounds = bounds.union(WideBox::of_triangle(i, triangles));
     }
     for i in high * GROUP_SIZE..=last {
-        bounds = bounds.union(triangle_bounds(i, triangles));
+        bounds = bounds.union(WideBox::of_triangle(i, triangles));
     }
 
     // Climb: an odd end is taken at its level, even ends are covered by their parents.
@@ -100,12 +156,12 @@ pub fn range_bounds(
             break;
         }
         if low & 1 == 1 {
-            bounds = bounds.union(entry(pyramid, level_begin + low));
+            bounds = bounds.union(WideBox::of_entry(level_begin + low, pyramid));
             low += 1;
         }
         if high & 1 == 1 {
             high -= 1;
-            bounds = bounds.union(entry(pyramid, level_begin + high));
+            bounds = bounds.union(WideBox::of_entry(level_begin + high, pyramid));
         }
         low /= 2;
         high /= 2;
@@ -140,16 +196,4 @@ pub fn refit_node(
     let left = range_bounds(node.first, split, triangles, pyramid);
     let right = range_bounds(split + 1, node.last, triangles, pyramid);
     node.with_boxes(left, right)
-}
-
-#[inline(always)]
-fn triangle_bounds(i: u32, triangles: &[LeafTriangle]) -> Aabb {
-    crate::load(triangles, i, LeafTriangle::zeroed())
-        .triangle()
-        .bounds()
-}
-
-#[inline(always)]
-fn entry(pyramid: &[PyramidBox], i: u32) -> Aabb {
-    crate::load(pyramid, i, PyramidBox([0.0; 6])).into()
 }

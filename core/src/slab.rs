@@ -11,58 +11,49 @@
 //! them: 30 units in all. Ize (2013, "Robust BVH Ray Traversal") pads the far plane by a factor instead; that loses rays
 //! that pass an edge of a box much longer than their way to it.
 
-use crate::float::{gamma, max, min};
+use crate::float::gamma;
 use crate::ray::PreparedRay;
+use glam::{Vec4, Vec4Swizzles};
 
 /// Padding of the interval's end, relative to how far the box reaches along the ray's longest axis.
 pub const SLAB_PADDING: f32 = gamma(32);
 
-/// Where a ray enters and leaves boxes, in prepared t, not yet clipped to the ray's range. Missed where
-/// `enter > exit`.
+/// Two boxes' planes on one axis: `(a.min, b.min, a.max, b.max)`.
+pub type PlanePair = Vec4;
+
+/// Where a ray enters two boxes, and which of them it meets within its range.
 #[derive(Clone, Copy, Debug)]
-pub struct Intervals<const N: usize> {
-    /// Rounded, not padded.
-    pub enter: [f32; N],
-    /// Padded.
-    pub exit: [f32; N],
+pub struct BoxPairHit {
+    /// At least the ray's `t_min`. Rounded, not padded.
+    pub enter_a: f32,
+    /// At least the ray's `t_min`. Rounded, not padded.
+    pub enter_b: f32,
+    /// Whether it meets the first box before `limit`.
+    pub meets_a: bool,
+    /// Whether it meets the second box before `limit`.
+    pub meets_b: bool,
 }
 
-/// Tests N boxes at once. `low` and `high` hold their planes in the order of the ray's axes.
+/// Tests two boxes at once, their planes in the order of the ray's axes.
 #[inline(always)]
 #[must_use]
-pub fn slab<const N: usize>(
-    ray: &PreparedRay,
-    low: [[f32; N]; 3],
-    high: [[f32; N]; 3],
-) -> Intervals<N> {
-    let (near_0, far_0) = axis(ray, 0, low[0], high[0]);
-    let (near_1, far_1) = axis(ray, 1, low[1], high[1]);
-    let (near_2, far_2) = axis(ray, 2, low[2], high[2]);
-    let mut enter = near_0;
-    let mut exit = far_0;
-    for i in 0..N {
-        enter[i] = max(max(near_0[i], near_1[i]), near_2[i]);
-        let reach = max(far_2[i], -near_2[i]);
-        exit[i] = min(min(far_0[i], far_1[i]), far_2[i]) + SLAB_PADDING * reach;
-    }
-    Intervals { enter, exit }
-}
+pub fn slab(ray: &PreparedRay, planes: [PlanePair; 3], limit: f32) -> BoxPairHit {
+    let t0 = (planes[0] - ray.plane_origins[0]) * ray.inverse[0];
+    let t1 = (planes[1] - ray.plane_origins[1]) * ray.inverse[1];
+    let t2 = (planes[2] - ray.plane_origins[2]) * ray.inverse[2];
+    let (near_2, far_2) = (t2.min(t2.zwxy()), t2.max(t2.zwxy()));
 
-/// One axis: where the ray passes the nearer and the farther plane.
-#[inline(always)]
-fn axis<const N: usize>(
-    ray: &PreparedRay,
-    axis: usize,
-    low: [f32; N],
-    high: [f32; N],
-) -> ([f32; N], [f32; N]) {
-    let mut near = low;
-    let mut far = high;
-    for i in 0..N {
-        let a = (low[i] - ray.min_origin[axis]) * ray.inverse[axis];
-        let b = (high[i] - ray.max_origin[axis]) * ray.inverse[axis];
-        near[i] = min(a, b);
-        far[i] = max(a, b);
+    // The lanes hold a, b, a, b.
+    let enter = t0.min(t0.zwxy()).max(t1.min(t1.zwxy())).max(near_2);
+    let exit = t0.max(t0.zwxy()).min(t1.max(t1.zwxy())).min(far_2);
+    let reach = far_2.max(-near_2);
+    let exit = (exit + reach * SLAB_PADDING).min(Vec4::splat(limit));
+    let enter = enter.max(Vec4::splat(ray.t_min));
+    let meets = enter.cmple(exit);
+    BoxPairHit {
+        enter_a: enter.x,
+        enter_b: enter.y,
+        meets_a: meets.test(0),
+        meets_b: meets.test(1),
     }
-    (near, far)
 }

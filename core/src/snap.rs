@@ -36,11 +36,7 @@ impl Scale {
 /// One thread per triangle, in leaf order. Reads the caller's triangle. Returns it as leaves store it.
 #[inline(always)]
 #[must_use]
-pub fn leaf_triangle(
-    primitive: u32,
-    triangles: &IndexedTriangles,
-    scale: &Scale,
-) -> LeafTriangle {
+pub fn leaf_triangle(primitive: u32, triangles: &IndexedTriangles, scale: &Scale) -> LeafTriangle {
     let Triangle { v0, v1, v2 } = triangles.triangle(primitive);
     let snap = |v: Vec3| [scale.snap(v.x), scale.snap(v.y), scale.snap(v.z)];
     let ([a, b, c], [d, e, f], [g, h, i]) = (snap(v0), snap(v1), snap(v2));

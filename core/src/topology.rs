@@ -33,11 +33,12 @@ impl SortedCodes for Codes30<'_> {
     #[inline(always)]
     fn common_prefix_length(&self, i: u32, j: u32) -> i32 {
         let difference = crate::load(self.0, i, 0) ^ crate::load(self.0, j, 0);
-        if difference != 0 {
-            difference.leading_zeros() as i32
+        let (word, before) = if difference != 0 {
+            (difference, 0)
         } else {
-            32 + (i ^ j).leading_zeros() as i32
-        }
+            (i ^ j, 32)
+        };
+        before + word.leading_zeros() as i32
     }
 }
 
@@ -52,13 +53,14 @@ impl SortedCodes for Codes63<'_> {
         let [a_high, a_low] = crate::load(self.0, i, [0; 2]);
         let [b_high, b_low] = crate::load(self.0, j, [0; 2]);
         let (high, low) = (a_high ^ b_high, a_low ^ b_low);
-        if high != 0 {
-            high.leading_zeros() as i32
+        let (word, before) = if high != 0 {
+            (high, 0)
         } else if low != 0 {
-            32 + low.leading_zeros() as i32
+            (low, 32)
         } else {
-            64 + (i ^ j).leading_zeros() as i32
-        }
+            (i ^ j, 64)
+        };
+        before + word.leading_zeros() as i32
     }
 }
 

@@ -2,8 +2,7 @@
 
 use crate::float::max;
 use crate::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
-use crate::slab::slab;
-use crate::triangle::Triangle;
+use crate::slab::{PlanePair, slab};
 use crate::watertight::intersect;
 
 mod collect;
@@ -41,13 +40,11 @@ pub struct LeafRun {
     pub count: u32,
 }
 
-/// An inner node, opened: its children's planes in the order of the ray's axes, left child first.
+/// An inner node, opened.
 #[derive(Clone, Copy)]
 pub struct Children<C> {
-    /// Smaller planes.
-    pub low: [[f32; 2]; 3],
-    /// Larger planes.
-    pub high: [[f32; 2]; 3],
+    /// Both children's planes, left child first, in the order of the ray's axes.
+    pub planes: [PlanePair; 3],
     /// The children.
     pub left: C,
     /// The children.
@@ -56,8 +53,8 @@ pub struct Children<C> {
 
 /// Where the traversal finds triangles.
 pub trait TriangleSource {
-    /// A triangle by its place in leaf order.
-    fn triangle(&self, place: u32) -> Triangle;
+    /// The corners of the triangle at a place in leaf order, coordinates in the order of the axes.
+    fn corners(&self, place: u32, axes: [u32; 3]) -> [[f32; 3]; 3];
 
     /// Its index in the caller's list.
     fn primitive(&self, place: u32) -> u32;
@@ -102,7 +99,7 @@ pub fn traverse<N: NodeSource, T: TriangleSource, C: Collector>(
                     let primitive = triangles.primitive(place);
                     let hit = intersect(
                         ray,
-                        &triangles.triangle(place),
+                        triangles.corners(place, ray.axes),
                         collector.limit(),
                         primitive,
                     );
@@ -117,12 +114,9 @@ pub fn traverse<N: NodeSource, T: TriangleSource, C: Collector>(
             } else {
                 collector.count_node();
                 let node = nodes.children(cursor, ray.axes);
-                let boxes = slab::<2>(ray, node.low, node.high);
-                let limit = collector.limit();
-                let enter_left = max(boxes.enter[0], ray.t_min);
-                let enter_right = max(boxes.enter[1], ray.t_min);
-                let meets_left = enter_left <= boxes.exit[0] && enter_left <= limit;
-                let meets_right = enter_right <= boxes.exit[1] && enter_right <= limit;
+                let boxes = slab(ray, node.planes, collector.limit());
+                let (enter_left, enter_right) = (boxes.enter_a, boxes.enter_b);
+                let (meets_left, meets_right) = (boxes.meets_a, boxes.meets_b);
                 let left_first = enter_left <= enter_right;
                 if meets_left && meets_right {
                     stack[depth % STACK_SIZE] = if left_first { node.right } else { node.left };

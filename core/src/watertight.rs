@@ -7,8 +7,7 @@
 
 use crate::float::{max, min};
 use crate::ray::{Hit, PreparedRay};
-use crate::slab::slab;
-use crate::triangle::Triangle;
+use crate::slab::{PlanePair, slab};
 use glam::Vec3;
 
 /// A vertex seen along the ray: x and y across, scaled by the direction's last component; z along, unscaled.
@@ -21,11 +20,11 @@ struct Sheared {
 
 /// Without a division: `x·dz − z·dx` has the sign of the exact one or is zero, as both products round monotonically.
 #[inline(always)]
-fn shear(ray: &PreparedRay, vertex: Vec3) -> Sheared {
+fn shear(ray: &PreparedRay, corner: [f32; 3]) -> Sheared {
     let [dx, dy, dz] = ray.direction;
-    let x = component(vertex, ray.axes[0]) - ray.origin[0];
-    let y = component(vertex, ray.axes[1]) - ray.origin[1];
-    let z = component(vertex, ray.axes[2]) - ray.origin[2];
+    let x = corner[0] - ray.origin[0];
+    let y = corner[1] - ray.origin[1];
+    let z = corner[2] - ray.origin[2];
     Sheared {
         x: x * dz - z * dx,
         y: y * dz - z * dy,
@@ -33,29 +32,17 @@ fn shear(ray: &PreparedRay, vertex: Vec3) -> Sheared {
     }
 }
 
-/// A component by number.
-#[inline(always)]
-pub(crate) fn component(v: Vec3, axis: u32) -> f32 {
-    if axis == 0 {
-        v.x
-    } else if axis == 1 {
-        v.y
-    } else {
-        v.z
-    }
-}
-
-/// Where the ray meets the triangle within `t_min..=limit`, in prepared t; [`Hit::MISS`] otherwise. Both sides count.
+/// Where the ray meets the triangle, its corners in the order of the ray's axes, within `t_min..=limit`, in prepared t; [`Hit::MISS`] otherwise. Both sides count.
 ///
 /// A hit needs three things: the ray passes inside or on all edges; it passes the slab test of the triangle's own tight
 /// box; and t, raised to the box's entry where rounding left it before that, lies in range. As an ancestor's box is
 /// entered no later than the triangle's own, no tree can lose the hit or find another.
 #[inline(always)]
 #[must_use]
-pub fn intersect(ray: &PreparedRay, triangle: &Triangle, limit: f32, primitive: u32) -> Hit {
-    let a = shear(ray, triangle.v0);
-    let b = shear(ray, triangle.v1);
-    let c = shear(ray, triangle.v2);
+pub fn intersect(ray: &PreparedRay, corners: [[f32; 3]; 3], limit: f32, primitive: u32) -> Hit {
+    let a = shear(ray, corners[0]);
+    let b = shear(ray, corners[1]);
+    let c = shear(ray, corners[2]);
 
     // Twice the signed areas that the ray's point spans with each edge, as two rounded products.
     let (p0, q0) = (c.x * b.y, c.y * b.x);
@@ -85,27 +72,19 @@ pub fn intersect(ray: &PreparedRay, triangle: &Triangle, limit: f32, primitive: 
     }
 
     // The triangle's own box has the last word.
-    let bounds = triangle.bounds();
-    let low = in_order(ray, bounds.min);
-    let high = in_order(ray, bounds.max);
-    let interval = slab::<1>(ray, low, high);
-    let enter = max(interval.enter[0], ray.t_min);
-    let t = max(t, enter);
-    if enter <= interval.exit[0] && t <= limit {
+    let [a, b, c] = corners;
+    let planes = [0, 1, 2].map(|axis| {
+        let low = min(min(a[axis], b[axis]), c[axis]);
+        let high = max(max(a[axis], b[axis]), c[axis]);
+        PlanePair::new(low, low, high, high)
+    });
+    let own_box = slab(ray, planes, limit);
+    let t = max(t, own_box.enter_a);
+    if own_box.meets_a && t <= limit {
         Hit { t, u, v, primitive }
     } else {
         Hit::MISS
     }
-}
-
-/// A point's coordinates in the order of the ray's axes.
-#[inline(always)]
-fn in_order(ray: &PreparedRay, v: Vec3) -> [[f32; 1]; 3] {
-    [
-        [component(v, ray.axes[0])],
-        [component(v, ray.axes[1])],
-        [component(v, ray.axes[2])],
-    ]
 }
 
 /// Keeps barycentric coordinates of a hit in range: rounding may leave u + v a little above 1.

@@ -95,6 +95,16 @@ impl Mesh {
     /// The first fault found, by face.
     pub fn validate(&self) -> Result<(), MeshError> {
         self.validate_counts()?;
+
+        // Sound meshes are told by two plain sweeps. Only others, and those with stray vertices, are searched by face.
+        let largest_index = self.indices.iter().flatten().fold(0, |a, &b| a.max(b));
+        let in_range = self.indices.is_empty() || (largest_index as usize) < self.vertices.len();
+        let magnitude = |x: &f32| x.to_bits() & 0x7fff_ffff;
+        let coordinates = self.vertices.iter().flatten();
+        let largest_magnitude = coordinates.map(magnitude).fold(0, u32::max);
+        if in_range && largest_magnitude < f32::INFINITY.to_bits() {
+            return Ok(());
+        }
         match (0..self.indices.len()).find(|&face| !self.face_is_sound(face)) {
             Some(face) => Err(self.face_fault(face)),
             None => Ok(()),

@@ -1,10 +1,10 @@
 //! Where nodes and triangles come from: the plain tree, and the brute-force list that every tree must agree with.
 
 use super::{Children, LeafRun, NodeSource, TriangleSource};
-use crate::load;
 use crate::node::{Node, NodeRef};
-use crate::triangle::{LeafTriangle, Triangle};
-use bytemuck::Zeroable;
+use crate::ray::NO_PRIMITIVE;
+use crate::slab::PlanePair;
+use crate::triangle::LeafTriangle;
 
 /// Uncompressed nodes, the root first.
 #[derive(Clone, Copy)]
@@ -33,13 +33,18 @@ impl NodeSource for PlainNodes<'_> {
 
     #[inline(always)]
     fn children(&self, cursor: NodeRef, axes: [u32; 3]) -> Children<NodeRef> {
-        let node = load(self.0, cursor.index(), Node::EMPTY);
-        let a = node.planes[axes[0] as usize % 3];
-        let b = node.planes[axes[1] as usize % 3];
-        let c = node.planes[axes[2] as usize % 3];
+        // Rows are read where they lie: a node in registers could not be indexed by axis.
+        let index = cursor.index() as usize;
+        if index >= self.0.len() {
+            return NO_CHILDREN;
+        }
+        let node = &self.0[index];
         Children {
-            low: [[a[0], a[1]], [b[0], b[1]], [c[0], c[1]]],
-            high: [[a[2], a[3]], [b[2], b[3]], [c[2], c[3]]],
+            planes: [
+                PlanePair::from_array(node.planes[axes[0] as usize % 3]),
+                PlanePair::from_array(node.planes[axes[1] as usize % 3]),
+                PlanePair::from_array(node.planes[axes[2] as usize % 3]),
+            ],
             left: node.left,
             right: node.right,
         }
@@ -51,6 +56,13 @@ impl NodeSource for PlainNodes<'_> {
         3 * self.0.len() as u32 + 1
     }
 }
+
+/// What an index out of range opens.
+const NO_CHILDREN: Children<NodeRef> = Children {
+    planes: [PlanePair::ZERO; 3],
+    left: NodeRef::NOTHING,
+    right: NodeRef::NOTHING,
+};
 
 /// No tree at all: one leaf with this many triangles.
 #[derive(Clone, Copy)]
@@ -74,8 +86,7 @@ impl NodeSource for BruteForce {
     #[inline(always)]
     fn children(&self, (): (), _axes: [u32; 3]) -> Children<()> {
         Children {
-            low: [[0.0; 2]; 3],
-            high: [[0.0; 2]; 3],
+            planes: [PlanePair::ZERO; 3],
             left: (),
             right: (),
         }
@@ -93,12 +104,27 @@ pub struct LeafTriangles<'a>(pub &'a [LeafTriangle]);
 
 impl TriangleSource for LeafTriangles<'_> {
     #[inline(always)]
-    fn triangle(&self, place: u32) -> Triangle {
-        load(self.0, place, LeafTriangle::zeroed()).triangle()
+    fn corners(&self, place: u32, axes: [u32; 3]) -> [[f32; 3]; 3] {
+        let place = place as usize;
+        if place >= self.0.len() {
+            return [[0.0; 3]; 3];
+        }
+        let v = &self.0[place].vertices;
+        let [a, b, c] = axes.map(|axis| axis as usize % 3);
+        [
+            [v[a], v[b], v[c]],
+            [v[3 + a], v[3 + b], v[3 + c]],
+            [v[6 + a], v[6 + b], v[6 + c]],
+        ]
     }
 
     #[inline(always)]
     fn primitive(&self, place: u32) -> u32 {
-        load(self.0, place, LeafTriangle::zeroed()).primitive
+        let place = place as usize;
+        if place < self.0.len() {
+            self.0[place].primitive
+        } else {
+            NO_PRIMITIVE
+        }
     }
 }

@@ -266,12 +266,12 @@ fn fill_pyramid(triangles: &[LeafTriangle], pyramid: &mut Vec<PyramidBox>) {
     let mut level_count = group_count(triangles.len() as u32) as usize;
     pyramid.resize(pyramid_size(level_count), PyramidBox::default());
     let (level, mut rest) = pyramid.split_at_mut(level_count);
-    fill(level, |i| group_bounds(i, triangles).into());
+    fill(level, |i| group_bounds(i, triangles));
     let mut below = &*level;
     while level_count > 1 {
         level_count = level_count.div_ceil(2);
         let (level, after) = rest.split_at_mut(level_count);
-        fill(level, |i| parent_bounds(i, below).into());
+        fill(level, |i| parent_bounds(i, below));
         (below, rest) = (level, after);
     }
 }

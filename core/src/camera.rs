@@ -1,0 +1,123 @@
+//! Camera rays.
+
+use crate::ray::Ray;
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+
+/// A pinhole or a parallel camera. 64 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Camera {
+    /// Bytes 0–11: where the rays of a perspective camera start, or the middle of a parallel camera's picture.
+    pub eye: [f32; 3],
+    /// Bytes 12–15: 0 for perspective, 1 for parallel rays.
+    pub is_parallel: u32,
+    /// Bytes 16–27: to the middle of the picture.
+    pub forward: [f32; 3],
+    /// Bytes 28–31: picture width in pixels.
+    pub width: u32,
+    /// Bytes 32–43: from the middle of the picture to its right edge, one `forward` away.
+    pub right: [f32; 3],
+    /// Bytes 44–47: picture height in pixels.
+    pub height: u32,
+    /// Bytes 48–59: from the middle of the picture to its upper edge.
+    pub up: [f32; 3],
+    /// Bytes 60–63: samples a pixel.
+    pub sample_count: u32,
+}
+
+const _: () = assert!(size_of::<Camera>() == 64);
+
+impl Camera {
+    /// One thread per sample. Pixels come row by row from the upper left, a pixel's samples one after the other.
+    #[inline]
+    #[must_use]
+    pub fn ray(&self, sample: u32) -> Ray {
+        let pixel = sample / self.sample_count;
+        let (x, y) = (pixel % self.width, pixel / self.width);
+        let [dx, dy] = sample_offset(sample % self.sample_count, self.sample_count);
+        let s = (x as f32 + dx) / self.width as f32 * 2.0 - 1.0;
+        let t = 1.0 - (y as f32 + dy) / self.height as f32 * 2.0;
+        let spread = Vec3::from_array(self.right) * s + Vec3::from_array(self.up) * t;
+        let eye = Vec3::from_array(self.eye);
+        let forward = Vec3::from_array(self.forward);
+        if self.is_parallel == 0 {
+            Ray::new(self.eye, (forward + spread).to_array())
+        } else {
+            Ray::new((eye + spread).to_array(), self.forward)
+        }
+    }
+}
+
+/// Where in its pixel a sample lies, each coordinate in `[0, 1)`. A square number of samples forms a regular grid; any
+/// other number a Fibonacci lattice.
+#[inline]
+#[must_use]
+pub fn sample_offset(sample: u32, sample_count: u32) -> [f32; 2] {
+    let mut side = 1;
+    for _ in 0..16 {
+        if side * side < sample_count {
+            side += 1;
+        }
+    }
+    if side * side == sample_count {
+        let place = |i: u32| (i as f32 + 0.5) / side as f32;
+        return [place(sample % side), place(sample / side)];
+    }
+    // A step is the inverse of the golden ratio, as a fraction of 2^32.
+    let step = 0x9e37_79b9u32;
+    let turn = sample.wrapping_mul(step).wrapping_add(step / 2);
+    [
+        (sample as f32 + 0.5) / sample_count as f32,
+        (turn >> 8) as f32 / 16_777_216.0,
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rays_pass_the_corners_of_the_picture() {
+        let camera = Camera {
+            eye: [1.0, 2.0, 3.0],
+            forward: [0.0, 0.0, -1.0],
+            right: [2.0, 0.0, 0.0],
+            up: [0.0, 0.5, 0.0],
+            width: 4,
+            height: 2,
+            sample_count: 1,
+            is_parallel: 0,
+        };
+        // The pixels' centres are half a pixel from the edges.
+        assert_eq!(camera.ray(0).direction, [-1.5, 0.25, -1.0]);
+        assert_eq!(camera.ray(7).direction, [1.5, -0.25, -1.0]);
+        let parallel = Camera {
+            is_parallel: 1,
+            ..camera
+        };
+        assert_eq!(parallel.ray(4).origin, [-0.5, 1.75, 3.0]);
+        assert_eq!(parallel.ray(4).direction, [0.0, 0.0, -1.0]);
+    }
+
+    #[test]
+    fn samples_are_a_grid_or_spread_out() {
+        assert_eq!(sample_offset(0, 1), [0.5, 0.5]);
+        assert_eq!(sample_offset(2, 4), [0.25, 0.75]);
+        assert_eq!(sample_offset(255, 256), [0.96875, 0.96875]);
+        assert_eq!(sample_offset(1, 2)[0], 0.75);
+        for count in [2, 3, 5, 7, 12, 100, 1000] {
+            let mut mean = [0.0f64; 2];
+            for sample in 0..count {
+                let [x, y] = sample_offset(sample, count);
+                assert!((0.0..1.0).contains(&x) && (0.0..1.0).contains(&y));
+                mean = [
+                    mean[0] + f64::from(x) / f64::from(count),
+                    mean[1] + f64::from(y) / f64::from(count),
+                ];
+            }
+            let off_centre = f64::max((mean[0] - 0.5).abs(), (mean[1] - 0.5).abs());
+            assert!(off_centre < 0.5 / f64::from(count), "{count} {off_centre}");
+        }
+    }
+}

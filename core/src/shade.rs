@@ -1,0 +1,332 @@
+//! Stage `shade`: light on surfaces, shadow rays, mirrors. Everything in the scene's magnitude.
+//!
+//! A sample is a path: it begins at the camera, gathers light where it hits, and goes on at mirrors.
+
+use crate::orientation::{Orientation, Target};
+use crate::ray::{NO_PRIMITIVE, Ray};
+use crate::surface::{Surface, normalize};
+use bytemuck::{Pod, Zeroable};
+use core::f32::consts::FRAC_1_PI;
+use glam::Vec3;
+
+/// A light source without extent. 32 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Light {
+    /// Bytes 0–11: a point light's position, or the direction to a light infinitely far away.
+    pub point: [f32; 3],
+    /// Bytes 12–15: 1 for a point light, 0 for a directional one.
+    pub is_position: u32,
+    /// Bytes 16–27: linear RGB irradiance, of a point light at distance 1.
+    pub color: [f32; 3],
+    /// Bytes 28–31: a point light shines no farther.
+    pub range: f32,
+}
+
+const _: () = assert!(size_of::<Light>() == 32);
+
+/// How a surface reflects. 16 bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Material {
+    /// Bytes 0–11: linear RGB, each 0 to 1.
+    pub base_color: [f32; 3],
+    /// Bytes 12–15: share reflected as by a mirror, 0 to 1.
+    pub mirror: f32,
+}
+
+const _: () = assert!(size_of::<Material>() == 16);
+
+/// What surrounds the scene. 64 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Environment {
+    /// Bytes 0–11: linear RGB irradiance from everywhere, never shadowed.
+    pub ambient: [f32; 3],
+    /// Bytes 12–15: unused.
+    pub padding_0: u32,
+    /// Bytes 16–27: what rays along `up` see.
+    pub zenith: [f32; 3],
+    /// Bytes 28–31: unused.
+    pub padding_1: u32,
+    /// Bytes 32–43: what level rays see, and those that point down.
+    pub horizon: [f32; 3],
+    /// Bytes 44–47: unused.
+    pub padding_2: u32,
+    /// Bytes 48–59: unit vector.
+    pub up: [f32; 3],
+    /// Bytes 60–63: unused.
+    pub padding_3: u32,
+}
+
+const _: () = assert!(size_of::<Environment>() == 64);
+
+impl Environment {
+    /// Radiance from a direction that meets nothing.
+    #[inline]
+    #[must_use]
+    pub fn radiance(&self, direction: Vec3) -> Vec3 {
+        let height = normalize(direction).dot(Vec3::from_array(self.up));
+        let share = crate::float::max(height, 0.0);
+        let (horizon, zenith) = (
+            Vec3::from_array(self.horizon),
+            Vec3::from_array(self.zenith),
+        );
+        horizon + (zenith - horizon) * share
+    }
+}
+
+/// A sample on its way. 64 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Path {
+    /// Bytes 0–31: where it goes next; [`Ray::NOTHING`] when it has ended.
+    pub ray: Ray,
+    /// Bytes 32–43: how much of what it meets reaches the eye.
+    pub throughput: [f32; 3],
+    /// Bytes 44–47: the primitive that it starts on.
+    pub skip: u32,
+    /// Bytes 48–59: linear RGB light gathered so far.
+    pub radiance: [f32; 3],
+    /// Bytes 60–63: unused.
+    pub padding: u32,
+}
+
+const _: () = assert!(size_of::<Path>() == 64);
+
+impl Path {
+    /// A path that leaves the camera.
+    #[inline]
+    #[must_use]
+    pub fn new(ray: Ray) -> Self {
+        Self {
+            ray,
+            throughput: [1.0; 3],
+            skip: NO_PRIMITIVE,
+            radiance: [0.0; 3],
+            padding: 0,
+        }
+    }
+
+    /// Whether it still goes on.
+    #[inline]
+    #[must_use]
+    pub fn is_alive(&self) -> bool {
+        self.ray.t_min <= self.ray.t_max
+    }
+
+    /// Adds light of this radiance, seen along the path.
+    #[inline]
+    #[must_use]
+    pub fn with_light(self, radiance: Vec3) -> Self {
+        let sum = Vec3::from_array(self.radiance) + radiance * Vec3::from_array(self.throughput);
+        Self {
+            radiance: sum.to_array(),
+            ..self
+        }
+    }
+
+    /// The path after it met nothing.
+    #[inline]
+    #[must_use]
+    pub fn escaped(self, environment: &Environment) -> Self {
+        let radiance = environment.radiance(Vec3::from_array(self.ray.direction));
+        Self {
+            ray: Ray::NOTHING,
+            ..self.with_light(radiance)
+        }
+    }
+
+    /// The path after it met a surface whose direct light has been added: goes on where that is a mirror, ends elsewhere.
+    #[inline]
+    #[must_use]
+    pub fn scattered(self, surface: &Surface, material: &Material, primitive: u32) -> Self {
+        if material.mirror <= 0.0 {
+            return Self {
+                ray: Ray::NOTHING,
+                ..self
+            };
+        }
+        let direction = Vec3::from_array(self.ray.direction);
+        let mirrored = reflect(direction, surface.shading_normal);
+        // A reflection about a smooth normal may point into the triangle.
+        let mirrored = if mirrored.dot(surface.normal) > 0.0 {
+            mirrored
+        } else {
+            reflect(direction, surface.normal)
+        };
+        let throughput = Vec3::from_array(self.throughput) * material.mirror;
+        Self {
+            ray: Ray::new(surface.leave().to_array(), mirrored.to_array()),
+            throughput: throughput.to_array(),
+            skip: primitive,
+            ..self
+        }
+    }
+}
+
+#[inline]
+fn reflect(direction: Vec3, normal: Vec3) -> Vec3 {
+    direction - normal * (2.0 * direction.dot(normal))
+}
+
+/// What a light would add to a surface, and the ray that must meet nothing for it.
+#[derive(Clone, Copy, Debug)]
+pub struct DirectLight {
+    /// From the surface to the light; [`Ray::NOTHING`] where no ray is needed as there is no light.
+    pub shadow_ray: Ray,
+    /// Radiance to the eye.
+    pub radiance: Vec3,
+}
+
+impl DirectLight {
+    const NONE: Self = Self {
+        shadow_ray: Ray::NOTHING,
+        radiance: Vec3::ZERO,
+    };
+
+    /// Whether the light may reach the surface.
+    #[inline]
+    #[must_use]
+    pub fn is_possible(&self) -> bool {
+        self.shadow_ray.t_min <= self.shadow_ray.t_max
+    }
+}
+
+/// Light from one source on a surface (Lambert). None where the triangle does not certainly face the source on the side
+/// that is seen, where the source is out of range, or black.
+#[must_use]
+pub fn direct_light(surface: &Surface, material: &Material, light: &Light) -> DirectLight {
+    let source = Vec3::from_array(light.point);
+    let target = Target {
+        point: source,
+        is_position: light.is_position,
+    };
+    let color = Vec3::from_array(light.color);
+    let orientation = Orientation::new(&surface.triangle, &target);
+    if color == Vec3::ZERO || !orientation.is_certainly_on(surface.side) {
+        return DirectLight::NONE;
+    }
+    let origin = surface.leave();
+    let is_position = light.is_position == 1;
+    let to_light = if is_position { source - origin } else { source };
+    let distance = to_light.length();
+    let cosine = surface.shading_normal.dot(to_light) / distance;
+    if !(cosine > 0.0) || (is_position && distance > light.range) {
+        return DirectLight::NONE;
+    }
+    let falloff = if is_position {
+        1.0 / (distance * distance)
+    } else {
+        1.0
+    };
+    DirectLight {
+        shadow_ray: Ray {
+            t_max: if is_position { 1.0 } else { f32::MAX },
+            ..Ray::new(origin.to_array(), to_light.to_array())
+        },
+        radiance: color * diffuse(material) * (cosine * falloff),
+    }
+}
+
+/// Light from everywhere on a surface.
+#[inline]
+#[must_use]
+pub fn ambient_light(material: &Material, environment: &Environment) -> Vec3 {
+    Vec3::from_array(environment.ambient) * diffuse(material)
+}
+
+/// Radiance for an irradiance of 1, without the mirror's share.
+#[inline]
+fn diffuse(material: &Material) -> Vec3 {
+    Vec3::from_array(material.base_color) * ((1.0 - material.mirror) * FRAC_1_PI)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ray::Hit;
+    use crate::triangle::Triangle;
+
+    fn floor() -> Surface {
+        let triangle = Triangle {
+            v0: Vec3::new(0.0, 0.0, 0.0),
+            v1: Vec3::new(0.0, 0.0, 1.0),
+            v2: Vec3::new(1.0, 0.0, 0.0),
+        };
+        let hit = Hit {
+            t: 1.0,
+            u: 0.25,
+            v: 0.5,
+            primitive: 3,
+        };
+        Surface::new(triangle, &hit, Vec3::new(1.0, -1.0, 0.0), [Vec3::ZERO; 3])
+    }
+
+    const WHITE: Material = Material {
+        base_color: [1.0; 3],
+        mirror: 0.0,
+    };
+
+    #[test]
+    fn lambert_of_a_slanted_sun_and_of_a_lamp() {
+        let sun = Light {
+            point: [3.0, 4.0, 0.0],
+            is_position: 0,
+            color: [2.0, 1.0, 0.0],
+            range: f32::MAX,
+        };
+        let light = direct_light(&floor(), &WHITE, &sun);
+        let expected = Vec3::new(2.0, 1.0, 0.0) * (0.8 * FRAC_1_PI);
+        assert!((light.radiance - expected).length() < 1e-6);
+        assert_eq!(light.shadow_ray.direction, [3.0, 4.0, 0.0]);
+
+        let lamp = Light {
+            point: [0.5, 2.0, 0.25],
+            is_position: 1,
+            color: [1.0; 3],
+            range: 2.5,
+        };
+        let light = direct_light(&floor(), &WHITE, &lamp);
+        assert!((light.radiance.x - 0.25 * FRAC_1_PI).abs() < 1e-6);
+        assert_eq!(light.shadow_ray.t_max, 1.0);
+        assert!(!direct_light(&floor(), &WHITE, &Light { range: 1.5, ..lamp }).is_possible());
+    }
+
+    #[test]
+    fn no_shadow_ray_without_light() {
+        let below = Light {
+            point: [0.5, -1.0, 0.25],
+            is_position: 1,
+            color: [1.0; 3],
+            range: f32::MAX,
+        };
+        assert!(!direct_light(&floor(), &WHITE, &below).is_possible());
+        let level = Light {
+            point: [1.0, 0.0, 0.0],
+            is_position: 0,
+            ..below
+        };
+        assert!(!direct_light(&floor(), &WHITE, &level).is_possible());
+        let black = Light {
+            point: [0.0, 1.0, 0.0],
+            color: [0.0; 3],
+            ..level
+        };
+        assert!(!direct_light(&floor(), &WHITE, &black).is_possible());
+    }
+
+    #[test]
+    fn a_mirror_sends_the_path_on() {
+        let path = Path::new(Ray::new([-1.0, 1.0, 0.25], [1.0, -1.0, 0.0]));
+        let mirror = Material {
+            mirror: 0.75,
+            ..WHITE
+        };
+        let next = path.scattered(&floor(), &mirror, 3);
+        assert_eq!(next.ray.direction, [1.0, 1.0, 0.0]);
+        assert_eq!((next.throughput, next.skip), ([0.75; 3], 3));
+        assert!(next.ray.origin[1] > 0.0);
+        assert!(!path.scattered(&floor(), &WHITE, 3).is_alive());
+    }
+}
