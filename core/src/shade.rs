@@ -212,20 +212,22 @@ pub fn direct_light(surface: &Surface, material: &Material, light: &Light) -> Di
     let to_light = if is_position { source - origin } else { source };
     let distance = to_light.length();
     let cosine = surface.shading_normal.dot(to_light) / distance;
-    if !(cosine > 0.0) || (is_position && distance > light.range) {
-        return DirectLight::NONE;
-    }
+    let in_range = !is_position || distance <= light.range;
     let falloff = if is_position {
         1.0 / (distance * distance)
     } else {
         1.0
     };
-    DirectLight {
-        shadow_ray: Ray {
-            t_max: if is_position { 1.0 } else { f32::MAX },
-            ..Ray::new(origin.to_array(), to_light.to_array())
-        },
-        radiance: color * diffuse(material) * (cosine * falloff),
+    if cosine > 0.0 && in_range {
+        DirectLight {
+            shadow_ray: Ray {
+                t_max: if is_position { 1.0 } else { f32::MAX },
+                ..Ray::new(origin.to_array(), to_light.to_array())
+            },
+            radiance: color * diffuse(material) * (cosine * falloff),
+        }
+    } else {
+        DirectLight::NONE
     }
 }
 

@@ -60,14 +60,15 @@ pub fn intersect(ray: &PreparedRay, corners: [[f32; 3]; 3], limit: f32, primitiv
     let e1 = max((p1 - q1) * sign, 0.0);
     let e2 = max((p2 - q2) * sign, 0.0);
     let area = e0 + e1 + e2;
-    if !(area >= f32::MIN_POSITIVE) {
+    if area < f32::MIN_POSITIVE {
         return Hit::MISS;
     }
     let scale = 1.0 / area;
     let u = e1 * scale;
     let v = e2 * scale;
     let t = (e0 * a.z + e1 * b.z + e2 * c.z) * scale * ray.inverse[2];
-    if !(t >= ray.t_min && t <= limit) {
+    let in_range = t >= ray.t_min && t <= limit;
+    if !in_range {
         return Hit::MISS;
     }
 

@@ -1,16 +1,18 @@
 //! slimbvh.
 
 pub mod analysis;
-#[cfg(feature = "scenes")]
-pub mod generate;
 mod bvh;
 mod cpu;
+#[cfg(feature = "scenes")]
+pub mod generate;
 mod mesh;
-mod stages;
+mod picture;
 pub mod scene;
+mod stages;
 
 pub use bvh::Bvh;
-pub use cpu::{BuildConfig, Builder, CodeBits};
-pub use stages::Stages;
+pub use cpu::{BuildConfig, Builder, CodeBits, Renderer};
 pub use mesh::{Mesh, MeshError, Part};
-pub use scene::{Camera, Light, Material, Projection, Scene};
+pub use picture::{Picture, RenderReport, RenderSettings, View};
+pub use scene::{Camera, Light, Material, Projection, Scene, ViewError};
+pub use stages::Stages;

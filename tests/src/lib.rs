@@ -1,1 +1,25 @@
-//! x
+//! Generators and oracles for the tests of slimbvh.
+//!
+//! Meshes and rays come as proptest [`strategies`] and as [`closed`] solids for stress; answers are compared with those of
+//! an [`oracle`]; [`validate`] walks a tree.
+
+pub mod closed;
+pub mod oracle;
+pub mod random;
+pub mod rays;
+pub mod scenes;
+pub mod strategies;
+pub mod validate;
+
+use proptest::test_runner::Config;
+
+/// A proptest configuration with this many cases, or more where `PROPTEST_CASES` asks for it.
+#[must_use]
+pub fn cases(count: u32) -> Config {
+    let config = Config::default();
+    let is_asked = std::env::var_os("PROPTEST_CASES").is_some();
+    Config {
+        cases: if is_asked { config.cases.max(count) } else { count },
+        ..config
+    }
+}

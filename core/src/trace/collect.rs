@@ -129,9 +129,7 @@ impl<const K: usize> Collector for NearestHits<K> {
         let mut moving = hit;
         for i in 0..K {
             if precedes(&moving, &self.hits[i]) {
-                let displaced = self.hits[i];
-                self.hits[i] = moving;
-                moving = displaced;
+                moving = core::mem::replace(&mut self.hits[i], moving);
             }
         }
         if K > 0 && self.hits[K - 1].is_hit() {

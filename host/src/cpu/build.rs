@@ -5,6 +5,7 @@ use crate::{Bvh, Mesh, MeshError, Stages};
 use rayon::prelude::*;
 use slimbvh_core::bounds::{run_bounds, scene_exponent};
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
+use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::refit::{
     PyramidBox, group_bounds, group_count, parent_bounds, refit_node, split_of,
 };
@@ -13,7 +14,6 @@ use slimbvh_core::snap::{Scale, leaf_triangle};
 use slimbvh_core::topology::{
     Codes30, Codes63, SortedCodes, depth_bound, internal_node, kept_nodes, single_node,
 };
-use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::{Aabb, IndexedTriangles, LeafTriangle, Node};
 
 /// Items that a task takes at once.
@@ -94,7 +94,14 @@ impl Builder {
                 order(&mut stages, &mut self.sorter_30, [30], &triangles, code);
                 let leaves = &mut bvh.triangles;
                 stages.time("snap", || {
-                    gather(&mut self.sorter_30, &triangles, &scale, leaves, &mut self.codes_30, |[key]| key);
+                    gather(
+                        &mut self.sorter_30,
+                        &triangles,
+                        &scale,
+                        leaves,
+                        &mut self.codes_30,
+                        |[key]| key,
+                    );
                 });
             }
             CodeBits::Bits63 => {
@@ -103,7 +110,14 @@ impl Builder {
                 order(&mut stages, &mut self.sorter_63, [31, 32], &triangles, code);
                 let leaves = &mut bvh.triangles;
                 stages.time("snap", || {
-                    gather(&mut self.sorter_63, &triangles, &scale, leaves, &mut self.codes_63, |key| key);
+                    gather(
+                        &mut self.sorter_63,
+                        &triangles,
+                        &scale,
+                        leaves,
+                        &mut self.codes_63,
+                        |key| key,
+                    );
                 });
             }
         }
@@ -115,10 +129,22 @@ impl Builder {
                 self.splits.push(split_of(&bvh.nodes[0], 0));
             } else if self.config.code_bits == CodeBits::Bits30 {
                 let codes = Codes30(&self.codes_30);
-                connect(&codes, &mut self.kept, &mut self.kept_before, &mut bvh.nodes, &mut self.splits);
+                connect(
+                    &codes,
+                    &mut self.kept,
+                    &mut self.kept_before,
+                    &mut bvh.nodes,
+                    &mut self.splits,
+                );
             } else {
                 let codes = Codes63(&self.codes_63);
-                connect(&codes, &mut self.kept, &mut self.kept_before, &mut bvh.nodes, &mut self.splits);
+                connect(
+                    &codes,
+                    &mut self.kept,
+                    &mut self.kept_before,
+                    &mut bvh.nodes,
+                    &mut self.splits,
+                );
             }
         });
         bvh.depth_bound = match self.config.code_bits {
@@ -181,16 +207,14 @@ fn order<const W: usize>(
 }
 
 /// Stage `snap`: triangles in leaf order, and the sorted codes as the topology reads them.
-fn gather<const W: usize, C: Send>(
+fn gather<const W: usize, C: Clone + Default + Send>(
     sorter: &mut Sorter<W>,
     triangles: &IndexedTriangles,
     scale: &Scale,
     leaves: &mut Vec<LeafTriangle>,
     codes: &mut Vec<C>,
     code: impl Fn([u32; W]) -> C + Sync,
-) where
-    C: Clone + Default,
-{
+) {
     let items = sorter.items();
     leaves.resize(items.len(), LeafTriangle::default());
     codes.resize(items.len(), C::default());
@@ -246,19 +270,21 @@ fn connect<C: SortedCodes + Sync>(
         blocks.push((block * WORDS, run, split_run));
     }
     let (kept, kept_before) = (kept.as_slice(), kept_before.as_slice());
-    blocks.into_par_iter().for_each(|(first_word, run, split_run)| {
-        let mut places = run.iter_mut().zip(split_run);
-        for (word, &bits) in kept.iter().enumerate().skip(first_word).take(WORDS) {
-            let mut left = bits;
-            while left != 0 {
-                let i = (word * 32) as u32 + left.trailing_zeros();
-                left &= left - 1;
-                if let Some((node, split)) = places.next() {
-                    (*node, *split) = internal_node(i, codes, kept, kept_before);
+    blocks
+        .into_par_iter()
+        .for_each(|(first_word, run, split_run)| {
+            let mut places = run.iter_mut().zip(split_run);
+            for (word, &bits) in kept.iter().enumerate().skip(first_word).take(WORDS) {
+                let mut left = bits;
+                while left != 0 {
+                    let i = (word * 32) as u32 + left.trailing_zeros();
+                    left &= left - 1;
+                    if let Some((node, split)) = places.next() {
+                        (*node, *split) = internal_node(i, codes, kept, kept_before);
+                    }
                 }
             }
-        }
-    });
+        });
 }
 
 /// Stage `refit`, first half: boxes of groups, of pairs of groups, and so on to one.
@@ -304,9 +330,11 @@ fn fill_boxes(
 
 /// Stores a kernel's results in parallel.
 fn fill<T: Send>(to: &mut [T], kernel: impl Fn(u32) -> T + Sync) {
-    to.par_chunks_mut(BLOCK).enumerate().for_each(|(block, to)| {
-        for (place, i) in to.iter_mut().zip((block * BLOCK) as u32..) {
-            *place = kernel(i);
-        }
-    });
+    to.par_chunks_mut(BLOCK)
+        .enumerate()
+        .for_each(|(block, to)| {
+            for (place, i) in to.iter_mut().zip((block * BLOCK) as u32..) {
+                *place = kernel(i);
+            }
+        });
 }

@@ -20,6 +20,7 @@ mod ply;
 mod stl;
 #[cfg(all(test, feature = "scenes"))]
 mod tests;
+mod view;
 
 #[cfg(feature = "scenes")]
 pub use error::{Indexed, LoadError};
@@ -27,6 +28,8 @@ pub use error::{Indexed, LoadError};
 pub use gltf::GltfError;
 #[cfg(feature = "scenes")]
 pub use load::{LoadOptions, load};
+
+pub use view::ViewError;
 
 use crate::Mesh;
 

@@ -1,0 +1,211 @@
+//! `slimbvh info`.
+
+use super::SceneArguments;
+use super::output::{self, count};
+use anyhow::Result;
+use clap::Args;
+use serde::Serialize;
+use slimbvh::Scene;
+use slimbvh::analysis::{Analysis, Bounds, Component, analyze};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub struct InfoArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+
+    /// List all connected components, not the largest only
+    #[arg(long)]
+    all: bool,
+
+    /// Write it as JSON, to standard output for "-"
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+/// Components listed without `--all`.
+const LISTED: usize = 10;
+
+#[derive(Debug, Serialize)]
+struct Summary {
+    scene: String,
+    triangles: usize,
+    degenerate_triangles: usize,
+    duplicate_triangles: usize,
+    dropped_faces: usize,
+    vertices: usize,
+    welded_vertices: usize,
+    materials: usize,
+    cameras: usize,
+    lights: usize,
+    extent: Option<Extent>,
+    components: Vec<ComponentSummary>,
+}
+
+#[derive(Debug, Serialize)]
+struct Extent {
+    min: [f32; 3],
+    max: [f32; 3],
+}
+
+#[derive(Debug, Serialize)]
+struct ComponentSummary {
+    triangles: usize,
+    closed: bool,
+    consistently_wound: bool,
+    outward: Option<bool>,
+    volume: f64,
+    extent: Extent,
+}
+
+pub fn run(arguments: &InfoArguments) -> Result<()> {
+    let scene = arguments.scene.load()?;
+    let progress = output::spinner("looking at the mesh".into());
+    let analysis = analyze(&scene.mesh);
+    drop(progress);
+    let json_on_stdout = arguments
+        .json
+        .as_deref()
+        .is_some_and(|path| path.as_os_str() == "-");
+    if !json_on_stdout {
+        let listed = if arguments.all { usize::MAX } else { LISTED };
+        output::print(&describe(
+            &arguments.scene.name(),
+            &scene,
+            &analysis,
+            listed,
+        ))?;
+    }
+    if let Some(path) = &arguments.json {
+        output::write_json(path, &summarize(&arguments.scene.name(), &scene, &analysis))?;
+    }
+    Ok(())
+}
+
+fn summarize(name: &str, scene: &Scene, analysis: &Analysis) -> Summary {
+    let extent = |bounds: &Bounds| Extent {
+        min: bounds.min,
+        max: bounds.max,
+    };
+    let component = |component: &Component| ComponentSummary {
+        triangles: component.triangle_count,
+        closed: component.closed,
+        consistently_wound: component.consistently_wound,
+        outward: component.outward,
+        volume: component.signed_volume,
+        extent: extent(&component.bounds),
+    };
+    Summary {
+        scene: name.into(),
+        triangles: analysis.triangle_count,
+        degenerate_triangles: analysis.degenerate_triangle_count,
+        duplicate_triangles: analysis.duplicate_triangle_count,
+        dropped_faces: scene.dropped_face_count,
+        vertices: analysis.vertex_count,
+        welded_vertices: analysis.welded_vertex_count,
+        materials: scene.materials.len(),
+        cameras: scene.cameras.len(),
+        lights: scene.lights.len(),
+        extent: analysis.bounds.as_ref().map(extent),
+        components: analysis.components.iter().map(component).collect(),
+    }
+}
+
+/// The analysis for people.
+fn describe(name: &str, scene: &Scene, analysis: &Analysis, listed: usize) -> String {
+    let mut text = String::new();
+    let mut line = |name: &str, value: String| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{name:<11} {value}");
+    };
+    line("scene", name.into());
+    line(
+        "triangles",
+        format!(
+            "{}, of which {} degenerate, {} duplicate",
+            count(analysis.triangle_count),
+            count(analysis.degenerate_triangle_count),
+            count(analysis.duplicate_triangle_count)
+        ),
+    );
+    if scene.dropped_face_count > 0 {
+        line(
+            "dropped",
+            format!("{} broken faces", count(scene.dropped_face_count)),
+        );
+    }
+    line(
+        "vertices",
+        format!(
+            "{}, {} after welding",
+            count(analysis.vertex_count),
+            count(analysis.welded_vertex_count)
+        ),
+    );
+    line(
+        "also",
+        format!(
+            "{} materials, {} cameras, {} lights",
+            scene.materials.len(),
+            scene.cameras.len(),
+            scene.lights.len()
+        ),
+    );
+    if let Some(bounds) = &analysis.bounds {
+        line("extent", extent(bounds));
+    }
+    let closed = analysis
+        .components
+        .iter()
+        .filter(|component| component.closed)
+        .count();
+    line(
+        "components",
+        format!(
+            "{}, of which {} closed",
+            count(analysis.components.len()),
+            count(closed)
+        ),
+    );
+    for component in analysis.components.iter().take(listed) {
+        line("", describe_component(component));
+    }
+    if analysis.components.len() > listed {
+        let rest = analysis.components.len() - listed;
+        line(
+            "",
+            format!("and {} smaller ones (--all lists them)", count(rest)),
+        );
+    }
+    text
+}
+
+fn describe_component(component: &Component) -> String {
+    let closed = if component.closed { "closed" } else { "open" };
+    let wound = if component.consistently_wound {
+        "consistently wound"
+    } else {
+        "inconsistently wound"
+    };
+    let outward = match component.outward {
+        Some(true) => ", outward",
+        Some(false) => ", inward",
+        None => "",
+    };
+    format!(
+        "{} triangles: {closed}, {wound}{outward}; {}",
+        count(component.triangle_count),
+        extent(&component.bounds)
+    )
+}
+
+/// `1 x 2 x 3 from (0, 0, 0) to (1, 2, 3)`.
+fn extent(bounds: &Bounds) -> String {
+    let [a, b] = [bounds.min, bounds.max];
+    let size: [f32; 3] = std::array::from_fn(|i| b[i] - a[i]);
+    format!(
+        "{} x {} x {} from ({}, {}, {}) to ({}, {}, {})",
+        size[0], size[1], size[2], a[0], a[1], a[2], b[0], b[1], b[2]
+    )
+}

@@ -1,0 +1,96 @@
+//! Command line of the `slimbvh` binary.
+
+mod info;
+mod options;
+mod output;
+mod render;
+
+use anyhow::{Context, Result, bail};
+use clap::{Args, Parser, Subcommand};
+use slimbvh::Scene;
+use slimbvh::scene::{LoadOptions, load};
+use std::path::PathBuf;
+
+/// Build only the hierarchy that a view needs, store it small, trace it without a missed hit.
+#[derive(Debug, Parser)]
+#[command(name = "slimbvh", version, arg_required_else_help = true)]
+pub struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Render a scene to a PNG picture
+    Render(render::RenderArguments),
+    /// Tell what is in a scene: counts, extents, which parts are closed
+    Info(info::InfoArguments),
+}
+
+/// Where the scene comes from.
+#[derive(Debug, Args)]
+struct SceneArguments {
+    /// Scene file: gltf, glb, obj, ply, stl or off. Without one, the default scene
+    scene: Option<PathBuf>,
+
+    /// Drop faces with broken numbers or indices, and count them, instead of refusing the file
+    #[arg(long)]
+    lenient: bool,
+}
+
+impl SceneArguments {
+    fn load(&self) -> Result<Scene> {
+        let Some(path) = &self.scene else {
+            return Ok(slimbvh::generate::default_scene());
+        };
+        let options = LoadOptions {
+            lenient: self.lenient,
+            ..LoadOptions::default()
+        };
+        let _progress = output::spinner(format!("reading {}", path.display()));
+        Ok(load(path, &options)?)
+    }
+
+    fn name(&self) -> String {
+        match &self.scene {
+            Some(path) => path.display().to_string(),
+            None => "default scene".into(),
+        }
+    }
+}
+
+/// How many threads work.
+#[derive(Debug, Args)]
+struct ThreadArguments {
+    /// Threads to use; all cores by default. The result is the same for any number
+    #[arg(long, value_name = "N")]
+    threads: Option<usize>,
+}
+
+impl ThreadArguments {
+    /// Runs work on that many threads.
+    fn run<R: Send>(&self, work: impl FnOnce() -> R + Send) -> Result<R> {
+        const MOST: usize = 1024;
+        let threads = match self.threads {
+            Some(threads) if !(1..=MOST).contains(&threads) => {
+                bail!("--threads is {threads}; it must be from 1 to {MOST}")
+            }
+            Some(threads) => threads,
+            // rayon's own default.
+            None => 0,
+        };
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .with_context(|| format!("cannot start {threads} threads"))?;
+        Ok(pool.install(work))
+    }
+}
+
+/// Runs the command.
+pub fn run(arguments: Arguments) -> Result<()> {
+    match arguments.command {
+        Command::Render(arguments) => render::run(&arguments),
+        Command::Info(arguments) => info::run(&arguments),
+    }
+}

@@ -1,0 +1,313 @@
+//! `slimbvh render`.
+
+use super::options::{self, CameraOption};
+use super::output::{self, bytes, count};
+use super::{SceneArguments, ThreadArguments};
+use anyhow::{Context, Result, bail};
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+use slimbvh::{
+    BuildConfig, Builder, Bvh, CodeBits, Light, Picture, RenderReport, RenderSettings, Renderer,
+    Scene, Stages, View,
+};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub struct RenderArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+
+    /// Where the picture goes
+    #[arg(short, long, value_name = "FILE.png", default_value = "slimbvh.png")]
+    output: PathBuf,
+
+    /// Size of the picture in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = options::size)]
+    size: [u32; 2],
+
+    /// Samples a pixel: 1, 4, 16 … form a grid, any number works
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=65536))]
+    spp: u32,
+
+    #[command(flatten)]
+    threads: ThreadArguments,
+
+    /// What computes
+    #[arg(long, value_enum, default_value_t = Backend::Auto)]
+    backend: Backend,
+
+    /// What to show
+    #[arg(long, value_enum, default_value_t = View::Color)]
+    view: View,
+
+    /// Camera, parts as needed: "eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES", or height=H for parallel rays
+    #[arg(long, value_name = "PARTS")]
+    camera: Option<CameraOption>,
+
+    /// Light instead of the scene's, may be repeated: "sun=X,Y,Z color=R,G,B", where the light goes, or
+    /// "point=X,Y,Z color=R,G,B range=D"
+    #[arg(long, value_name = "PARTS", value_parser = options::light)]
+    light: Vec<Light>,
+
+    /// How many mirrors a ray may meet
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u32).range(0..=64))]
+    mirror_depth: u32,
+
+    /// Bits of the codes that order triangles: 30, or 63 for scenes with small details
+    #[arg(long, value_enum, default_value_t = Codes::Bits30)]
+    codes: Codes,
+
+    /// Write what was done as JSON, to standard output for "-"
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Backend {
+    /// The best there is
+    Auto,
+    /// This machine's cores
+    Cpu,
+    /// A GPU
+    Gpu,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Codes {
+    #[value(name = "30")]
+    Bits30,
+    #[value(name = "63")]
+    Bits63,
+}
+
+/// What was done.
+#[derive(Debug, Serialize)]
+struct Summary {
+    scene: String,
+    picture: String,
+    width: u32,
+    height: u32,
+    samples_per_pixel: u32,
+    backend: &'static str,
+    threads: usize,
+    triangles: usize,
+    dropped_faces: usize,
+    nodes: usize,
+    build_ms: BTreeMap<&'static str, f64>,
+    render_ms: BTreeMap<&'static str, f64>,
+    primary_rays: u64,
+    primary_hits: u64,
+    shadow_rays: u64,
+    mirror_rays: u64,
+    mrays_per_second: f64,
+    node_visits: Option<u64>,
+    node_bytes: usize,
+    triangle_bytes: usize,
+    mesh_bytes: usize,
+    scratch_bytes: usize,
+}
+
+pub fn run(arguments: &RenderArguments) -> Result<()> {
+    if arguments.backend == Backend::Gpu {
+        bail!("this build has no GPU backend; use --backend cpu");
+    }
+    check_output(&arguments.output)?;
+    let mut scene = arguments.scene.load()?;
+    let (summary, text, picture) = arguments.threads.run(|| render(arguments, &mut scene))??;
+    output::write_png(&arguments.output, &picture)?;
+    let json_on_stdout = arguments
+        .json
+        .as_deref()
+        .is_some_and(|path| path.as_os_str() == "-");
+    if !json_on_stdout {
+        output::print(&text)?;
+    }
+    if let Some(path) = &arguments.json {
+        output::write_json(path, &summary)?;
+    }
+    Ok(())
+}
+
+/// Tells before the work, not after it, that the picture has no place to go.
+fn check_output(path: &std::path::Path) -> Result<()> {
+    let is_png = path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("png"));
+    if !is_png {
+        bail!(
+            "{:?} does not end in .png; pictures are written as PNG",
+            path.display().to_string()
+        );
+    }
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => std::path::Path::new("."),
+    };
+    if !folder.is_dir() {
+        bail!(
+            "there is no folder {:?} for the picture",
+            folder.display().to_string()
+        );
+    }
+    if path.is_dir() {
+        bail!("{:?} is a folder; name a file", path.display().to_string());
+    }
+    Ok(())
+}
+
+fn render(arguments: &RenderArguments, scene: &mut Scene) -> Result<(Summary, String, Picture)> {
+    let mut builder = Builder::new(BuildConfig {
+        code_bits: match arguments.codes {
+            Codes::Bits30 => CodeBits::Bits30,
+            Codes::Bits63 => CodeBits::Bits63,
+        },
+    });
+    let mut bvh = Bvh::default();
+    let build = builder
+        .build_into(&scene.mesh, &mut bvh)
+        .with_context(|| arguments.scene.name())?;
+
+    if !arguments.light.is_empty() {
+        scene.lights.clone_from(&arguments.light);
+    }
+    let settings = RenderSettings {
+        size: arguments.size,
+        sample_count: arguments.spp,
+        view: arguments.view,
+        mirror_depth: arguments.mirror_depth,
+    };
+    scene.complete(bvh.bounds(), settings.size);
+    if let Some(camera) = &arguments.camera {
+        camera.apply(&mut scene.cameras[0]);
+    }
+
+    let mut renderer = Renderer::new();
+    let mut picture = Picture::default();
+    let progress = output::bar("rendering");
+    let report = renderer.render(scene, &bvh, &settings, &mut picture, |share| {
+        progress.set(share);
+    })?;
+    drop(progress);
+
+    let scratch = builder.scratch_bytes() + renderer.scratch_bytes();
+    let summary = summarize(arguments, scene, &bvh, &build, &report, scratch);
+    let text = describe(&summary, &build, &report);
+    Ok((summary, text, picture))
+}
+
+fn summarize(
+    arguments: &RenderArguments,
+    scene: &Scene,
+    bvh: &Bvh,
+    build: &Stages,
+    report: &RenderReport,
+    scratch_bytes: usize,
+) -> Summary {
+    let times = |stages: &Stages| {
+        stages
+            .iter()
+            .map(|(stage, time)| (stage, time.as_secs_f64() * 1e3))
+            .collect()
+    };
+    let [width, height] = arguments.size;
+    let mesh = &scene.mesh;
+    Summary {
+        scene: arguments.scene.name(),
+        picture: arguments.output.display().to_string(),
+        width,
+        height,
+        samples_per_pixel: arguments.spp,
+        backend: "cpu",
+        threads: rayon::current_num_threads(),
+        triangles: bvh.triangle_count(),
+        dropped_faces: scene.dropped_face_count,
+        nodes: bvh.node_count(),
+        build_ms: times(build),
+        render_ms: times(&report.stages),
+        primary_rays: report.primary_ray_count,
+        primary_hits: report.primary_hit_count,
+        shadow_rays: report.shadow_ray_count,
+        mirror_rays: report.mirror_ray_count,
+        mrays_per_second: report.ray_count() as f64 / report.stages.total().as_secs_f64() / 1e6,
+        node_visits: (arguments.view == View::Heatmap).then_some(report.node_visit_count),
+        node_bytes: bvh.node_bytes(),
+        triangle_bytes: bvh.triangle_bytes(),
+        mesh_bytes: size_of_val(mesh.vertices.as_slice())
+            + size_of_val(mesh.indices.as_slice())
+            + size_of_val(mesh.normals.as_slice())
+            + size_of_val(mesh.materials.as_slice()),
+        scratch_bytes,
+    }
+}
+
+/// The summary for people.
+fn describe(s: &Summary, build: &Stages, report: &RenderReport) -> String {
+    let mut text = String::new();
+    let mut line = |name: &str, value: String| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{name:<10} {value}");
+    };
+    line(
+        "scene",
+        format!("{}, {} triangles", s.scene, count(s.triangles)),
+    );
+    if s.dropped_faces > 0 {
+        line(
+            "dropped",
+            format!("{} broken faces", count(s.dropped_faces)),
+        );
+    }
+    let plural = if s.threads == 1 { "" } else { "s" };
+    let per_pixel = if s.samples_per_pixel == 1 {
+        "sample"
+    } else {
+        "samples"
+    };
+    line(
+        "picture",
+        format!(
+            "{}, {}x{}, {} {per_pixel} a pixel, {} thread{plural}",
+            s.picture, s.width, s.height, s.samples_per_pixel, s.threads
+        ),
+    );
+    let ms = |stages: &Stages| stages.total().as_secs_f64() * 1e3;
+    line("build", format!("{:.2} ms: {build}", ms(build)));
+    line(
+        "render",
+        format!("{:.2} ms: {}", ms(&report.stages), report.stages),
+    );
+    line(
+        "rays",
+        format!(
+            "{} primary ({} hit), {} shadow, {} mirror: {:.2} Mrays/s",
+            count(s.primary_rays),
+            count(s.primary_hits),
+            count(s.shadow_rays),
+            count(s.mirror_rays),
+            s.mrays_per_second
+        ),
+    );
+    if let Some(visits) = s.node_visits {
+        let mean = visits as f64 / s.primary_rays as f64;
+        line(
+            "visits",
+            format!("{} nodes, {mean:.1} a ray", count(visits)),
+        );
+    }
+    let per_triangle = |bytes: usize| bytes as f64 / s.triangles.max(1) as f64;
+    line(
+        "bytes",
+        format!(
+            "{} nodes ({:.1} a triangle), {} leaf triangles ({:.1}), {} mesh, {} scratch",
+            bytes(s.node_bytes),
+            per_triangle(s.node_bytes),
+            bytes(s.triangle_bytes),
+            per_triangle(s.triangle_bytes),
+            bytes(s.mesh_bytes),
+            bytes(s.scratch_bytes)
+        ),
+    );
+    text
+}

@@ -1,0 +1,382 @@
+//! Stages `trace` and `shade` on the CPU, in waves of samples.
+
+use crate::picture::{Picture, RenderReport, RenderSettings, View};
+use crate::scene::ViewError;
+use crate::{Bvh, Scene};
+use rayon::prelude::*;
+use slimbvh_core::camera::Camera as CoreCamera;
+use slimbvh_core::ray::{Hit, PreparedRay};
+use slimbvh_core::shade::{
+    Environment, Light as CoreLight, Material as CoreMaterial, Path, ambient_light, direct_light,
+};
+use slimbvh_core::snap::{Scale, leaf_triangle};
+use slimbvh_core::surface::Surface;
+use slimbvh_core::trace::{self, ClosestHit, Counted};
+use slimbvh_core::{IndexedTriangles, view};
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+
+/// Samples in flight.
+const WAVE: u32 = 1 << 18;
+
+/// Samples that a task takes at once.
+const BLOCK: usize = 512;
+
+/// Renders pictures, and keeps its buffers from one to the next.
+#[derive(Debug, Default)]
+pub struct Renderer {
+    paths: Vec<Path>,
+    hits: Vec<Hit>,
+    heat: Vec<u32>,
+}
+
+/// All that a picture is made from, next to the tree.
+struct Stage<'a> {
+    scene: &'a Scene,
+    bvh: &'a Bvh,
+    scale: Scale,
+    camera: CoreCamera,
+    lights: Vec<CoreLight>,
+    materials: Vec<CoreMaterial>,
+    environment: Environment,
+    depth_range: [f32; 2],
+}
+
+impl Renderer {
+    /// A renderer without buffers yet.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Renders a scene, whose mesh the tree was built over, through its first camera; see [`Scene::complete`] for scenes
+    /// without one. `progress` is told the share done, 0 to 1.
+    ///
+    /// # Errors
+    /// For cameras and lights that make no picture.
+    pub fn render(
+        &mut self,
+        scene: &Scene,
+        bvh: &Bvh,
+        settings: &RenderSettings,
+        picture: &mut Picture,
+        mut progress: impl FnMut(f64),
+    ) -> Result<RenderReport, ViewError> {
+        let stage = Stage::new(scene, bvh, settings)?;
+        let mut report = RenderReport::default();
+        let [width, height] = settings.size;
+        let pixel_count = width * height;
+        picture.width = width;
+        picture.height = height;
+        picture.pixels.clear();
+        picture.pixels.resize(pixel_count as usize, [0.0; 3]);
+        self.heat.clear();
+
+        let wave_pixels = (WAVE / settings.sample_count).max(1);
+        for first_pixel in (0..pixel_count).step_by(wave_pixels as usize) {
+            let pixels = wave_pixels.min(pixel_count - first_pixel);
+            let first = first_pixel * settings.sample_count;
+            self.begin(&stage, first, pixels * settings.sample_count, &mut report);
+            if settings.view == View::Heatmap {
+                self.count_nodes(&stage, &mut report);
+            } else {
+                self.trace_primary(&stage, &mut report);
+                match settings.view {
+                    View::Color => self.shade(&stage, settings.mirror_depth, &mut report),
+                    view => self.show(&stage, view, &mut report),
+                }
+            }
+            let to = &mut picture.pixels[first_pixel as usize..(first_pixel + pixels) as usize];
+            report.stages.time("resolve", || {
+                resolve(&self.paths, settings.sample_count as usize, to);
+            });
+            progress(f64::from(first_pixel + pixels) / f64::from(pixel_count));
+        }
+        if settings.view == View::Heatmap {
+            paint_heat(&self.heat, settings.sample_count as usize, picture);
+            report.node_visit_count = self.heat.iter().map(|&count| u64::from(count)).sum();
+        }
+        Ok(report)
+    }
+
+    /// Bytes of all buffers that the renderer keeps between pictures.
+    #[must_use]
+    pub fn scratch_bytes(&self) -> usize {
+        size_of_val(self.paths.as_slice())
+            + size_of_val(self.hits.as_slice())
+            + size_of_val(self.heat.as_slice())
+    }
+
+    /// Sends the samples `first..first + count` off from the camera.
+    fn begin(&mut self, stage: &Stage, first: u32, count: u32, report: &mut RenderReport) {
+        self.paths.resize(count as usize, Path::default());
+        self.hits.resize(count as usize, Hit::MISS);
+        report.stages.time("camera", || {
+            let blocks = self.paths.par_chunks_mut(BLOCK).enumerate();
+            blocks.for_each(|(block, paths)| {
+                for (path, sample) in paths.iter_mut().zip(first + (block * BLOCK) as u32..) {
+                    *path = Path::new(stage.camera.ray(sample));
+                }
+            });
+        });
+        report.primary_ray_count += u64::from(count);
+    }
+
+    fn trace_primary(&mut self, stage: &Stage, report: &mut RenderReport) {
+        report
+            .stages
+            .time("trace primary", || self.trace_paths(stage));
+        let hits = self.hits.par_iter().filter(|hit| hit.is_hit()).count();
+        report.primary_hit_count += hits as u64;
+    }
+
+    /// Finds what every living path meets.
+    fn trace_paths(&mut self, stage: &Stage) {
+        let (nodes, triangles) = (stage.bvh.node_source(), stage.bvh.triangle_source());
+        let blocks = self
+            .hits
+            .par_chunks_mut(BLOCK)
+            .zip(self.paths.par_chunks(BLOCK));
+        blocks.for_each(|(hits, paths)| {
+            for (hit, path) in hits.iter_mut().zip(paths) {
+                *hit = if path.is_alive() {
+                    trace::closest_hit(&nodes, &triangles, &path.ray, 0, path.skip)
+                } else {
+                    Hit::MISS
+                };
+            }
+        });
+    }
+
+    /// Gathers light, and follows mirrors to the given depth.
+    fn shade(&mut self, stage: &Stage, mirror_depth: u32, report: &mut RenderReport) {
+        for depth in 0..=mirror_depth {
+            for light in &stage.lights {
+                report.stages.time("trace shadow", || {
+                    report.shadow_ray_count += self.add_light(stage, light);
+                });
+            }
+            let alive = report.stages.time("shade", || self.scatter(stage));
+            if alive == 0 || depth == mirror_depth {
+                break;
+            }
+            report.mirror_ray_count += alive;
+            report
+                .stages
+                .time("trace mirror", || self.trace_paths(stage));
+        }
+    }
+
+    /// Adds one light to all hits that it reaches. Returns the number of shadow rays.
+    fn add_light(&mut self, stage: &Stage, light: &CoreLight) -> u64 {
+        let (nodes, triangles) = (stage.bvh.node_source(), stage.bvh.triangle_source());
+        let ray_count = AtomicU64::new(0);
+        let blocks = self
+            .paths
+            .par_chunks_mut(BLOCK)
+            .zip(self.hits.par_chunks(BLOCK));
+        blocks.for_each(|(paths, hits)| {
+            let mut rays = 0;
+            for (path, hit) in paths.iter_mut().zip(hits) {
+                if !path.is_alive() || !hit.is_hit() {
+                    continue;
+                }
+                let (surface, material) = stage.surface(path, hit);
+                let direct = direct_light(&surface, &material, light);
+                if direct.is_possible() {
+                    rays += 1;
+                    let ray = &direct.shadow_ray;
+                    if !trace::any_hit(&nodes, &triangles, ray, 0, hit.primitive) {
+                        *path = path.with_light(direct.radiance);
+                    }
+                }
+            }
+            ray_count.fetch_add(rays, Relaxed);
+        });
+        ray_count.into_inner()
+    }
+
+    /// Ends paths, or sends them on at mirrors. Returns how many go on.
+    fn scatter(&mut self, stage: &Stage) -> u64 {
+        let blocks = self
+            .paths
+            .par_chunks_mut(BLOCK)
+            .zip(self.hits.par_chunks(BLOCK));
+        let alive = blocks.map(|(paths, hits)| {
+            let mut alive = 0;
+            for (path, hit) in paths.iter_mut().zip(hits) {
+                if !path.is_alive() {
+                    continue;
+                }
+                *path = if hit.is_hit() {
+                    let (surface, material) = stage.surface(path, hit);
+                    let ambient = ambient_light(&material, &stage.environment);
+                    path.with_light(ambient)
+                        .scattered(&surface, &material, hit.primitive)
+                } else {
+                    path.escaped(&stage.environment)
+                };
+                alive += u64::from(path.is_alive());
+            }
+            alive
+        });
+        alive.sum()
+    }
+
+    /// Shows what the first hit is.
+    fn show(&mut self, stage: &Stage, view: View, report: &mut RenderReport) {
+        report.stages.time("shade", || {
+            let blocks = self
+                .paths
+                .par_chunks_mut(BLOCK)
+                .zip(self.hits.par_chunks(BLOCK));
+            blocks.for_each(|(paths, hits)| {
+                for (path, hit) in paths.iter_mut().zip(hits) {
+                    if !hit.is_hit() {
+                        continue;
+                    }
+                    let (surface, _) = stage.surface(path, hit);
+                    let [near, far] = stage.depth_range;
+                    let color = match view {
+                        View::Normals => view::normal_color(surface.shading_normal),
+                        View::Primitives => view::primitive_color(hit.primitive),
+                        // Camera rays advance by one along the view for each unit of t.
+                        _ => view::depth_color(hit.t, near, far),
+                    };
+                    *path = path.with_light(color);
+                }
+            });
+        });
+    }
+
+    /// Counts the nodes that each sample visits.
+    fn count_nodes(&mut self, stage: &Stage, report: &mut RenderReport) {
+        let (nodes, triangles) = (stage.bvh.node_source(), stage.bvh.triangle_source());
+        let begin = self.heat.len();
+        self.heat.resize(begin + self.paths.len(), 0);
+        let blocks = self.heat[begin..]
+            .par_chunks_mut(BLOCK)
+            .zip(self.paths.par_chunks(BLOCK));
+        let hits = report.stages.time("trace primary", || {
+            blocks
+                .map(|(heat, paths)| {
+                    let mut hits = 0;
+                    for (count, path) in heat.iter_mut().zip(paths) {
+                        let ray = PreparedRay::new(&path.ray, 0);
+                        let mut collector = Counted::new(ClosestHit::new(ray.t_max));
+                        trace::traverse(&nodes, &triangles, &ray, path.skip, &mut collector);
+                        *count = collector.node_count;
+                        hits += u64::from(collector.inner.hit.is_hit());
+                    }
+                    hits
+                })
+                .sum::<u64>()
+        });
+        report.primary_hit_count += hits;
+    }
+}
+
+impl<'a> Stage<'a> {
+    fn new(scene: &'a Scene, bvh: &'a Bvh, settings: &RenderSettings) -> Result<Self, ViewError> {
+        let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
+        let exponent = bvh.scene_exponent();
+        let core_camera = camera.to_core(exponent, settings.size, settings.sample_count)?;
+        let lights = scene.lights.iter().enumerate();
+        Ok(Self {
+            scene,
+            bvh,
+            scale: Scale::new(exponent),
+            depth_range: depth_range(bvh, &core_camera),
+            camera: core_camera,
+            lights: lights
+                .map(|(index, light)| light.to_core(exponent, index))
+                .collect::<Result<_, _>>()?,
+            materials: scene.core_materials(),
+            environment: Scene::environment(camera.up),
+        })
+    }
+
+    /// The point that a path hit, and what it is made of.
+    fn surface(&self, path: &Path, hit: &Hit) -> (Surface, CoreMaterial) {
+        let mesh = &self.scene.mesh;
+        let triangles = IndexedTriangles {
+            vertices: &mesh.vertices,
+            indices: &mesh.indices,
+        };
+        let triangle = leaf_triangle(hit.primitive, &triangles, &self.scale).triangle();
+        let corners = mesh.indices[hit.primitive as usize];
+        let normals = corners.map(|corner| {
+            mesh.normals
+                .get(corner as usize)
+                .map_or(glam::Vec3::ZERO, |&n| glam::Vec3::from_array(n))
+        });
+        let material = mesh
+            .materials
+            .get(hit.primitive as usize)
+            .map_or(0, |&m| m as usize);
+        let material = self.materials.get(material).or(self.materials.first());
+        let direction = glam::Vec3::from_array(path.ray.direction);
+        (
+            Surface::new(triangle, hit, direction, normals),
+            material.copied().unwrap_or(DEFAULT_MATERIAL),
+        )
+    }
+}
+
+/// Stands in where a triangle names a material that is not there.
+const DEFAULT_MATERIAL: CoreMaterial = CoreMaterial {
+    base_color: [0.8; 3],
+    mirror: 0.0,
+};
+
+/// Nearest and farthest distance of the scene's box along the view.
+fn depth_range(bvh: &Bvh, camera: &CoreCamera) -> [f32; 2] {
+    let Some(bounds) = bvh.bounds() else {
+        return [0.0, 1.0];
+    };
+    let scale = Scale::new(bvh.scene_exponent());
+    let eye = glam::Vec3::from_array(camera.eye);
+    let forward = glam::Vec3::from_array(camera.forward);
+    let corners = (0..8).map(|corner| {
+        let pick = |axis: usize| {
+            let end = if corner >> axis & 1 == 0 {
+                bounds.min
+            } else {
+                bounds.max
+            };
+            scale.snap(end[axis])
+        };
+        (glam::Vec3::new(pick(0), pick(1), pick(2)) - eye).dot(forward)
+    });
+    let (near, far) = corners.fold((f32::MAX, 0.0f32), |(near, far), depth| {
+        (near.min(depth), far.max(depth))
+    });
+    [near.max(0.0), far]
+}
+
+/// Averages each pixel's samples, in order.
+fn resolve(paths: &[Path], sample_count: usize, pixels: &mut [[f32; 3]]) {
+    let samples = paths.par_chunks(sample_count);
+    pixels
+        .par_iter_mut()
+        .zip(samples)
+        .with_min_len(BLOCK)
+        .for_each(|(pixel, paths)| {
+            let sum = paths.iter().fold(glam::Vec3::ZERO, |sum, path| {
+                sum + glam::Vec3::from_array(path.radiance)
+            });
+            *pixel = (sum / sample_count as f32).to_array();
+        });
+}
+
+/// Colors each pixel by its mean count, white being the count that one pixel in a thousand exceeds.
+fn paint_heat(heat: &[u32], sample_count: usize, picture: &mut Picture) {
+    let mut sorted = heat.to_vec();
+    let rank = sorted.len() - 1 - sorted.len() / 1000;
+    let (_, &mut most, _) = sorted.select_nth_unstable(rank);
+    for (pixel, counts) in picture.pixels.iter_mut().zip(heat.chunks(sample_count)) {
+        let sum = counts.iter().fold(glam::Vec3::ZERO, |sum, &count| {
+            sum + view::heat_color(count, most)
+        });
+        *pixel = (sum / sample_count as f32).to_array();
+    }
+}

@@ -1,0 +1,113 @@
+//! Pictures and what a render is asked for.
+
+use crate::Stages;
+
+/// What a picture shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+pub enum View {
+    /// Light on surfaces.
+    #[default]
+    Color,
+    /// Surface normals, as colors.
+    Normals,
+    /// Distance along the view: near is bright.
+    Depth,
+    /// A color for each triangle.
+    Primitives,
+    /// Nodes visited for each pixel: black, blue, red, yellow, white.
+    Heatmap,
+}
+
+/// How to render.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RenderSettings {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// Samples a pixel.
+    pub sample_count: u32,
+    /// What to show.
+    pub view: View,
+    /// How many mirrors a path may meet.
+    pub mirror_depth: u32,
+}
+
+impl Default for RenderSettings {
+    fn default() -> Self {
+        Self {
+            size: [1280, 720],
+            sample_count: 1,
+            view: View::Color,
+            mirror_depth: 4,
+        }
+    }
+}
+
+/// A picture in linear RGB, row by row from the upper left.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Picture {
+    /// In pixels.
+    pub width: u32,
+    /// In pixels.
+    pub height: u32,
+    /// `width · height` colors.
+    pub pixels: Vec<[f32; 3]>,
+}
+
+impl Picture {
+    /// 8-bit sRGB (IEC 61966-2-1), three bytes a pixel. Colors outside 0 to 1 are clipped.
+    #[must_use]
+    pub fn to_srgb(&self) -> Vec<u8> {
+        self.pixels
+            .iter()
+            .flatten()
+            .map(|&x| srgb_byte(x))
+            .collect()
+    }
+}
+
+fn srgb_byte(linear: f32) -> u8 {
+    let x = linear.clamp(0.0, 1.0);
+    let encoded = if x <= 0.003_130_8 {
+        12.92 * x
+    } else {
+        1.055 * x.powf(1.0 / 2.4) - 0.055
+    };
+    (encoded * 255.0 + 0.5) as u8
+}
+
+/// What a render did.
+#[derive(Clone, Debug, Default)]
+pub struct RenderReport {
+    /// Time of each stage.
+    pub stages: Stages,
+    /// Rays from the camera.
+    pub primary_ray_count: u64,
+    /// Rays to lights.
+    pub shadow_ray_count: u64,
+    /// Rays from mirrors.
+    pub mirror_ray_count: u64,
+    /// Camera rays that met something.
+    pub primary_hit_count: u64,
+    /// Inner nodes opened, counted in the heatmap view only.
+    pub node_visit_count: u64,
+}
+
+impl RenderReport {
+    /// All rays.
+    #[must_use]
+    pub fn ray_count(&self) -> u64 {
+        self.primary_ray_count + self.shadow_ray_count + self.mirror_ray_count
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn srgb_of_known_values() {
+        let bytes = [0.0, 1.0, 0.5, 0.002, 7.0, -1.0].map(srgb_byte);
+        assert_eq!(bytes, [0, 255, 188, 7, 255, 0]);
+    }
+}

@@ -1,0 +1,274 @@
+//! From a scene's camera and lights, in the caller's unit, to core's, in the scene's magnitude.
+
+use super::{Camera, Light, Material, Projection, Scene};
+use glam::Vec3;
+use slimbvh_core::Aabb;
+use slimbvh_core::float::{is_finite, scale_by_power_of_two};
+use slimbvh_core::shade::Environment;
+use thiserror::Error;
+
+/// Why a camera or a light cannot be used.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum ViewError {
+    /// A picture without pixels.
+    #[error("the picture would be {width}x{height} pixels; both sides must be at least 1")]
+    EmptyPicture {
+        /// Asked for.
+        width: u32,
+        /// Asked for.
+        height: u32,
+    },
+    /// More samples than can be numbered.
+    #[error(
+        "{width}x{height} pixels with {sample_count} samples each are too many: at most 4294967295 samples"
+    )]
+    TooManySamples {
+        /// Asked for.
+        width: u32,
+        /// Asked for.
+        height: u32,
+        /// Asked for.
+        sample_count: u32,
+    },
+    /// The scene has none.
+    #[error("the scene has no camera")]
+    NoCamera,
+    /// The camera looks nowhere.
+    #[error("the camera is at its own look-at point ({}, {}, {}); move one of them", .eye[0], .eye[1], .eye[2])]
+    NoDirection {
+        /// Where it is.
+        eye: [f32; 3],
+    },
+    /// A number of the camera is NaN or infinite.
+    #[error("the camera has a position or direction that is not finite")]
+    CameraNotFinite,
+    /// The angle of view makes no picture.
+    #[error(
+        "the camera's vertical angle of view is {degrees} degrees; it must be above 0 and below 180"
+    )]
+    AngleOfView {
+        /// Asked for.
+        degrees: f32,
+    },
+    /// The height of a parallel view makes no picture.
+    #[error("the camera's picture is {height} high; the height must be above 0")]
+    PictureHeight {
+        /// Asked for.
+        height: f32,
+    },
+    /// A light with a NaN, a negative color, or a zero direction.
+    #[error("light {index} {fault}")]
+    Light {
+        /// Which, counted from 0.
+        index: usize,
+        /// What is wrong with it.
+        fault: &'static str,
+    },
+}
+
+impl Camera {
+    /// A camera in front of a box, a little to the side and above, that sees all of it in a picture of this shape.
+    #[must_use]
+    pub fn facing(bounds: &Aabb, aspect: f32) -> Self {
+        const VERTICAL_FOV: f32 = 35.0;
+        // In f64, as a box may span all of f32.
+        let (low, high) = (bounds.min.to_array(), bounds.max.to_array());
+        let center: [f64; 3] =
+            std::array::from_fn(|i| 0.5 * (f64::from(low[i]) + f64::from(high[i])));
+        let half: [f64; 3] =
+            std::array::from_fn(|i| 0.5 * (f64::from(high[i]) - f64::from(low[i])));
+        let radius = half.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let largest = center.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        let radius = radius.max(largest * 1e-5).max(f64::from(f32::MIN_POSITIVE));
+        let half_fov = f64::from(VERTICAL_FOV.to_radians()) / 2.0;
+        let narrow = (half_fov.tan() * f64::from(aspect.min(1.0))).atan();
+        let distance = radius / narrow.sin();
+        let side = [0.36, 0.24, 0.9];
+        let length = side.iter().map(|x| x * x).sum::<f64>().sqrt();
+        Self {
+            eye: std::array::from_fn(|i| (center[i] + side[i] / length * distance) as f32),
+            target: center.map(|x| x as f32),
+            up: [0.0, 1.0, 0.0],
+            projection: Projection::Perspective {
+                vertical_fov: VERTICAL_FOV,
+            },
+        }
+    }
+
+    /// The camera as core traces it, its positions multiplied by two to the scene's exponent.
+    ///
+    /// # Errors
+    /// For a view that makes no picture.
+    pub fn to_core(
+        &self,
+        scene_exponent: i32,
+        [width, height]: [u32; 2],
+        sample_count: u32,
+    ) -> Result<slimbvh_core::camera::Camera, ViewError> {
+        if width == 0 || height == 0 || sample_count == 0 {
+            return Err(ViewError::EmptyPicture { width, height });
+        }
+        let samples = u128::from(width) * u128::from(height) * u128::from(sample_count);
+        if samples > u128::from(u32::MAX) {
+            return Err(ViewError::TooManySamples {
+                width,
+                height,
+                sample_count,
+            });
+        }
+        let numbers = self.eye.iter().chain(&self.target).chain(&self.up);
+        if numbers.into_iter().any(|x| !x.is_finite()) {
+            return Err(ViewError::CameraNotFinite);
+        }
+
+        // At magnitude 1 neither differences nor squares overflow.
+        let scale =
+            |p: [f32; 3]| Vec3::from_array(p.map(|x| scale_by_power_of_two(x, scene_exponent)));
+        let eye = scale(self.eye);
+        let toward = unit((scale(self.target) - eye).to_array())
+            .ok_or(ViewError::NoDirection { eye: self.eye })?;
+        let right = unit(toward.cross(unit(self.up).unwrap_or(Vec3::Y)).to_array())
+            .unwrap_or_else(|| toward.any_orthonormal_vector());
+        let up = right.cross(toward);
+        let (half_height, is_parallel) = match self.projection {
+            Projection::Perspective { vertical_fov } => {
+                if !(vertical_fov > 0.0 && vertical_fov < 180.0) {
+                    return Err(ViewError::AngleOfView {
+                        degrees: vertical_fov,
+                    });
+                }
+                ((vertical_fov.to_radians() / 2.0).tan(), 0)
+            }
+            Projection::Orthographic { height } => {
+                if !(height > 0.0 && is_finite(height)) {
+                    return Err(ViewError::PictureHeight { height });
+                }
+                (scale_by_power_of_two(height, scene_exponent) / 2.0, 1)
+            }
+        };
+        let half_width = half_height * width as f32 / height as f32;
+        Ok(slimbvh_core::camera::Camera {
+            eye: eye.to_array(),
+            is_parallel,
+            forward: toward.to_array(),
+            width,
+            right: (right * half_width).to_array(),
+            height,
+            up: (up * half_height).to_array(),
+            sample_count,
+        })
+    }
+}
+
+impl Light {
+    /// A sun behind the camera's left shoulder.
+    #[must_use]
+    pub fn beside(camera: &Camera) -> Self {
+        let toward = Vec3::from_array(camera.target) * 0.5 - Vec3::from_array(camera.eye) * 0.5;
+        let toward = unit(toward.to_array()).unwrap_or(-Vec3::Z);
+        let up = unit(camera.up).unwrap_or(Vec3::Y);
+        let right =
+            unit(toward.cross(up).to_array()).unwrap_or_else(|| toward.any_orthonormal_vector());
+        let direction = toward + right * 0.6 - up * 0.9;
+        Self::Directional {
+            direction: direction.to_array(),
+            color: [2.6, 2.5, 2.4],
+        }
+    }
+
+    /// The light as core shades with it, its position multiplied by two to the scene's exponent.
+    ///
+    /// # Errors
+    /// For a light with numbers that make no light; `index` is for the message.
+    pub fn to_core(
+        &self,
+        scene_exponent: i32,
+        index: usize,
+    ) -> Result<slimbvh_core::shade::Light, ViewError> {
+        let fault = |fault| ViewError::Light { index, fault };
+        let (Self::Directional { color, .. } | Self::Point { color, .. }) = *self;
+        if color.iter().any(|x| !x.is_finite() || *x < 0.0) {
+            return Err(fault("has a color that is negative or not finite"));
+        }
+        match *self {
+            Self::Directional { direction, .. } => {
+                let toward = unit(direction).ok_or(fault("has no direction"))?;
+                Ok(slimbvh_core::shade::Light {
+                    point: (-toward).to_array(),
+                    is_position: 0,
+                    color,
+                    range: f32::MAX,
+                })
+            }
+            Self::Point {
+                position, range, ..
+            } => {
+                if position.iter().any(|x| !x.is_finite()) {
+                    return Err(fault("has a position that is not finite"));
+                }
+                if range.is_nan() || range <= 0.0 {
+                    return Err(fault("has a range that is not above 0"));
+                }
+                // Irradiance falls off with the squared distance, which is scaled twice.
+                let scale = |x| scale_by_power_of_two(x, scene_exponent);
+                Ok(slimbvh_core::shade::Light {
+                    point: position.map(scale),
+                    is_position: 1,
+                    color: color.map(|x| scale(scale(x)).min(f32::MAX)),
+                    range: scale(range).min(f32::MAX),
+                })
+            }
+        }
+    }
+}
+
+impl Scene {
+    /// Adds what is missing for a picture of this size: a camera that sees the whole model, and a light.
+    pub fn complete(&mut self, bounds: Option<Aabb>, [width, height]: [u32; 2]) {
+        if self.cameras.is_empty() {
+            let aspect = width.max(1) as f32 / height.max(1) as f32;
+            let nothing = Aabb {
+                min: Vec3::ZERO,
+                max: Vec3::ZERO,
+            };
+            self.cameras
+                .push(Camera::facing(&bounds.unwrap_or(nothing), aspect));
+        }
+        if self.lights.is_empty() {
+            self.lights.push(Light::beside(&self.cameras[0]));
+        }
+    }
+
+    /// The surroundings that all pictures have: a pale sky, brighter at the horizon, and a little light from everywhere.
+    #[must_use]
+    pub fn environment(up: [f32; 3]) -> Environment {
+        Environment {
+            ambient: [0.42, 0.46, 0.52],
+            zenith: [0.22, 0.34, 0.55],
+            horizon: [0.62, 0.68, 0.74],
+            up: unit(up).unwrap_or(Vec3::Y).to_array(),
+            ..Environment::default()
+        }
+    }
+
+    /// The materials as core shades with them; a default one where there are none.
+    #[must_use]
+    pub fn core_materials(&self) -> Vec<slimbvh_core::shade::Material> {
+        let to_core = |material: &Material| slimbvh_core::shade::Material {
+            base_color: material.base_color,
+            mirror: material.mirror,
+        };
+        if self.materials.is_empty() {
+            vec![to_core(&Material::default())]
+        } else {
+            self.materials.iter().map(to_core).collect()
+        }
+    }
+}
+
+/// The unit vector along three finite numbers, unless all are zero.
+fn unit(v: [f32; 3]) -> Option<Vec3> {
+    let finite = v.iter().all(|x| x.is_finite());
+    let unit = slimbvh_core::surface::normalize(Vec3::from_array(v));
+    (finite && unit != Vec3::ZERO).then_some(unit)
+}

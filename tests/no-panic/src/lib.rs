@@ -1,0 +1,169 @@
+//! Every kernel of core, instantiated in a library that has no std, no allocator and a panic handler that does not
+//! link. If it links, core needs none of them.
+#![no_std]
+
+use core::panic::PanicInfo;
+use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent};
+use slimbvh_core::camera::Camera;
+use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
+use slimbvh_core::orientation::{Orientation, Target};
+use slimbvh_core::refit::{PyramidBox, group_bounds, parent_bounds, refit_node};
+use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
+use slimbvh_core::shade::{
+    DirectLight, Environment, Light, Material, Path, ambient_light, direct_light,
+};
+use slimbvh_core::snap::{Scale, leaf_triangle};
+use slimbvh_core::sort::{DigitCounts, count_digit, digit, place};
+use slimbvh_core::surface::Surface;
+use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes, rank, single_node};
+use slimbvh_core::trace::{
+    BruteForce, LeafTriangles, PlainNodes, any_hit, closest_hit, nearest_hits,
+};
+use slimbvh_core::{Aabb, Hit, IndexedTriangles, LeafTriangle, Node, Ray, Triangle, Vec3, view};
+
+unsafe extern "C" {
+    /// Defined nowhere.
+    fn slimbvh_core_can_panic() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &PanicInfo) -> ! {
+    // SAFETY: nothing that links calls it.
+    unsafe { slimbvh_core_can_panic() }
+}
+
+/// The unwind tables of the precompiled core library name it; nothing calls it.
+#[unsafe(no_mangle)]
+extern "C" fn rust_eh_personality() {}
+
+/// Keeps a result, so that its computation is not optimized away.
+type Out<'a, T> = &'a mut T;
+
+#[unsafe(no_mangle)]
+pub fn build(
+    i: u32,
+    triangles: &IndexedTriangles,
+    boxes: &[Aabb; 64],
+    to: Out<(Aabb, i32, Frame, u32, [u32; 2], LeafTriangle)>,
+) {
+    let bounds = run_bounds(i, 64, triangles).union(reduce_step(i, 8, boxes));
+    let frame = Frame::new(&bounds, 21);
+    let exponent = scene_exponent(&bounds);
+    let own = triangles.triangle(i).bounds();
+    *to = (
+        bounds,
+        exponent,
+        frame,
+        morton_code_30(&own, &frame),
+        morton_code_63(&own, &frame),
+        leaf_triangle(i, triangles, &Scale::new(exponent)),
+    );
+}
+
+#[unsafe(no_mangle)]
+pub fn sort_and_scan(
+    key: u32,
+    lane: u32,
+    counts: &mut DigitCounts<64, 16>,
+    values: &mut [u32],
+    sums: &[u32; 64],
+) -> u32 {
+    let digit = digit::<16>(key, lane);
+    count_digit(digit, lane, counts);
+    let sum = run_sum(values, key, lane);
+    let after = run_scan(values, key, lane, sum);
+    place(digit, lane, counts) ^ doubling_step(lane, key, sums) ^ after
+}
+
+#[unsafe(no_mangle)]
+pub fn connect(
+    i: u32,
+    codes_30: &[u32],
+    codes_63: &[[u32; 2]],
+    bits: &[u32],
+    before: &[u32],
+    to: Out<[(Node, u32); 2]>,
+) -> u32 {
+    let (short, long) = (Codes30(codes_30), Codes63(codes_63));
+    *to = [
+        internal_node(i, &short, bits, before),
+        internal_node(i, &long, bits, before),
+    ];
+    kept_nodes(i, &short) ^ kept_nodes(i, &long) ^ rank(i, bits, before)
+}
+
+#[unsafe(no_mangle)]
+pub fn refit(
+    i: u32,
+    triangles: &[LeafTriangle],
+    pyramid: &[PyramidBox],
+    to: Out<(PyramidBox, PyramidBox, Node)>,
+) {
+    *to = (
+        group_bounds(i, triangles),
+        parent_bounds(i, pyramid),
+        refit_node(single_node(i), i, triangles, pyramid),
+    );
+}
+
+#[unsafe(no_mangle)]
+pub fn trace(
+    ray: &Ray,
+    nodes: &[Node],
+    triangles: &[LeafTriangle],
+    to: Out<(Hit, bool, [Hit; 8], Hit)>,
+) {
+    let (nodes, triangles) = (PlainNodes(nodes), LeafTriangles(triangles));
+    *to = (
+        closest_hit(&nodes, &triangles, ray, 3, 4),
+        any_hit(&nodes, &triangles, ray, 3, 4),
+        nearest_hits::<8, _, _>(&nodes, &triangles, ray, 3),
+        closest_hit(&BruteForce(9), &triangles, ray, 3, 4),
+    );
+}
+
+#[unsafe(no_mangle)]
+pub fn shade(
+    camera: &Camera,
+    triangle: &Triangle,
+    hit: &Hit,
+    scene: &(Light, Material, Environment, Target),
+    to: Out<(Path, Path, DirectLight, Orientation)>,
+) {
+    let (light, material, environment, target) = scene;
+    let path = Path::new(camera.ray(hit.primitive));
+    let normal = triangle.normal();
+    let surface = Surface::new(*triangle, hit, normal, [normal; 3]);
+    *to = (
+        path.with_light(ambient_light(material, environment))
+            .scattered(&surface, material, hit.primitive),
+        path.escaped(environment),
+        direct_light(&surface, material, light),
+        Orientation::new(triangle, target),
+    );
+}
+
+#[unsafe(no_mangle)]
+pub fn show(hit: &Hit, normal: &Vec3, to: Out<[Vec3; 4]>) {
+    *to = [
+        view::normal_color(*normal),
+        view::primitive_color(hit.primitive),
+        view::depth_color(hit.t, hit.u, hit.v),
+        view::heat_color(hit.primitive, 9),
+    ];
+}
+
+#[cfg(feature = "plant-panic")]
+#[unsafe(no_mangle)]
+pub fn planted_panic(i: usize, slice: &[u32]) -> u32 {
+    slice[i]
+}
+
+#[cfg(feature = "plant-alloc")]
+extern crate alloc;
+
+#[cfg(feature = "plant-alloc")]
+#[unsafe(no_mangle)]
+pub fn planted_alloc(n: u32) -> *mut u32 {
+    alloc::boxed::Box::into_raw(alloc::boxed::Box::new(n))
+}

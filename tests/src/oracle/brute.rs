@@ -1,0 +1,137 @@
+//! No tree at all: core's traversal over one leaf that holds everything. Every tree must agree with it bit for bit.
+
+use slimbvh_core::trace::{
+    self, BruteForce, LeafTriangles, NodeSource, PlainNodes, TriangleSource,
+};
+use slimbvh_core::{Hit, LeafTriangle, NO_PRIMITIVE, Node, Ray};
+
+/// All that can be asked about a ray.
+#[derive(Clone, Copy, Debug)]
+pub struct Answers {
+    /// The nearest hit.
+    pub closest: Hit,
+    /// Whether there is one.
+    pub any: bool,
+    /// The nearest one as a list.
+    pub nearest_1: [Hit; 1],
+    /// The nearest four.
+    pub nearest_4: [Hit; 4],
+    /// The nearest eight.
+    pub nearest_8: [Hit; 8],
+}
+
+impl Answers {
+    /// Asks some source of nodes.
+    pub fn of<N: NodeSource, T: TriangleSource>(
+        nodes: &N,
+        triangles: &T,
+        ray: &Ray,
+        scene_exponent: i32,
+    ) -> Self {
+        Self {
+            closest: trace::closest_hit(nodes, triangles, ray, scene_exponent, NO_PRIMITIVE),
+            any: trace::any_hit(nodes, triangles, ray, scene_exponent, NO_PRIMITIVE),
+            nearest_1: trace::nearest_hits(nodes, triangles, ray, scene_exponent),
+            nearest_4: trace::nearest_hits(nodes, triangles, ray, scene_exponent),
+            nearest_8: trace::nearest_hits(nodes, triangles, ray, scene_exponent),
+        }
+    }
+
+    /// Whether all bits are equal.
+    #[must_use]
+    pub fn same_bits(&self, other: &Self) -> bool {
+        fn bits(hits: &[Hit]) -> &[u8] {
+            bytemuck::cast_slice(hits)
+        }
+        bits(&[self.closest]) == bits(&[other.closest])
+            && self.any == other.any
+            && bits(&self.nearest_1) == bits(&other.nearest_1)
+            && bits(&self.nearest_4) == bits(&other.nearest_4)
+            && bits(&self.nearest_8) == bits(&other.nearest_8)
+    }
+
+    /// Whether the answers fit each other: the nearest is the first of each list, lists are sorted, and a shorter one
+    /// begins a longer one.
+    #[must_use]
+    pub fn are_consistent(&self) -> bool {
+        let sorted = self.nearest_8.windows(2).all(|pair| {
+            !pair[1].is_hit()
+                || pair[0].t < pair[1].t
+                || (pair[0].t == pair[1].t && pair[0].primitive < pair[1].primitive)
+        });
+        sorted
+            && self.any == self.closest.is_hit()
+            && self.nearest_1[0] == self.closest
+            && self.nearest_4[0] == self.closest
+            && self.nearest_8[..4] == self.nearest_4
+    }
+}
+
+/// A ray about which a tree and the brute force differ.
+#[derive(Clone, Copy, Debug)]
+pub struct Disagreement {
+    /// The ray.
+    pub ray: Ray,
+    /// What the tree says.
+    pub tree: Answers,
+    /// What is right.
+    pub brute: Answers,
+}
+
+/// A tree's parts, so that faults can be planted in them.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts<'a> {
+    /// The nodes.
+    pub nodes: &'a [Node],
+    /// The triangles in leaf order.
+    pub triangles: &'a [LeafTriangle],
+    /// The scene's magnitude.
+    pub scene_exponent: i32,
+}
+
+impl<'a> From<&'a slimbvh::Bvh> for Parts<'a> {
+    fn from(bvh: &'a slimbvh::Bvh) -> Self {
+        Self {
+            nodes: bvh.nodes(),
+            triangles: bvh.leaf_triangles(),
+            scene_exponent: bvh.scene_exponent(),
+        }
+    }
+}
+
+impl Parts<'_> {
+    /// What the tree says.
+    #[must_use]
+    pub fn ask_tree(&self, ray: &Ray) -> Answers {
+        let triangles = LeafTriangles(self.triangles);
+        Answers::of(&PlainNodes(self.nodes), &triangles, ray, self.scene_exponent)
+    }
+
+    /// What the brute force says.
+    #[must_use]
+    pub fn ask_all(&self, ray: &Ray) -> Answers {
+        let triangles = LeafTriangles(self.triangles);
+        let count = self.triangles.len() as u32;
+        Answers::of(&BruteForce(count), &triangles, ray, self.scene_exponent)
+    }
+
+    /// Compares about some rays. Returns how many of them hit something.
+    ///
+    /// # Errors
+    /// The first disagreement, or answers that contradict each other.
+    pub fn compare<'r>(
+        &self,
+        rays: impl IntoIterator<Item = &'r Ray>,
+    ) -> Result<usize, Box<Disagreement>> {
+        let mut hit_count = 0;
+        for ray in rays {
+            let (tree, brute) = (self.ask_tree(ray), self.ask_all(ray));
+            if !tree.same_bits(&brute) || !brute.are_consistent() {
+                let ray = *ray;
+                return Err(Box::new(Disagreement { ray, tree, brute }));
+            }
+            hit_count += usize::from(brute.any);
+        }
+        Ok(hit_count)
+    }
+}

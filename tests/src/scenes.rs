@@ -1,0 +1,30 @@
+//! Real meshes, where there are any.
+
+use slimbvh::Mesh;
+use slimbvh::scene::{LoadOptions, load};
+use std::path::PathBuf;
+
+/// Reads files from the folder that `SLIMBVH_SCENES` names, each with its name. Says on stderr what is missing.
+///
+/// # Panics
+/// If a file is there but cannot be read.
+#[must_use]
+pub fn real_meshes(names: &[&str]) -> Vec<(String, Mesh)> {
+    let Some(folder) = std::env::var_os("SLIMBVH_SCENES").map(PathBuf::from) else {
+        eprintln!("SKIPPED: SLIMBVH_SCENES is not set, so these real meshes were not tested: {names:?}");
+        return Vec::new();
+    };
+    let mut meshes = Vec::new();
+    for &name in names {
+        let path = folder.join(name);
+        if path.exists() {
+            match load(&path, &LoadOptions::default()) {
+                Ok(scene) => meshes.push((name.to_owned(), scene.mesh)),
+                Err(error) => panic!("{}: {error}", path.display()),
+            }
+        } else {
+            eprintln!("SKIPPED: {} is not there", path.display());
+        }
+    }
+    meshes
+}

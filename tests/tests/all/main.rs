@@ -1,0 +1,1 @@
+//! The promises about numbers, each a test of its name.
