@@ -1,4 +1,4 @@
-//! slimbvh.
+#![doc = include_str!("../../README.md")]
 
 pub mod analysis;
 mod bvh;
@@ -15,4 +15,5 @@ pub use cpu::{BuildConfig, Builder, CodeBits, Renderer};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, RenderReport, RenderSettings, View};
 pub use scene::{Camera, Light, Material, Projection, Scene, ViewError};
+pub use slimbvh_core::{Aabb, Hit, Ray};
 pub use stages::Stages;

@@ -46,9 +46,9 @@ pub fn long_prism(length: f32, radius: f32, sides: u32) -> Mesh {
     let mut indices = Vec::new();
     for side in 0..sides {
         let (a, b) = (2 * side, 2 * ((side + 1) % sides));
-        indices.extend([[a, a + 1, b], [b, a + 1, b + 1]]);
+        indices.extend([[a, b, a + 1], [b, b + 1, a + 1]]);
         if side > 0 && side + 1 < sides {
-            indices.extend([[0, a, b], [1, b + 1, a + 1]]);
+            indices.extend([[0, b, a], [1, a + 1, b + 1]]);
         }
     }
     Mesh {

@@ -12,6 +12,7 @@ pub mod strategies;
 pub mod validate;
 
 use proptest::test_runner::Config;
+use slimbvh::{BuildConfig, Builder, Bvh, CodeBits, Mesh};
 
 /// A proptest configuration with this many cases, or more where `PROPTEST_CASES` asks for it.
 #[must_use]
@@ -19,7 +20,26 @@ pub fn cases(count: u32) -> Config {
     let config = Config::default();
     let is_asked = std::env::var_os("PROPTEST_CASES").is_some();
     Config {
-        cases: if is_asked { config.cases.max(count) } else { count },
+        cases: if is_asked {
+            config.cases.max(count)
+        } else {
+            count
+        },
         ..config
+    }
+}
+
+/// Both lengths of codes.
+pub const CODE_BITS: [CodeBits; 2] = [CodeBits::Bits30, CodeBits::Bits63];
+
+/// Builds from a mesh that must be sound.
+///
+/// # Panics
+/// If the mesh is refused.
+#[must_use]
+pub fn build(mesh: &Mesh, code_bits: CodeBits) -> Bvh {
+    match Builder::new(BuildConfig { code_bits }).build(mesh) {
+        Ok(bvh) => bvh,
+        Err(error) => panic!("a sound mesh was refused: {error}"),
     }
 }

@@ -11,7 +11,9 @@ use std::path::PathBuf;
 #[must_use]
 pub fn real_meshes(names: &[&str]) -> Vec<(String, Mesh)> {
     let Some(folder) = std::env::var_os("SLIMBVH_SCENES").map(PathBuf::from) else {
-        eprintln!("SKIPPED: SLIMBVH_SCENES is not set, so these real meshes were not tested: {names:?}");
+        eprintln!(
+            "SKIPPED: SLIMBVH_SCENES is not set, so these real meshes were not tested: {names:?}"
+        );
         return Vec::new();
     };
     let mut meshes = Vec::new();

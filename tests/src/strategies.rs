@@ -6,7 +6,8 @@ use proptest::prelude::*;
 use slimbvh::Mesh;
 
 pub use kinds::{
-    at_one_point, equal_centres, flat, grid, huge_and_tiny, random_soup, slivers, solid,
+    at_one_point, equal_centres, flat, grid, grid_triangles, huge_and_tiny, random_soup, slivers,
+    solid,
 };
 
 /// Three corners of each triangle.

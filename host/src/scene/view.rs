@@ -71,22 +71,40 @@ impl Camera {
     #[must_use]
     pub fn facing(bounds: &Aabb, aspect: f32) -> Self {
         const VERTICAL_FOV: f32 = 35.0;
+        const MARGIN: f64 = 0.94;
         // In f64, as a box may span all of f32.
-        let (low, high) = (bounds.min.to_array(), bounds.max.to_array());
-        let center: [f64; 3] =
-            std::array::from_fn(|i| 0.5 * (f64::from(low[i]) + f64::from(high[i])));
-        let half: [f64; 3] =
-            std::array::from_fn(|i| 0.5 * (f64::from(high[i]) - f64::from(low[i])));
-        let radius = half.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let wide = |v: Vec3| v.to_array().map(f64::from);
+        let (low, high) = (wide(bounds.min), wide(bounds.max));
+        let center: [f64; 3] = std::array::from_fn(|i| 0.5 * (low[i] + high[i]));
+        let half: [f64; 3] = std::array::from_fn(|i| 0.5 * (high[i] - low[i]));
+
+        // Back off until every corner is inside the picture.
+        let toward_eye = [0.36, 0.24, 0.9016];
+        let right = normalized([toward_eye[2], 0.0, -toward_eye[0]]);
+        let up = cross(toward_eye, right);
+        let tangent = f64::from(VERTICAL_FOV.to_radians() / 2.0).tan() * MARGIN;
+        let corners = (0..8).map(|corner| -> [f64; 3] {
+            std::array::from_fn(|i| {
+                if corner >> i & 1 == 0 {
+                    -half[i]
+                } else {
+                    half[i]
+                }
+            })
+        });
+        let distance = corners.fold(0.0, |distance: f64, corner| {
+            let across = dot(corner, right).abs() / (tangent * f64::from(aspect));
+            let along = dot(corner, up).abs() / tangent;
+            distance.max(dot(corner, toward_eye) + across.max(along))
+        });
+
+        // A point, or almost: keep the eye apart from it.
         let largest = center.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-        let radius = radius.max(largest * 1e-5).max(f64::from(f32::MIN_POSITIVE));
-        let half_fov = f64::from(VERTICAL_FOV.to_radians()) / 2.0;
-        let narrow = (half_fov.tan() * f64::from(aspect.min(1.0))).atan();
-        let distance = radius / narrow.sin();
-        let side = [0.36, 0.24, 0.9];
-        let length = side.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let distance = distance
+            .max(largest * 1e-4)
+            .max(f64::from(f32::MIN_POSITIVE));
         Self {
-            eye: std::array::from_fn(|i| (center[i] + side[i] / length * distance) as f32),
+            eye: std::array::from_fn(|i| (center[i] + toward_eye[i] * distance) as f32),
             target: center.map(|x| x as f32),
             up: [0.0, 1.0, 0.0],
             projection: Projection::Perspective {
@@ -271,4 +289,20 @@ fn unit(v: [f32; 3]) -> Option<Vec3> {
     let finite = v.iter().all(|x| x.is_finite());
     let unit = slimbvh_core::surface::normalize(Vec3::from_array(v));
     (finite && unit != Vec3::ZERO).then_some(unit)
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+fn normalized(v: [f64; 3]) -> [f64; 3] {
+    v.map(|x| x / dot(v, v).sqrt())
 }

@@ -1,1 +1,8 @@
-//! stub
+//! Tests of the `slimbvh` binary and of whole pictures, from outside.
+
+mod bad_input;
+mod files;
+mod golden;
+mod good_output;
+mod process;
+mod shading_is_right;

@@ -104,7 +104,12 @@ impl Parts<'_> {
     #[must_use]
     pub fn ask_tree(&self, ray: &Ray) -> Answers {
         let triangles = LeafTriangles(self.triangles);
-        Answers::of(&PlainNodes(self.nodes), &triangles, ray, self.scene_exponent)
+        Answers::of(
+            &PlainNodes(self.nodes),
+            &triangles,
+            ray,
+            self.scene_exponent,
+        )
     }
 
     /// What the brute force says.

@@ -69,12 +69,15 @@ pub struct ExactHit {
 #[must_use]
 pub fn intersect(ray: &GridRay, triangle: &GridTriangle) -> Option<ExactHit> {
     let d = ray.direction.map(i64::from);
-    let [a, b, c] = triangle.map(|corner| {
-        [0, 1, 2].map(|axis| i64::from(corner[axis]) - i64::from(ray.origin[axis]))
-    });
+    let [a, b, c] = triangle
+        .map(|corner| [0, 1, 2].map(|axis| i64::from(corner[axis]) - i64::from(ray.origin[axis])));
 
     // Volumes of the tetrahedra that the direction spans with each edge.
-    let volumes = [dot(d, cross(b, c)), dot(d, cross(c, a)), dot(d, cross(a, b))];
+    let volumes = [
+        dot(d, cross(b, c)),
+        dot(d, cross(c, a)),
+        dot(d, cross(a, b)),
+    ];
     let sum: i64 = volumes.iter().sum();
     let is_inside = volumes.iter().all(|&e| e >= 0) || volumes.iter().all(|&e| e <= 0);
     if !is_inside || sum == 0 {
@@ -127,7 +130,10 @@ mod tests {
     #[test]
     fn known_hits_and_misses() {
         let hit = shoot([1, 1, 0], [0, 0, 2]).expect("it passes an inner point");
-        assert_eq!((hit.t.value(), hit.u.value(), hit.v.value()), (1.5, 0.25, 0.5));
+        assert_eq!(
+            (hit.t.value(), hit.u.value(), hit.v.value()),
+            (1.5, 0.25, 0.5)
+        );
         assert!(shoot([0, 0, 0], [0, 0, 1]).is_some(), "corner");
         assert!(shoot([2, 1, 5], [0, 0, -1]).is_some(), "edge, from behind");
         assert!(shoot([3, 1, 0], [0, 0, 1]).is_none(), "beside");

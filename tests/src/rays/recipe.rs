@@ -73,7 +73,9 @@ impl RayRecipe {
         let largest = size.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let mut origin = match self.start {
             Start::Near(p) => [0, 1, 2].map(|axis| low[axis] + size[axis] * f64::from(p[axis])),
-            Start::Far(direction, e) => add(middle, direction.map(f64::from), largest * 10f64.powi(e)),
+            Start::Far(direction, e) => {
+                add(middle, direction.map(f64::from), largest * 10f64.powi(e))
+            }
             Start::On(face) => point_of(mesh, face),
         };
         let mut signed_zeros = None;

@@ -61,14 +61,17 @@ pub fn slivers(most: usize) -> impl Strategy<Value = Mesh> {
 
 /// All triangles in one plane across an axis.
 pub fn flat(most: usize) -> impl Strategy<Value = Mesh> {
-    (random_soup(most), 0usize..3, prop_oneof![Just(0.0f32), -1f32..1.0]).prop_map(
-        |(mut mesh, axis, height)| {
+    (
+        random_soup(most),
+        0usize..3,
+        prop_oneof![Just(0.0f32), -1f32..1.0],
+    )
+        .prop_map(|(mut mesh, axis, height)| {
             for vertex in &mut mesh.vertices {
                 vertex[axis] = height;
             }
             mesh
-        },
-    )
+        })
 }
 
 /// Many triangles whose corners are all one point.
@@ -94,7 +97,11 @@ pub fn equal_centres(most: usize) -> impl Strategy<Value = Mesh> {
 
 /// Sizes from 1 down to `10^-8` in one mesh.
 pub fn huge_and_tiny(most: usize) -> impl Strategy<Value = Mesh> {
-    let triangle = (uniform3(-1f32..1.0), uniform3(uniform3(-1f32..1.0)), 0i32..=8);
+    let triangle = (
+        uniform3(-1f32..1.0),
+        uniform3(uniform3(-1f32..1.0)),
+        0i32..=8,
+    );
     vec(triangle, 0..=most).prop_map(|triangles| {
         let corners: Vec<Corners> = triangles
             .iter()

@@ -92,7 +92,9 @@ fn validate_split(node: &Node, index: u32, nodes: &[Node], codes: &[u64]) -> Res
             (codes[place as usize] >> (63 - (low.0 ^ high.0).leading_zeros()) & 1) as u32
         }
     };
-    let expected = (node.first..=node.last).take_while(|&place| bit(place) == 0).last();
+    let expected = (node.first..=node.last)
+        .take_while(|&place| bit(place) == 0)
+        .last();
     let split = if node.left.is_leaf() {
         Some((node.left.first() + node.left.count()).wrapping_sub(1))
     } else {

@@ -155,7 +155,9 @@ impl Walk<'_> {
     fn bounds(&self, first: u32, last: u32) -> Aabb {
         self.triangles[first as usize..=last as usize]
             .iter()
-            .fold(Aabb::EMPTY, |bounds, leaf| bounds.union(leaf.triangle().bounds()))
+            .fold(Aabb::EMPTY, |bounds, leaf| {
+                bounds.union(leaf.triangle().bounds())
+            })
     }
 }
 

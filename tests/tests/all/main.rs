@@ -1,1 +1,12 @@
 //! The promises about numbers, each a test of its name.
+
+mod answers;
+mod boxes;
+mod deepest_trees;
+mod exact;
+mod meshes;
+mod negative_controls;
+mod odd_rays;
+mod repeatable;
+mod trees;
+mod watertight;

@@ -1,0 +1,38 @@
+//! slimbvh side by side with its peer obvhs: the same triangles, the same rays, one run.
+//!
+//! A [`Tracer`] is anything that builds over a mesh and answers rays. Times are of whole jobs as a user would run them:
+//! a build goes from the caller's triangles to the last thing that tracing needs, a trace from a list of [`Ray`]s to a
+//! list of answers in the caller's triangle numbers. `README.md` says what is measured and how.
+//!
+//! [`Ray`]: slimbvh_core::Ray
+
+pub mod agreement;
+pub mod meshes;
+pub mod rays;
+pub mod tracers;
+
+pub use agreement::Agreement;
+pub use meshes::Subject;
+pub use rays::RayLists;
+pub use tracers::{Answer, Input, Tracer};
+
+use anyhow::{Context, Result};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+/// 1 and the number of processors, if that is more.
+#[must_use]
+pub fn thread_counts() -> Vec<usize> {
+    let all = std::thread::available_parallelism().map_or(1, usize::from);
+    if all == 1 { vec![1] } else { vec![1, all] }
+}
+
+/// A pool for both tracers: slimbvh and obvhs run in the pool that calls them.
+///
+/// # Errors
+/// When the system gives no threads.
+pub fn pool(threads: usize) -> Result<ThreadPool> {
+    ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .with_context(|| format!("cannot start {threads} threads"))
+}

@@ -1,0 +1,87 @@
+//! The rays that all tracers are given.
+
+use anyhow::{Context, Result};
+use glam::Vec3;
+use rayon::prelude::*;
+use slimbvh::{Builder, Bvh, Camera, Mesh, Projection};
+use slimbvh_core::{Hit, IndexedTriangles, Ray};
+
+/// Pixels of the picture, one ray each.
+pub const PICTURE: [u32; 2] = [1280, 720];
+
+/// Rays that a task takes at once: a row of the picture.
+pub const BLOCK: usize = PICTURE[0] as usize;
+
+/// From the middle of the scene to the eye, and how far in lengths of the scene's diagonal.
+const EYE: Vec3 = Vec3::new(0.35, 0.25, 1.0);
+const EYE_DISTANCE: f32 = 1.1;
+const VERTICAL_FOV: f32 = 35.0;
+
+/// Toward the sun.
+const SUN: Vec3 = Vec3::new(0.3, 0.8, 0.5);
+
+/// How far shadow rays start from the surface, in lengths of the scene's diagonal.
+const SURFACE_OFFSET: f32 = 1e-4;
+
+/// Rays from the eye through every pixel, and one to the sun from each hit whose triangle, seen from the side that the
+/// eye sees, faces it. Directions have length 1 but for rounding.
+#[derive(Clone, Debug)]
+pub struct RayLists {
+    /// Asked for the closest hit.
+    pub primary: Vec<Ray>,
+    /// Asked whether there is any hit.
+    pub shadow: Vec<Ray>,
+}
+
+impl RayLists {
+    /// The rays for a mesh.
+    ///
+    /// # Errors
+    /// For meshes that are not valid or have no triangles.
+    pub fn new(mesh: &Mesh) -> Result<Self> {
+        let bvh = Builder::default().build(mesh)?;
+        let bounds = bvh.bounds().context("the mesh has no triangles")?;
+        let diagonal = (bounds.max - bounds.min).length();
+        let center = (bounds.min + bounds.max) * 0.5;
+        let camera = Camera {
+            eye: (center + EYE.normalize() * EYE_DISTANCE * diagonal).to_array(),
+            target: center.to_array(),
+            up: [0.0, 1.0, 0.0],
+            projection: Projection::Perspective {
+                vertical_fov: VERTICAL_FOV,
+            },
+        };
+        let camera = camera.to_core(0, PICTURE, 1)?;
+        let primary: Vec<Ray> = (0..PICTURE[0] * PICTURE[1])
+            .into_par_iter()
+            .map(|pixel| {
+                let ray = camera.ray(pixel);
+                let direction = Vec3::from_array(ray.direction).normalize();
+                Ray::new(ray.origin, direction.to_array())
+            })
+            .collect();
+        let shadow = primary
+            .par_iter()
+            .filter_map(|ray| shadow_ray(mesh, &bvh, ray, SURFACE_OFFSET * diagonal))
+            .collect();
+        Ok(Self { primary, shadow })
+    }
+}
+
+/// From where a ray hits to the sun, if that side of the triangle faces it.
+fn shadow_ray(mesh: &Mesh, bvh: &Bvh, ray: &Ray, offset: f32) -> Option<Ray> {
+    let hit: Hit = bvh.closest_hit(ray);
+    if !hit.is_hit() {
+        return None;
+    }
+    let triangles = IndexedTriangles {
+        vertices: &mesh.vertices,
+        indices: &mesh.indices,
+    };
+    let normal = triangles.triangle(hit.primitive).normal();
+    let direction = Vec3::from_array(ray.direction);
+    let normal = (normal * -normal.dot(direction).signum()).normalize_or_zero();
+    let point = Vec3::from_array(ray.origin) + direction * hit.t;
+    let sun = SUN.normalize();
+    (normal.dot(sun) > 0.0).then(|| Ray::new((point + normal * offset).to_array(), sun.to_array()))
+}

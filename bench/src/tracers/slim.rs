@@ -1,0 +1,107 @@
+//! slimbvh.
+
+use super::{Answer, Bytes, Question, Tracer, Visits, answer_all};
+use anyhow::Result;
+use rayon::prelude::*;
+use slimbvh::{BuildConfig, Builder, Bvh, CodeBits, Mesh, Stages};
+use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay, Ray};
+use slimbvh_core::trace::{AnyHit, ClosestHit, Collector, Counted, traverse};
+
+/// slimbvh's plain tree.
+pub struct Slim<'a> {
+    name: &'static str,
+    config: BuildConfig,
+    mesh: &'a Mesh,
+    builder: Builder,
+    bvh: Bvh,
+}
+
+impl<'a> Slim<'a> {
+    /// Nothing is built yet.
+    #[must_use]
+    pub fn new(name: &'static str, code_bits: CodeBits, mesh: &'a Mesh) -> Self {
+        let config = BuildConfig { code_bits };
+        Self {
+            name,
+            config,
+            mesh,
+            builder: Builder::new(config),
+            bvh: Bvh::default(),
+        }
+    }
+
+    /// What was built.
+    #[must_use]
+    pub fn bvh(&self) -> &Bvh {
+        &self.bvh
+    }
+
+    /// Walks the tree with a collector that counts.
+    fn count<C: Collector>(&self, ray: &Ray, collector: impl Fn(f32) -> C) -> Visits {
+        let ray = PreparedRay::new(ray, self.bvh.scene_exponent());
+        let mut counted = Counted::new(collector(ray.t_max));
+        traverse(
+            &self.bvh.node_source(),
+            &self.bvh.triangle_source(),
+            &ray,
+            NO_PRIMITIVE,
+            &mut counted,
+        );
+        Visits {
+            nodes: counted.node_count.into(),
+            triangles: counted.triangle_count.into(),
+        }
+    }
+}
+
+impl Tracer for Slim<'_> {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn build(&mut self) -> Result<Stages> {
+        Ok(self.builder.build_into(self.mesh, &mut self.bvh)?)
+    }
+
+    fn forget(&mut self) {
+        self.builder = Builder::new(self.config);
+        self.bvh = Bvh::default();
+    }
+
+    fn closest_hits(&self, rays: &[Ray], answers: &mut [Answer]) {
+        answer_all(rays, answers, |ray| {
+            let hit = self.bvh.closest_hit(ray);
+            if hit.is_hit() {
+                Answer {
+                    t: hit.t,
+                    primitive: hit.primitive,
+                }
+            } else {
+                Answer::MISS
+            }
+        });
+    }
+
+    fn any_hits(&self, rays: &[Ray], answers: &mut [bool]) {
+        answer_all(rays, answers, |ray| self.bvh.any_hit(ray));
+    }
+
+    fn bytes(&self) -> Bytes {
+        Bytes {
+            nodes: self.bvh.node_bytes(),
+            triangles: self.bvh.triangle_bytes(),
+        }
+    }
+
+    fn visits(&self, rays: &[Ray], question: Question) -> Option<Visits> {
+        let visits = rays.par_iter().map(|ray| match question {
+            Question::Closest => self.count(ray, ClosestHit::new),
+            Question::Any => self.count(ray, AnyHit::new),
+        });
+        let sum = visits.reduce(Visits::default, |mut sum, visits| {
+            sum += visits;
+            sum
+        });
+        Some(sum)
+    }
+}
