@@ -13,6 +13,9 @@ fn main() {
     // Cargo separates flags by the unit separator.
     let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
     println!("cargo:rustc-env=BENCH_RUSTC={version}");
-    println!("cargo:rustc-env=BENCH_RUSTFLAGS={}", flags.replace('\u{1f}', " "));
+    println!(
+        "cargo:rustc-env=BENCH_RUSTFLAGS={}",
+        flags.replace('\u{1f}', " ")
+    );
     println!("cargo:rerun-if-changed=build.rs");
 }

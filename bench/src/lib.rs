@@ -9,11 +9,13 @@
 pub mod agreement;
 pub mod meshes;
 pub mod rays;
+pub mod reference;
 pub mod tracers;
 
 pub use agreement::Agreement;
 pub use meshes::Subject;
 pub use rays::RayLists;
+pub use reference::Reference;
 pub use tracers::{Answer, Input, Tracer};
 
 use anyhow::{Context, Result};

@@ -208,3 +208,105 @@ const LEAF_SIZE_FLOOR: u32 = 1 << LEAF_SIZE.ilog2();
 pub const fn depth_bound(key_bits: u32, triangle_count: u32) -> u32 {
     key_bits + (32 - triangle_count.saturating_sub(1).leading_zeros())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::vec::Vec;
+
+    /// All kept nodes, in order.
+    fn nodes<C: SortedCodes>(codes: &C) -> Vec<(Node, u32)> {
+        let bits: Vec<u32> = (0..codes.count().div_ceil(32))
+            .map(|word| kept_nodes(word, codes))
+            .collect();
+        let mut before: Vec<u32> = bits.iter().map(|bits| bits.count_ones()).collect();
+        crate::scan::run_scan(&mut before, 0, bits.len() as u32, 0);
+        (0..codes.count())
+            .filter(|i| bits[*i as usize / 32] >> (i % 32) & 1 == 1)
+            .map(|i| internal_node(i, codes, &bits, &before))
+            .collect()
+    }
+
+    /// Walks from a node over the run `first..=last`, splitting where the highest bit changes that is not the same in
+    /// the whole run. Returns the greatest depth.
+    fn check(
+        nodes: &[(Node, u32)],
+        child: NodeRef,
+        keys: &[u128],
+        first: u32,
+        last: u32,
+        seen: &mut Vec<u32>,
+    ) -> u32 {
+        let count = last - first + 1;
+        if count <= LEAF_SIZE {
+            assert_eq!(child, NodeRef::leaf(first, count));
+            return 0;
+        }
+        assert!(!child.is_leaf());
+        seen.push(child.index());
+        let (node, split) = nodes[child.index() as usize];
+        assert_eq!((node.first, node.last), (first, last));
+        let top = (keys[first as usize] ^ keys[last as usize]).ilog2();
+        let expected = (first..last)
+            .find(|&i| (keys[i as usize] ^ keys[i as usize + 1]).ilog2() == top)
+            .expect("the ends differ in that bit");
+        assert_eq!(split, expected);
+        let left = check(nodes, node.left, keys, first, split, seen);
+        let right = check(nodes, node.right, keys, split + 1, last, seen);
+        1 + left.max(right)
+    }
+
+    fn check_all<C: SortedCodes>(codes: &C, keys: &[u128], key_bits: u32) {
+        let nodes = nodes(codes);
+        let mut seen = Vec::new();
+        let last = codes.count() - 1;
+        let depth = check(&nodes, NodeRef::inner(0), keys, 0, last, &mut seen);
+        seen.sort_unstable();
+        assert!(seen.iter().copied().eq(0..nodes.len() as u32));
+        assert!(depth <= depth_bound(key_bits, codes.count()));
+    }
+
+    #[test]
+    fn the_papers_example() {
+        // Figure 3 of Karras 2012: eight codes of five bits; the root splits after the fourth.
+        let codes = [
+            0b00001, 0b00010, 0b00100, 0b00101, 0b10011, 0b11000, 0b11001, 0b11110,
+        ];
+        let nodes = nodes(&Codes30(&codes));
+        assert_eq!(nodes.len(), 1);
+        assert_eq!(nodes[0].1, 3);
+        assert_eq!(nodes[0].0.left, NodeRef::leaf(0, 4));
+        assert_eq!(nodes[0].0.right, NodeRef::leaf(4, 4));
+    }
+
+    #[test]
+    fn the_deepest_trees_keep_to_the_bound() {
+        // One code for each bit, and as many equal ones at the end.
+        let mut codes: Vec<u32> = (0..30).map(|bit| !(u32::MAX << bit)).collect();
+        codes.splice(0..0, [0; 1000]);
+        codes.sort_unstable();
+        let keys: Vec<u128> = (0..)
+            .zip(&codes)
+            .map(|(i, &code)| (u128::from(code) << 32) | i)
+            .collect();
+        check_all(&Codes30(&codes), &keys, 30);
+    }
+
+    proptest! {
+        #[test]
+        fn nodes_are_those_of_the_recursive_split(mut codes in proptest::collection::vec(prop_oneof![0u32..8, 0u32..1 << 30], LEAF_SIZE as usize + 1..300)) {
+            codes.sort_unstable();
+            let keys: Vec<u128> = (0..).zip(&codes).map(|(i, &code)| (u128::from(code) << 32) | i).collect();
+            check_all(&Codes30(&codes), &keys, 30);
+        }
+
+        #[test]
+        fn long_codes_too(mut codes in proptest::collection::vec((prop_oneof![0u32..3, 0u32..1 << 31], prop_oneof![0u32..3, any::<u32>()]), LEAF_SIZE as usize + 1..300)) {
+            codes.sort_unstable();
+            let keys: Vec<u128> = (0..).zip(&codes).map(|(i, &(high, low))| (u128::from(high) << 64) | (u128::from(low) << 32) | i).collect();
+            let codes: Vec<[u32; 2]> = codes.iter().map(|&(high, low)| [high, low]).collect();
+            check_all(&Codes63(&codes), &keys, 63);
+        }
+    }
+}

@@ -1,6 +1,8 @@
 //! A built hierarchy, and the questions it answers.
 
+use rayon::prelude::*;
 use slimbvh_core::aabb::Aabb;
+use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};
 use slimbvh_core::trace::{self, LeafTriangles, PlainNodes};
 use slimbvh_core::{LeafTriangle, Node};
@@ -52,6 +54,24 @@ impl Bvh {
             ray,
             self.scene_exponent,
         )
+    }
+
+    /// [`Self::closest_hit`] of many rays, in parallel. `hits` gets as many entries as there are rays.
+    pub fn closest_hits(&self, rays: &[Ray], hits: &mut Vec<Hit>) {
+        const BLOCK: usize = 512;
+        hits.resize(rays.len(), Hit::MISS);
+        let blocks = hits.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
+        blocks.for_each(|(hits, rays)| {
+            for (hit, ray) in hits.iter_mut().zip(rays) {
+                *hit = self.closest_hit(ray);
+            }
+        });
+    }
+
+    /// Takes the bounds of the mesh, and the scale that goes with them.
+    pub(crate) fn set_bounds(&mut self, bounds: Aabb) {
+        self.bounds = (!bounds.is_empty()).then_some(bounds);
+        self.scene_exponent = scene_exponent(&bounds);
     }
 
     /// The box around all triangles, in the mesh's unit; `None` for an empty mesh.

@@ -11,7 +11,7 @@ pub mod scene;
 mod stages;
 
 pub use bvh::Bvh;
-pub use cpu::{BuildConfig, Builder, CodeBits, Renderer};
+pub use cpu::{BuildConfig, Builder, CodeBits, RefitError, Renderer};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, RenderReport, RenderSettings, View};
 pub use scene::{Camera, Light, Material, Projection, Scene, ViewError};

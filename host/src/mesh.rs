@@ -1,5 +1,6 @@
 //! Indexed triangle meshes and the checks at the door.
 
+use slimbvh_core::IndexedTriangles;
 use thiserror::Error;
 
 /// Triangles as indices into shared vertices; counter-clockwise is front.
@@ -108,6 +109,15 @@ impl Mesh {
         match (0..self.indices.len()).find(|&face| !self.face_is_sound(face)) {
             Some(face) => Err(self.face_fault(face)),
             None => Ok(()),
+        }
+    }
+
+    /// The triangles as core reads them.
+    #[must_use]
+    pub fn triangles(&self) -> IndexedTriangles<'_> {
+        IndexedTriangles {
+            vertices: &self.vertices,
+            indices: &self.indices,
         }
     }
 

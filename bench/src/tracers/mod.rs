@@ -102,6 +102,11 @@ pub trait Tracer: Send + Sync {
     /// How tables call it.
     fn name(&self) -> &'static str;
 
+    /// Whether its answers have to be slimbvh's to the last bit.
+    fn is_exact(&self) -> bool {
+        false
+    }
+
     /// Builds all that tracing needs, in place of what was built before; buffers are used again. Returns the times of
     /// its stages, if it tells them.
     ///

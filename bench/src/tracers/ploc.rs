@@ -67,8 +67,16 @@ impl Tracer for Ploc<'_> {
 
     fn build(&mut self) -> Result<Stages> {
         let params = &self.params;
-        ensure!(!params.pre_split, "presets that split triangles are not handled");
+        ensure!(
+            !params.pre_split,
+            "presets that split triangles are not handled"
+        );
 
+        // The first build gets zeroed pages from the system, as in obvhs' own function.
+        if self.bvh.nodes.is_empty() {
+            self.builder = PlocBuilder::with_capacity(self.triangles.len());
+            self.bvh = Bvh2::zeroed(self.triangles.len());
+        }
         let mut indices = std::mem::take(&mut self.bvh.primitive_indices);
         indices.clear();
         indices.extend(0..self.triangles.len() as u32);
@@ -101,11 +109,15 @@ impl Tracer for Ploc<'_> {
     fn closest_hits(&self, rays: &[Ray], answers: &mut [Answer]) {
         answer_all(rays, answers, |ray| {
             let mut hit = RayHit::none();
-            self.bvh.ray_traverse(peer_ray(ray), &mut hit, |ray, place| {
-                self.leaf_triangles[place].intersect(ray)
-            });
+            self.bvh
+                .ray_traverse(peer_ray(ray), &mut hit, |ray, place| {
+                    self.leaf_triangles[place].intersect(ray)
+                });
             match self.bvh.primitive_indices.get(hit.primitive_id as usize) {
-                Some(&primitive) => Answer { t: hit.t, primitive },
+                Some(&primitive) => Answer {
+                    t: hit.t,
+                    primitive,
+                },
                 None => Answer::MISS,
             }
         });

@@ -59,6 +59,10 @@ impl Tracer for Slim<'_> {
         self.name
     }
 
+    fn is_exact(&self) -> bool {
+        true
+    }
+
     fn build(&mut self) -> Result<Stages> {
         Ok(self.builder.build_into(self.mesh, &mut self.bvh)?)
     }

@@ -1,23 +1,17 @@
-//! Stages `bounds` to `refit` on the CPU.
+//! Builds and refits on the CPU.
 
+use super::order::{gather, gather_again, order, scene_bounds};
+use super::refit::{fill_boxes, fill_pyramid};
 use super::sort::Sorter;
+use super::topology::connect;
 use crate::{Bvh, Mesh, MeshError, Stages};
-use rayon::prelude::*;
-use slimbvh_core::bounds::{run_bounds, scene_exponent};
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
 use slimbvh_core::node::LEAF_SIZE;
-use slimbvh_core::refit::{
-    PyramidBox, group_bounds, group_count, parent_bounds, refit_node, split_of,
-};
-use slimbvh_core::scan::run_scan;
-use slimbvh_core::snap::{Scale, leaf_triangle};
-use slimbvh_core::topology::{
-    Codes30, Codes63, SortedCodes, depth_bound, internal_node, kept_nodes, single_node,
-};
-use slimbvh_core::{Aabb, IndexedTriangles, LeafTriangle, Node};
-
-/// Items that a task takes at once.
-const BLOCK: usize = 4096;
+use slimbvh_core::refit::{PyramidBox, split_of};
+use slimbvh_core::snap::Scale;
+use slimbvh_core::topology::{Codes30, Codes63, depth_bound, single_node};
+use slimbvh_core::{Aabb, NodeRef};
+use thiserror::Error;
 
 /// How finely triangles are told apart along the space-filling curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,6 +28,22 @@ pub enum CodeBits {
 pub struct BuildConfig {
     /// Length of the Morton codes.
     pub code_bits: CodeBits,
+}
+
+/// Why a hierarchy cannot be moved to a mesh.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum RefitError {
+    /// The mesh itself is unfit.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// It is another mesh.
+    #[error("the mesh has {triangle_count} triangles, the hierarchy {expected}; build a new one")]
+    TriangleCount {
+        /// Triangles of the mesh.
+        triangle_count: usize,
+        /// Triangles of the hierarchy.
+        expected: usize,
+    },
 }
 
 /// Builds hierarchies, and keeps its buffers from one to the next.
@@ -78,14 +88,10 @@ impl Builder {
     pub fn build_into(&mut self, mesh: &Mesh, bvh: &mut Bvh) -> Result<Stages, MeshError> {
         let mut stages = Stages::default();
         stages.time("validate", || mesh.validate())?;
-        let triangles = IndexedTriangles {
-            vertices: &mesh.vertices,
-            indices: &mesh.indices,
-        };
+        let triangles = mesh.triangles();
         let count = mesh.indices.len() as u32;
         let bounds = stages.time("bounds", || scene_bounds(&triangles));
-        bvh.bounds = (!bounds.is_empty()).then_some(bounds);
-        bvh.scene_exponent = scene_exponent(&bounds);
+        bvh.set_bounds(bounds);
         let scale = Scale::new(bvh.scene_exponent);
         match self.config.code_bits {
             CodeBits::Bits30 => {
@@ -151,13 +157,51 @@ impl Builder {
             CodeBits::Bits30 => depth_bound(30, count),
             CodeBits::Bits63 => depth_bound(63, count),
         };
+        stages.time("refit", || self.fit(bvh));
+        Ok(stages)
+    }
+
+    /// Moves a hierarchy's boxes to where the mesh's vertices are now; the triangles must be those that it was built over.
+    /// Returns the time of each stage.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::validate`], and a mesh with another number of triangles; the hierarchy stays as it was.
+    pub fn refit(&mut self, mesh: &Mesh, bvh: &mut Bvh) -> Result<Stages, RefitError> {
+        let mut stages = Stages::default();
+        stages.time("validate", || mesh.validate())?;
+        if mesh.indices.len() != bvh.triangles.len() {
+            return Err(RefitError::TriangleCount {
+                triangle_count: mesh.indices.len(),
+                expected: bvh.triangles.len(),
+            });
+        }
+        let triangles = mesh.triangles();
+        let bounds = stages.time("bounds", || scene_bounds(&triangles));
+        bvh.set_bounds(bounds);
+        let scale = Scale::new(bvh.scene_exponent);
+        stages.time("snap", || {
+            gather_again(&triangles, &scale, &mut bvh.triangles);
+        });
         stages.time("refit", || {
-            fill_pyramid(&bvh.triangles, &mut self.pyramid);
-            if count > 0 {
-                fill_boxes(&bvh.triangles, &self.pyramid, &self.splits, &mut bvh.nodes);
-            }
+            let last_of =
+                |child: NodeRef| bvh.nodes.get(child.index() as usize).map_or(0, |n| n.last);
+            self.splits.clear();
+            self.splits.extend(
+                bvh.nodes
+                    .iter()
+                    .map(|node| split_of(node, last_of(node.left))),
+            );
+            self.fit(bvh);
         });
         Ok(stages)
+    }
+
+    /// Stage `refit`: all boxes.
+    fn fit(&mut self, bvh: &mut Bvh) {
+        fill_pyramid(&bvh.triangles, &mut self.pyramid);
+        if !bvh.triangles.is_empty() {
+            fill_boxes(&bvh.triangles, &self.pyramid, &self.splits, &mut bvh.nodes);
+        }
     }
 
     /// Bytes of all buffers that the builder keeps between builds.
@@ -172,169 +216,4 @@ impl Builder {
             + size_of_val(self.splits.as_slice())
             + size_of_val(self.pyramid.as_slice())
     }
-}
-
-/// Stage `bounds`.
-fn scene_bounds(triangles: &IndexedTriangles) -> Aabb {
-    let count = triangles.indices.len();
-    (0..count.div_ceil(BLOCK))
-        .into_par_iter()
-        .map(|block| {
-            let first = block * BLOCK;
-            run_bounds(first as u32, BLOCK.min(count - first) as u32, triangles)
-        })
-        .reduce(|| Aabb::EMPTY, Aabb::union)
-}
-
-/// Stages `morton` and `sort`.
-fn order<const W: usize>(
-    stages: &mut Stages,
-    sorter: &mut Sorter<W>,
-    key_bits: [u32; W],
-    triangles: &IndexedTriangles,
-    code: impl Fn(&Aabb) -> [u32; W] + Sync,
-) {
-    stages.time("morton", || {
-        sorter.resize(triangles.indices.len());
-        let blocks = sorter.items().par_chunks(BLOCK).enumerate();
-        blocks.for_each(|(block, items)| {
-            for (item, i) in items.iter().zip((block * BLOCK) as u32..) {
-                item.set(code(&triangles.triangle(i).bounds()), i);
-            }
-        });
-    });
-    stages.time("sort", || sorter.sort(key_bits));
-}
-
-/// Stage `snap`: triangles in leaf order, and the sorted codes as the topology reads them.
-fn gather<const W: usize, C: Clone + Default + Send>(
-    sorter: &mut Sorter<W>,
-    triangles: &IndexedTriangles,
-    scale: &Scale,
-    leaves: &mut Vec<LeafTriangle>,
-    codes: &mut Vec<C>,
-    code: impl Fn([u32; W]) -> C + Sync,
-) {
-    let items = sorter.items();
-    leaves.resize(items.len(), LeafTriangle::default());
-    codes.resize(items.len(), C::default());
-    let blocks = leaves
-        .par_chunks_mut(BLOCK)
-        .zip(codes.par_chunks_mut(BLOCK))
-        .zip(items.par_chunks(BLOCK));
-    blocks.for_each(|((leaves, codes), items)| {
-        for ((leaf, to), item) in leaves.iter_mut().zip(codes).zip(items) {
-            *leaf = leaf_triangle(item.index(), triangles, scale);
-            *to = code(item.key());
-        }
-    });
-}
-
-/// Stage `topology`: which nodes are kept, where each comes, and its children.
-fn connect<C: SortedCodes + Sync>(
-    codes: &C,
-    kept: &mut Vec<u32>,
-    kept_before: &mut Vec<u32>,
-    nodes: &mut Vec<Node>,
-    splits: &mut Vec<u32>,
-) {
-    const WORDS: usize = BLOCK / 32;
-    let word_count = (codes.count() as usize - 1).div_ceil(32);
-    kept.resize(word_count, 0);
-    kept_before.resize(word_count, 0);
-    let blocks = kept
-        .par_chunks_mut(WORDS)
-        .zip(kept_before.par_chunks_mut(WORDS))
-        .enumerate();
-    blocks.for_each(|(block, (kept, counts))| {
-        for ((bits, count), word) in kept.iter_mut().zip(counts).zip((block * WORDS) as u32..) {
-            *bits = kept_nodes(word, codes);
-            *count = bits.count_ones();
-        }
-    });
-    let node_count = run_scan(kept_before, 0, word_count as u32, 0) as usize;
-
-    // Each block of words writes the run of kept nodes that begins where the counts say.
-    nodes.resize(node_count, Node::EMPTY);
-    splits.resize(node_count, 0);
-    let mut blocks = Vec::with_capacity(word_count.div_ceil(WORDS));
-    let (mut rest, mut split_rest) = (nodes.as_mut_slice(), splits.as_mut_slice());
-    for block in 0..word_count.div_ceil(WORDS) {
-        let begin = kept_before[block * WORDS] as usize;
-        let end = kept_before
-            .get((block + 1) * WORDS)
-            .map_or(node_count, |&next| next as usize);
-        let (run, after) = rest.split_at_mut(end - begin);
-        let (split_run, split_after) = split_rest.split_at_mut(end - begin);
-        (rest, split_rest) = (after, split_after);
-        blocks.push((block * WORDS, run, split_run));
-    }
-    let (kept, kept_before) = (kept.as_slice(), kept_before.as_slice());
-    blocks
-        .into_par_iter()
-        .for_each(|(first_word, run, split_run)| {
-            let mut places = run.iter_mut().zip(split_run);
-            for (word, &bits) in kept.iter().enumerate().skip(first_word).take(WORDS) {
-                let mut left = bits;
-                while left != 0 {
-                    let i = (word * 32) as u32 + left.trailing_zeros();
-                    left &= left - 1;
-                    if let Some((node, split)) = places.next() {
-                        (*node, *split) = internal_node(i, codes, kept, kept_before);
-                    }
-                }
-            }
-        });
-}
-
-/// Stage `refit`, first half: boxes of groups, of pairs of groups, and so on to one.
-fn fill_pyramid(triangles: &[LeafTriangle], pyramid: &mut Vec<PyramidBox>) {
-    let mut level_count = group_count(triangles.len() as u32) as usize;
-    pyramid.resize(pyramid_size(level_count), PyramidBox::default());
-    let (level, mut rest) = pyramid.split_at_mut(level_count);
-    fill(level, |i| group_bounds(i, triangles));
-    let mut below = &*level;
-    while level_count > 1 {
-        level_count = level_count.div_ceil(2);
-        let (level, after) = rest.split_at_mut(level_count);
-        fill(level, |i| parent_bounds(i, below));
-        (below, rest) = (level, after);
-    }
-}
-
-/// Entries of all levels above and including one of this size.
-fn pyramid_size(level_count: usize) -> usize {
-    let mut size = level_count;
-    let mut level = level_count;
-    while level > 1 {
-        level = level.div_ceil(2);
-        size += level;
-    }
-    size
-}
-
-/// Stage `refit`, second half.
-fn fill_boxes(
-    triangles: &[LeafTriangle],
-    pyramid: &[PyramidBox],
-    splits: &[u32],
-    nodes: &mut [Node],
-) {
-    let blocks = nodes.par_chunks_mut(BLOCK).zip(splits.par_chunks(BLOCK));
-    blocks.for_each(|(nodes, splits)| {
-        for (node, &split) in nodes.iter_mut().zip(splits) {
-            *node = refit_node(*node, split, triangles, pyramid);
-        }
-    });
-}
-
-/// Stores a kernel's results in parallel.
-fn fill<T: Send>(to: &mut [T], kernel: impl Fn(u32) -> T + Sync) {
-    to.par_chunks_mut(BLOCK)
-        .enumerate()
-        .for_each(|(block, to)| {
-            for (place, i) in to.iter_mut().zip((block * BLOCK) as u32..) {
-                *place = kernel(i);
-            }
-        });
 }

@@ -12,7 +12,7 @@ use slimbvh_core::shade::{
 use slimbvh_core::snap::{Scale, leaf_triangle};
 use slimbvh_core::surface::Surface;
 use slimbvh_core::trace::{self, ClosestHit, Counted};
-use slimbvh_core::{IndexedTriangles, view};
+use slimbvh_core::view;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Samples in flight.
@@ -298,11 +298,7 @@ impl<'a> Stage<'a> {
     /// The point that a path hit, and what it is made of.
     fn surface(&self, path: &Path, hit: &Hit) -> (Surface, CoreMaterial) {
         let mesh = &self.scene.mesh;
-        let triangles = IndexedTriangles {
-            vertices: &mesh.vertices,
-            indices: &mesh.indices,
-        };
-        let triangle = leaf_triangle(hit.primitive, &triangles, &self.scale).triangle();
+        let triangle = leaf_triangle(hit.primitive, &mesh.triangles(), &self.scale).triangle();
         let corners = mesh.indices[hit.primitive as usize];
         let normals = corners.map(|corner| {
             mesh.normals

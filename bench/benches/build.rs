@@ -1,0 +1,48 @@
+//! From a mesh to the last thing that tracing needs, buffers kept.
+
+use anyhow::Result;
+use criterion::{BenchmarkId, Criterion, Throughput};
+use slimbvh_bench::meshes::SUBJECTS;
+use slimbvh_bench::tracers::tracers;
+use slimbvh_bench::{Input, Reference, pool, thread_counts};
+use std::time::Duration;
+
+fn main() -> Result<()> {
+    let mut criterion = Criterion::default()
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(500))
+        .measurement_time(Duration::from_secs(2))
+        .configure_from_args();
+    for subject in SUBJECTS {
+        let Some(mesh) = subject.mesh()? else {
+            continue;
+        };
+        let input = Input::new(&mesh);
+        let mut group = criterion.benchmark_group(format!("build/{}", subject.name));
+        group.throughput(Throughput::Elements(mesh.indices.len() as u64));
+        let mut reference = None;
+        for threads in thread_counts() {
+            let pool = pool(threads)?;
+            for mut tracer in tracers(&input) {
+                let mut outcome = None;
+                let id = BenchmarkId::new(tracer.name(), format!("{threads} threads"));
+                group.bench_function(id, |bencher| {
+                    bencher.iter(|| outcome = Some(pool.install(|| tracer.build())));
+                });
+                // Benchmarks that were filtered out have built nothing.
+                if let Some(built) = outcome {
+                    built?;
+                    if reference.is_none() {
+                        reference = Some(Reference::new(&mesh)?);
+                    }
+                    if let Some(reference) = &reference {
+                        reference.check(&*tracer)?;
+                    }
+                }
+            }
+        }
+        group.finish();
+    }
+    criterion.final_summary();
+    Ok(())
+}

@@ -1,0 +1,88 @@
+//! The command line.
+
+use anyhow::{Context, Result, bail, ensure};
+use slimbvh_bench::meshes::{SCENES_VARIABLE, SUBJECTS};
+use std::path::Path;
+
+/// What `--help` prints.
+pub const USAGE: &str = "\
+record [--out FILE] [--rounds N] [MESH...]
+  --out FILE   also write the tables to FILE
+  --rounds N   measure N times, at least 5 (default 7)
+  MESH...      only these meshes (default all)";
+
+/// The command line, parsed.
+pub struct Options {
+    /// Print the usage only.
+    pub help: bool,
+    /// Where to write the record.
+    pub out: Option<String>,
+    /// How often everything is measured.
+    pub rounds: usize,
+    /// Names of the meshes, or empty for all.
+    meshes: Vec<String>,
+}
+
+impl Options {
+    /// Reads the arguments.
+    pub fn parse(mut arguments: impl Iterator<Item = String>) -> Result<Self> {
+        let mut options = Self {
+            help: false,
+            out: None,
+            rounds: 7,
+            meshes: Vec::new(),
+        };
+        while let Some(argument) = arguments.next() {
+            match argument.as_str() {
+                "--help" | "-h" => options.help = true,
+                "--out" => {
+                    let file = arguments.next().context("--out needs a file")?;
+                    options.out = Some(file);
+                }
+                "--rounds" => {
+                    let count = arguments.next().and_then(|count| count.parse().ok());
+                    options.rounds = count.context("--rounds needs a number")?;
+                }
+                name if SUBJECTS.iter().any(|subject| subject.name == name) => {
+                    options.meshes.push(argument);
+                }
+                _ => bail!("there is no option or mesh {argument:?}\n{USAGE}"),
+            }
+        }
+        ensure!(options.rounds >= 5, "--rounds must be at least 5");
+        Ok(options)
+    }
+
+    /// Whether a mesh is asked for.
+    pub fn wants(&self, name: &str) -> bool {
+        self.meshes.is_empty() || self.meshes.iter().any(|mesh| mesh == name)
+    }
+
+    /// The command that makes this record again, without paths of this machine.
+    pub fn command(&self) -> String {
+        let mut words = Vec::new();
+        if std::env::var_os(SCENES_VARIABLE).is_some() {
+            words.push(format!("{SCENES_VARIABLE}=scenes"));
+        }
+        let flags = env!("BENCH_RUSTFLAGS");
+        if !flags.is_empty() {
+            words.push(format!("RUSTFLAGS={flags:?}"));
+        }
+        words.push("cargo run --release --bin record --".into());
+        if self.rounds != 7 {
+            words.push(format!("--rounds {}", self.rounds));
+        }
+        if let Some(out) = &self.out {
+            let path = Path::new(out);
+            let name = path.file_name().unwrap_or(path.as_os_str());
+            let shown = if path.is_absolute() {
+                Path::new(name)
+            } else {
+                path
+            };
+            words.push(format!("--out {}", shown.display()));
+        }
+        words.extend(self.meshes.iter().map(|mesh| format!("{mesh:?}")));
+        words.join(" ")
+    }
+}

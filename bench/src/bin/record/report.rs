@@ -1,0 +1,300 @@
+//! The record's tables, in Markdown.
+
+use crate::machine;
+use crate::measure::{MeshRecord, Run, Samples, TracerRecord};
+use crate::options::Options;
+use anyhow::Result;
+use slimbvh_bench::Agreement;
+use slimbvh_bench::tracers::Visits;
+use std::fmt::Write;
+
+/// Where the ratios should be.
+const BUILD_AIM: Aim = Aim::at_most(1.0, 2.0);
+const TRACE_AIM: Aim = Aim::at_least(1.0, 0.8);
+const NODE_BYTES_AIM: Aim = Aim::at_most(32.0, 56.0);
+
+/// The tracers that ratios are between, by their places in the list.
+const OURS: usize = 0;
+const PEER: usize = 2;
+
+/// A bound to reach and a bound to keep.
+struct Aim {
+    aimed: f64,
+    required: f64,
+    /// 1 where less is better, -1 where more is.
+    sign: f64,
+}
+
+impl Aim {
+    const fn at_most(aimed: f64, required: f64) -> Self {
+        let sign = 1.0;
+        Self {
+            aimed,
+            required,
+            sign,
+        }
+    }
+
+    const fn at_least(aimed: f64, required: f64) -> Self {
+        let sign = -1.0;
+        Self {
+            aimed,
+            required,
+            sign,
+        }
+    }
+
+    /// The value and which of its bounds it keeps.
+    fn judge(&self, value: f64) -> String {
+        let keeps = |bound: f64| value * self.sign <= bound * self.sign;
+        let word = if keeps(self.aimed) {
+            "aim"
+        } else if keeps(self.required) {
+            "required"
+        } else {
+            "**missed**"
+        };
+        format!("{value:.2} {word}")
+    }
+}
+
+/// The whole record.
+pub fn report(records: &[MeshRecord], options: &Options) -> Result<String> {
+    let mut out = String::new();
+    head(&mut out, options)?;
+    aims(&mut out, records)?;
+    builds(&mut out, records)?;
+    stages(&mut out, records)?;
+    traces(&mut out, records)?;
+    answers(&mut out, records)?;
+    Ok(out)
+}
+
+fn head(out: &mut String, options: &Options) -> Result<()> {
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let flags = match env!("BENCH_RUSTFLAGS") {
+        "" => "none",
+        flags => flags,
+    };
+    let features = match (cfg!(feature = "parallel"), cfg!(feature = "small-nodes")) {
+        (true, false) => "parallel",
+        (true, true) => "parallel, small_bvh2_node",
+        (false, false) => "none",
+        (false, true) => "small_bvh2_node",
+    };
+    writeln!(out, "# slimbvh and obvhs side by side\n")?;
+    writeln!(out, "| | |\n|---|---|")?;
+    writeln!(out, "| date | {} |", machine::date())?;
+    writeln!(
+        out,
+        "| processor | {}, {threads} threads |",
+        machine::processor()
+    )?;
+    writeln!(out, "| compiler | {} |", env!("BENCH_RUSTC"))?;
+    writeln!(out, "| flags | `{flags}` ({}) |", machine::vectors())?;
+    writeln!(out, "| obvhs' features | {features} |")?;
+    writeln!(out, "| command | `{}` |", options.command())?;
+    writeln!(out, "| rounds | {} |\n", options.rounds)?;
+    writeln!(
+        out,
+        "Times are medians in milliseconds, with the smallest and the largest; the tracers took turns. What is measured \
+         and how: [README](../README.md).\n"
+    )?;
+    writeln!(
+        out,
+        "For scale: Embree's Morton build of the dragon takes 87 ms on one thread (own measurement with Embree 3.13 on \
+         the same kind of machine, not part of this run).\n"
+    )?;
+    Ok(())
+}
+
+/// Ratios, and which aims they keep.
+fn aims(out: &mut String, records: &[MeshRecord]) -> Result<()> {
+    writeln!(out, "## Aims\n")?;
+    writeln!(
+        out,
+        "slimbvh with 30-bit codes against obvhs' fastest preset. Build and frame: slimbvh's time as a multiple of \
+         obvhs', required at most {:.1}, aimed at {:.1}. Rays: slimbvh's rays a second as a multiple of obvhs', required \
+         at least {:.1}, aimed at {:.1}. Nodes: bytes a triangle, required at most {}, aimed at {}. A frame is build, \
+         primary and shadow rays.\n",
+        BUILD_AIM.required,
+        BUILD_AIM.aimed,
+        TRACE_AIM.required,
+        TRACE_AIM.aimed,
+        NODE_BYTES_AIM.required,
+        NODE_BYTES_AIM.aimed,
+    )?;
+    writeln!(
+        out,
+        "| mesh | threads | build, buffers kept | build, new buffers | primary | shadow | frame | nodes |\n\
+         |---|--:|--:|--:|--:|--:|--:|--:|"
+    )?;
+    for record in records {
+        let (ours, peer) = (&record.tracers[OURS], &record.tracers[PEER]);
+        let node_bytes = ours.bytes.nodes as f64 / record.triangle_count as f64;
+        for (a, b) in ours.runs.iter().zip(&peer.runs) {
+            let ratio = |of: fn(&Run) -> &Samples| of(a).median() / of(b).median();
+            writeln!(
+                out,
+                "| {} | {} | {} | {} | {} | {} | {:.2} | {} |",
+                record.name,
+                a.threads,
+                BUILD_AIM.judge(ratio(|run| &run.build)),
+                BUILD_AIM.judge(ratio(|run| &run.first_build)),
+                TRACE_AIM.judge(1.0 / ratio(|run| &run.primary)),
+                TRACE_AIM.judge(1.0 / ratio(|run| &run.shadow)),
+                frame_ms(a) / frame_ms(b),
+                NODE_BYTES_AIM.judge(node_bytes),
+            )?;
+        }
+    }
+    writeln!(out)?;
+    Ok(())
+}
+
+fn builds(out: &mut String, records: &[MeshRecord]) -> Result<()> {
+    writeln!(out, "## Build\n")?;
+    writeln!(
+        out,
+        "| mesh | triangles | tracer | threads | buffers kept | new buffers | M triangles/s | node bytes/triangle | \
+         leaf bytes/triangle |\n|---|--:|---|--:|--:|--:|--:|--:|--:|"
+    )?;
+    for record in records {
+        let count = record.triangle_count as f64;
+        for (tracer, run) in runs(record) {
+            writeln!(
+                out,
+                "| {} | {} | {} | {} | {} | {} | {:.1} | {:.1} | {:.1} |",
+                record.name,
+                record.triangle_count,
+                tracer.name,
+                run.threads,
+                spread(&run.build),
+                spread(&run.first_build),
+                count / run.build.median() / 1e3,
+                tracer.bytes.nodes as f64 / count,
+                tracer.bytes.triangles as f64 / count,
+            )?;
+        }
+    }
+    let lists = records
+        .iter()
+        .map(|record| format!("{} {:.1} ms", record.name, record.input_ms));
+    let lists: Vec<String> = lists.collect();
+    writeln!(
+        out,
+        "\nobvhs is given its list of triangles ready made. Making it from vertices and indices on one thread, in new \
+         memory: {}.\n",
+        lists.join(", ")
+    )?;
+    Ok(())
+}
+
+/// Shares of slimbvh's build.
+fn stages(out: &mut String, records: &[MeshRecord]) -> Result<()> {
+    writeln!(out, "## Stages of slimbvh's build\n")?;
+    let names: Vec<&str> = records[0].tracers[OURS].runs[0]
+        .stages
+        .iter()
+        .map(|(name, _)| name)
+        .collect();
+    writeln!(out, "| mesh | tracer | threads | {} |", names.join(" | "))?;
+    writeln!(out, "|---|---|--:|{}", "--:|".repeat(names.len()))?;
+    for record in records {
+        for (tracer, run) in runs(record) {
+            let total = run.stages.total().as_secs_f64();
+            if total == 0.0 {
+                continue;
+            }
+            let shares = run
+                .stages
+                .iter()
+                .map(|(_, time)| format!("{:.0} %", 100.0 * time.as_secs_f64() / total));
+            let shares: Vec<String> = shares.collect();
+            let (name, threads) = (record.name, run.threads);
+            let shares = shares.join(" | ");
+            writeln!(out, "| {name} | {} | {threads} | {shares} |", tracer.name)?;
+        }
+    }
+    writeln!(out)?;
+    Ok(())
+}
+
+fn traces(out: &mut String, records: &[MeshRecord]) -> Result<()> {
+    writeln!(out, "## Trace\n")?;
+    writeln!(
+        out,
+        "| mesh | tracer | threads | primary | M rays/s | shadow | M rays/s | frame |\n\
+         |---|---|--:|--:|--:|--:|--:|--:|"
+    )?;
+    for record in records {
+        for (tracer, run) in runs(record) {
+            writeln!(
+                out,
+                "| {} | {} | {} | {} | {:.2} | {} | {:.2} | {:.1} |",
+                record.name,
+                tracer.name,
+                run.threads,
+                spread(&run.primary),
+                record.primary_count as f64 / run.primary.median() / 1e3,
+                spread(&run.shadow),
+                record.shadow_count as f64 / run.shadow.median() / 1e3,
+                frame_ms(run),
+            )?;
+        }
+    }
+    writeln!(out)?;
+    Ok(())
+}
+
+fn answers(out: &mut String, records: &[MeshRecord]) -> Result<()> {
+    writeln!(out, "## Work and answers\n")?;
+    writeln!(
+        out,
+        "Inner nodes opened (two boxes each) and triangles tested per ray; hits; disagreements with slimbvh's 30-bit \
+         tree on one thread: rays that hit for one of the two only + rays whose distances differ by more than 0.1 %. \
+         Both of slimbvh's trees must give the same answers to the last bit.\n"
+    )?;
+    writeln!(
+        out,
+        "| mesh | tracer | rays | nodes/ray | triangles/ray | hits | disagreements |\n|---|---|--:|--:|--:|--:|--:|"
+    )?;
+    for record in records {
+        for tracer in &record.tracers {
+            let mut row = |kind: &str, count: usize, visits: Option<Visits>, seen: &Agreement| {
+                let per_ray = |sum: u64| format!("{:.1}", sum as f64 / count.max(1) as f64);
+                let (nodes, triangles) = visits.map_or_else(Default::default, |v| {
+                    (per_ray(v.nodes), per_ray(v.triangles))
+                });
+                writeln!(
+                    out,
+                    "| {} | {} | {count} {kind} | {nodes} | {triangles} | {} | {} + {} |",
+                    record.name, tracer.name, seen.hits, seen.hit_or_miss, seen.distance,
+                )
+            };
+            let (primary, shadow) = (tracer.primary_visits, tracer.shadow_visits);
+            row("primary", record.primary_count, primary, &tracer.primary)?;
+            row("shadow", record.shadow_count, shadow, &tracer.shadow)?;
+        }
+    }
+    Ok(())
+}
+
+/// Every run of every tracer, tracers of one number of threads together.
+fn runs(record: &MeshRecord) -> impl Iterator<Item = (&TracerRecord, &Run)> {
+    let run_count = record.tracers.first().map_or(0, |first| first.runs.len());
+    (0..run_count).flat_map(|run| {
+        let tracers = record.tracers.iter();
+        tracers.map(move |tracer| (tracer, &tracer.runs[run]))
+    })
+}
+
+fn frame_ms(run: &Run) -> f64 {
+    run.build.median() + run.primary.median() + run.shadow.median()
+}
+
+/// The median, the smallest and the largest.
+fn spread(samples: &Samples) -> String {
+    let (median, min, max) = (samples.median(), samples.min(), samples.max());
+    format!("{median:.1} ({min:.1}–{max:.1})")
+}

@@ -1,0 +1,90 @@
+//! The answers that all others are held against.
+
+use crate::agreement::{Agreement, TOLERANCE};
+use crate::tracers::Slim;
+use crate::{Answer, RayLists, Tracer, pool};
+use anyhow::{Result, ensure};
+use slimbvh::{CodeBits, Mesh};
+
+/// Rays, and what slimbvh with 30-bit codes answers to them on one thread.
+pub struct Reference {
+    /// The rays.
+    pub rays: RayLists,
+    /// Closest hits of the primary rays.
+    pub closest: Vec<Answer>,
+    /// Whether the shadow rays hit anything.
+    pub any: Vec<bool>,
+}
+
+impl Reference {
+    /// Rays and answers for a mesh.
+    ///
+    /// # Errors
+    /// For meshes that are not valid or have no triangles.
+    pub fn new(mesh: &Mesh) -> Result<Self> {
+        let rays = RayLists::new(mesh)?;
+        let mut closest = vec![Answer::MISS; rays.primary.len()];
+        let mut any = vec![false; rays.shadow.len()];
+        pool(1)?.install(|| {
+            let mut tracer = Slim::new("slimbvh", CodeBits::Bits30, mesh);
+            tracer.build()?;
+            tracer.closest_hits(&rays.primary, &mut closest);
+            tracer.any_hits(&rays.shadow, &mut any);
+            anyhow::Ok(())
+        })?;
+        Ok(Self { rays, closest, any })
+    }
+
+    /// Checks a tracer's answers to the primary rays.
+    ///
+    /// # Errors
+    /// They differ, for a tracer that has to be exact; the numbers of hits differ by more than [`TOLERANCE`], for others.
+    pub fn check_closest(&self, tracer: &dyn Tracer, answers: &[Answer]) -> Result<Agreement> {
+        let agreement = Agreement::of_closest(&self.closest, answers);
+        let equal = self.closest == answers;
+        check(tracer, "primary", agreement, equal)?;
+        Ok(agreement)
+    }
+
+    /// Checks a tracer's answers to the shadow rays.
+    ///
+    /// # Errors
+    /// As [`Self::check_closest`].
+    pub fn check_any(&self, tracer: &dyn Tracer, answers: &[bool]) -> Result<Agreement> {
+        let agreement = Agreement::of_any(&self.any, answers);
+        check(tracer, "shadow", agreement, self.any == answers)?;
+        Ok(agreement)
+    }
+
+    /// Traces all rays and checks all answers.
+    ///
+    /// # Errors
+    /// As [`Self::check_closest`].
+    pub fn check(&self, tracer: &dyn Tracer) -> Result<()> {
+        let mut closest = vec![Answer::MISS; self.rays.primary.len()];
+        let mut any = vec![false; self.rays.shadow.len()];
+        tracer.closest_hits(&self.rays.primary, &mut closest);
+        tracer.any_hits(&self.rays.shadow, &mut any);
+        self.check_closest(tracer, &closest)?;
+        self.check_any(tracer, &any)?;
+        Ok(())
+    }
+}
+
+fn check(tracer: &dyn Tracer, rays: &str, agreement: Agreement, equal: bool) -> Result<()> {
+    let name = tracer.name();
+    ensure!(
+        equal || !tracer.is_exact(),
+        "{name} gives other answers to {rays} rays than slimbvh on one thread"
+    );
+    let Agreement {
+        expected_hits,
+        hits,
+        ..
+    } = agreement;
+    ensure!(
+        agreement.is_close(),
+        "{name} hits with {hits} {rays} rays where slimbvh hits with {expected_hits}: more than {TOLERANCE} apart"
+    );
+    Ok(())
+}

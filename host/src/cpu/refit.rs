@@ -1,0 +1,58 @@
+//! Stage `refit` on the CPU.
+
+use super::BLOCK;
+use rayon::prelude::*;
+use slimbvh_core::refit::{PyramidBox, group_bounds, group_count, parent_bounds, refit_node};
+use slimbvh_core::{LeafTriangle, Node};
+
+/// Boxes of groups, of pairs of groups, and so on to one.
+pub fn fill_pyramid(triangles: &[LeafTriangle], pyramid: &mut Vec<PyramidBox>) {
+    let mut level_count = group_count(triangles.len() as u32) as usize;
+    pyramid.resize(pyramid_size(level_count), PyramidBox::default());
+    let (level, mut rest) = pyramid.split_at_mut(level_count);
+    fill(level, |i| group_bounds(i, triangles));
+    let mut below = &*level;
+    while level_count > 1 {
+        level_count = level_count.div_ceil(2);
+        let (level, after) = rest.split_at_mut(level_count);
+        fill(level, |i| parent_bounds(i, below));
+        (below, rest) = (level, after);
+    }
+}
+
+/// Entries of all levels above and including one of this size.
+fn pyramid_size(level_count: usize) -> usize {
+    let mut size = level_count;
+    let mut level = level_count;
+    while level > 1 {
+        level = level.div_ceil(2);
+        size += level;
+    }
+    size
+}
+
+/// The boxes of each node's children. `splits` holds the last triangle of each node's left child.
+pub fn fill_boxes(
+    triangles: &[LeafTriangle],
+    pyramid: &[PyramidBox],
+    splits: &[u32],
+    nodes: &mut [Node],
+) {
+    let blocks = nodes.par_chunks_mut(BLOCK).zip(splits.par_chunks(BLOCK));
+    blocks.for_each(|(nodes, splits)| {
+        for (node, &split) in nodes.iter_mut().zip(splits) {
+            *node = refit_node(*node, split, triangles, pyramid);
+        }
+    });
+}
+
+/// Stores a kernel's results in parallel.
+fn fill<T: Send>(to: &mut [T], kernel: impl Fn(u32) -> T + Sync) {
+    to.par_chunks_mut(BLOCK)
+        .enumerate()
+        .for_each(|(block, to)| {
+            for (place, i) in to.iter_mut().zip((block * BLOCK) as u32..) {
+                *place = kernel(i);
+            }
+        });
+}
