@@ -1,9 +1,11 @@
 //! Pieces that hang together by edges.
 
+use super::Component;
 use super::buckets::Buckets;
 use super::union_find::UnionFind;
-use super::{Bounds, Component};
 use crate::Mesh;
+use glam::Vec3;
+use slimbvh_core::Aabb;
 
 /// The connected components, largest first. `triangles` are those of the mesh over welded vertices.
 pub(super) fn components(mesh: &Mesh, triangles: &[[u32; 3]]) -> Vec<Component> {
@@ -130,22 +132,21 @@ fn measure(mesh: &Mesh, labels: &[u32]) -> Vec<Component> {
                 consistently_wound: true,
                 outward: None,
                 signed_volume: 0.0,
-                bounds: Bounds {
-                    min: corners[0],
-                    max: corners[0],
-                },
+                bounds: Aabb::EMPTY,
             });
         }
         components[label].triangle_count += 1;
-        for corner in corners {
-            components[label].bounds.include(corner);
-        }
+        let bounds = &mut components[label].bounds;
+        *bounds = corners
+            .map(Vec3::from_array)
+            .into_iter()
+            .fold(*bounds, Aabb::union_point);
     }
 
     // Sum up the tetrahedra between the middle and each triangle.
     let mut magnitudes = vec![0.0; components.len()];
     for (corners, label) in faces() {
-        let center = components[label].bounds.center();
+        let center = middle(&components[label].bounds);
         let [a, b, c] = corners.map(|p| [0, 1, 2].map(|axis| f64::from(p[axis]) - center[axis]));
         let (volume, magnitude) = tetrahedron(a, b, c);
         components[label].signed_volume += volume;
@@ -172,4 +173,9 @@ fn tetrahedron(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> (f64, f64) {
         magnitude += a[x].abs() * (positive.abs() + negative.abs());
     }
     (volume / 6.0, magnitude / 6.0)
+}
+
+/// The point in the middle of a box, which may span all of `f32`.
+fn middle(bounds: &Aabb) -> [f64; 3] {
+    [0, 1, 2].map(|axis| 0.5 * (f64::from(bounds.min[axis]) + f64::from(bounds.max[axis])))
 }

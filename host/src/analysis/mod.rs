@@ -11,6 +11,8 @@ mod tests;
 
 use crate::Mesh;
 use buckets::Buckets;
+use glam::Vec3;
+use slimbvh_core::Aabb;
 
 pub(crate) use weld::weld;
 
@@ -27,7 +29,7 @@ pub struct Analysis {
     /// makes a point have no edge and are in none.
     pub components: Vec<Component>,
     /// The box around all used vertices; `None` for a mesh without triangles.
-    pub bounds: Option<Bounds>,
+    pub bounds: Option<Aabb>,
     /// Triangles whose corners lie on one line, decided exactly.
     pub degenerate_triangle_count: usize,
     /// Triangles that have the same three positions as an earlier one, in any rotation and winding.
@@ -52,46 +54,14 @@ pub struct Component {
     /// middle of its bounds.
     pub signed_volume: f64,
     /// The box around it.
-    pub bounds: Bounds,
+    pub bounds: Aabb,
 }
 
-/// A box that is never empty.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
-    /// Smallest coordinates.
-    pub min: [f32; 3],
-    /// Largest coordinates.
-    pub max: [f32; 3],
-}
-
-impl Bounds {
-    /// The smallest box around some points; `None` for no points.
-    pub fn around(points: impl IntoIterator<Item = [f32; 3]>) -> Option<Self> {
-        let mut points = points.into_iter();
-        let first = points.next()?;
-        let mut bounds = Self {
-            min: first,
-            max: first,
-        };
-        for point in points {
-            bounds.include(point);
-        }
-        Some(bounds)
-    }
-
-    /// Grows the box to hold a point.
-    pub fn include(&mut self, point: [f32; 3]) {
-        for (axis, x) in point.into_iter().enumerate() {
-            self.min[axis] = self.min[axis].min(x);
-            self.max[axis] = self.max[axis].max(x);
-        }
-    }
-
-    /// The point in the middle.
-    #[must_use]
-    pub fn center(&self) -> [f64; 3] {
-        [0, 1, 2].map(|axis| 0.5 * (f64::from(self.min[axis]) + f64::from(self.max[axis])))
-    }
+/// The smallest box around some points; `None` for no points.
+pub(crate) fn around(points: impl IntoIterator<Item = [f32; 3]>) -> Option<Aabb> {
+    let points = points.into_iter().map(Vec3::from_array);
+    let bounds = points.fold(Aabb::EMPTY, Aabb::union_point);
+    (!bounds.is_empty()).then_some(bounds)
 }
 
 /// Takes stock of a mesh in time O(n log n) on one thread.
@@ -120,7 +90,7 @@ pub fn analyze(mesh: &Mesh) -> Analysis {
         vertex_count: mesh.vertices.len(),
         welded_vertex_count: used.iter().filter(|&&used| used).count(),
         components: components::components(mesh, &triangles),
-        bounds: Bounds::around(mesh.indices.iter().flat_map(corners)),
+        bounds: around(mesh.indices.iter().flat_map(corners)),
         degenerate_triangle_count: mesh
             .indices
             .iter()

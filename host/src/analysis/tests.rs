@@ -52,9 +52,9 @@ fn unweld(mesh: &Mesh) -> Mesh {
 #[test]
 fn a_cuboid_is_closed_and_faces_out() {
     let analysis = analyze(&cuboid([10.0, 20.0, 30.0]));
-    let bounds = Bounds {
-        min: [10.0, 20.0, 30.0],
-        max: [11.0, 22.0, 33.0],
+    let bounds = Aabb {
+        min: Vec3::new(10.0, 20.0, 30.0),
+        max: Vec3::new(11.0, 22.0, 33.0),
     };
     let expected = Analysis {
         triangle_count: 12,
@@ -136,7 +136,10 @@ fn components_are_sorted_and_touching_in_a_point_does_not_connect() {
         found,
         [(12, true, true, Some(true)), (10, false, true, None)]
     );
-    assert_eq!(analysis.components[1].bounds.max, [2.0, 4.0, 6.0]);
+    assert_eq!(
+        analysis.components[1].bounds.max.to_array(),
+        [2.0, 4.0, 6.0]
+    );
 }
 
 #[test]
@@ -210,7 +213,10 @@ fn unused_vertices_do_not_matter() {
         (analysis.vertex_count, analysis.welded_vertex_count),
         (9, 8)
     );
-    assert_eq!(analysis.bounds.map(|b| b.max), Some([1.0, 2.0, 3.0]));
+    assert_eq!(
+        analysis.bounds.map(|b| b.max.to_array()),
+        Some([1.0, 2.0, 3.0])
+    );
 }
 
 #[test]

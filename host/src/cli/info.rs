@@ -5,8 +5,8 @@ use super::output::{self, count};
 use anyhow::Result;
 use clap::Args;
 use serde::Serialize;
-use slimbvh::Scene;
-use slimbvh::analysis::{Analysis, Bounds, Component, analyze};
+use slimbvh::analysis::{Analysis, Component, analyze};
+use slimbvh::{Aabb, Scene};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -84,9 +84,9 @@ pub fn run(arguments: &InfoArguments) -> Result<()> {
 }
 
 fn summarize(name: &str, scene: &Scene, analysis: &Analysis) -> Summary {
-    let extent = |bounds: &Bounds| Extent {
-        min: bounds.min,
-        max: bounds.max,
+    let extent = |bounds: &Aabb| Extent {
+        min: bounds.min.to_array(),
+        max: bounds.max.to_array(),
     };
     let component = |component: &Component| ComponentSummary {
         triangles: component.triangle_count,
@@ -201,9 +201,9 @@ fn describe_component(component: &Component) -> String {
 }
 
 /// `1 x 2 x 3 from (0, 0, 0) to (1, 2, 3)`.
-fn extent(bounds: &Bounds) -> String {
+fn extent(bounds: &Aabb) -> String {
     let [a, b] = [bounds.min, bounds.max];
-    let size: [f32; 3] = std::array::from_fn(|i| b[i] - a[i]);
+    let size = b - a;
     format!(
         "{} x {} x {} from ({}, {}, {}) to ({}, {}, {})",
         size[0], size[1], size[2], a[0], a[1], a[2], b[0], b[1], b[2]

@@ -39,7 +39,7 @@ mod tests {
         let component = &assert_solid(&solid)[0];
         assert_eq!(component.triangle_count, 12);
         assert_eq!(component.signed_volume, 6.0);
-        assert_eq!(component.bounds.min, [-1.0, 10.0, 100.0]);
-        assert_eq!(component.bounds.max, [0.0, 12.0, 103.0]);
+        assert_eq!(component.bounds.min.to_array(), [-1.0, 10.0, 100.0]);
+        assert_eq!(component.bounds.max.to_array(), [0.0, 12.0, 103.0]);
     }
 }

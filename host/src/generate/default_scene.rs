@@ -4,7 +4,7 @@ use super::{
     TorusKnot, append, cuboid, ground, icosphere, smooth_normals, sphere_flake, subdivide_curved,
     teapot, torus_knot, transformed,
 };
-use crate::analysis::Bounds;
+use crate::analysis::around;
 use crate::{Camera, Light, Material, Mesh, Projection, Scene};
 use glam::{Quat, Vec3};
 
@@ -137,10 +137,9 @@ fn smooth_teapot() -> Mesh {
 /// Scales and turns a mesh, then moves it so that it stands on `place` with its middle above.
 fn stand(mesh: Mesh, scale: f32, rotation: Quat, place: Vec3) -> Mesh {
     let turned = transformed(mesh, scale, rotation, Vec3::ZERO);
-    match Bounds::around(turned.vertices.iter().copied()) {
+    match around(turned.vertices.iter().copied()) {
         Some(bounds) => {
-            let foot = bounds.center().map(|x| x as f32);
-            let foot = Vec3::new(foot[0], bounds.min[1], foot[2]);
+            let foot = (0.5 * (bounds.min + bounds.max)).with_y(bounds.min.y);
             transformed(turned, 1.0, Quat::IDENTITY, place - foot)
         }
         None => turned,
@@ -200,7 +199,7 @@ mod tests {
     fn objects_stand_on_something_and_apart() {
         let mesh = default_scene().mesh;
         let bounds = |number| analyze(&part(&mesh, number)).bounds.expect("not empty");
-        let bounds: Vec<Bounds> = (1..mesh.parts.len()).map(bounds).collect();
+        let bounds: Vec<crate::Aabb> = (1..mesh.parts.len()).map(bounds).collect();
         let close = |a: f32, b: f32| (a - b).abs() < 1e-6;
         for (number, object) in bounds.iter().enumerate() {
             let below = bounds

@@ -37,9 +37,9 @@ mod tests {
         let components = assert_solid(&grid);
         assert_eq!(components.len(), 24);
         assert!(components.iter().all(|c| c.signed_volume == 6.0));
-        assert_eq!(components[1].bounds.min, [10.0, 0.0, 0.0]);
-        assert_eq!(components[2].bounds.min, [0.0, 20.0, 0.0]);
-        assert_eq!(components[23].bounds.max, [11.0, 42.0, 93.0]);
+        assert_eq!(components[1].bounds.min.to_array(), [10.0, 0.0, 0.0]);
+        assert_eq!(components[2].bounds.min.to_array(), [0.0, 20.0, 0.0]);
+        assert_eq!(components[23].bounds.max.to_array(), [11.0, 42.0, 93.0]);
         assert_eq!(grid.materials[12..24], one.materials);
     }
 }

@@ -49,8 +49,8 @@ mod tests {
         assert_eq!(component.triangle_count, 32);
         assert!(!component.closed && component.consistently_wound);
         assert_eq!(component.outward, None);
-        assert_eq!(component.bounds.min, [-4.0, 0.0, -4.0]);
-        assert_eq!(component.bounds.max, [4.0, 0.0, 4.0]);
+        assert_eq!(component.bounds.min.to_array(), [-4.0, 0.0, -4.0]);
+        assert_eq!(component.bounds.max.to_array(), [4.0, 0.0, 4.0]);
         for triangle in &mesh.indices {
             let [a, b, c] = triangle.map(|v| Vec3::from(mesh.vertices[v as usize]));
             assert_eq!((b - a).cross(c - a), Vec3::new(0.0, 4.0, 0.0));

@@ -2,18 +2,15 @@
 
 use super::append;
 use crate::Mesh;
-use crate::analysis::Bounds;
+use crate::analysis::around;
 use glam::Vec3;
 
 /// A model over one level triangle that faces up and is about `ratio` times as large as the model's diagonal. The
 /// triangle touches the model's lowest point. Parts are "tiny", then "huge" with the material after the model's last.
 #[must_use]
 pub fn huge_and_tiny(tiny: Mesh, ratio: f32) -> Mesh {
-    let bounds = Bounds::around(tiny.vertices.iter().copied()).unwrap_or(Bounds {
-        min: [0.0; 3],
-        max: [0.0; 3],
-    });
-    let (min, max) = (Vec3::from(bounds.min), Vec3::from(bounds.max));
+    let bounds = around(tiny.vertices.iter().copied());
+    let (min, max) = bounds.map_or((Vec3::ZERO, Vec3::ZERO), |bounds| (bounds.min, bounds.max));
     let middle = (0.5 * (min + max)).with_y(min.y);
     let reach = 0.5 * ratio * (max - min).length();
     let corner = |x: f32, z: f32| (middle + reach * Vec3::new(x, 0.0, z)).to_array();

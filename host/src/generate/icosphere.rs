@@ -65,7 +65,7 @@ mod tests {
         let sphere = assert_solid(&icosphere(Vec3::new(1.0, 2.0, 3.0), 2.0, 4));
         let volume = std::f64::consts::PI * 32.0 / 3.0;
         assert!((sphere[0].signed_volume / volume - 1.0).abs() < 0.005);
-        assert_eq!(sphere[0].bounds.min, [-1.0, 0.0, 1.0]);
-        assert_eq!(sphere[0].bounds.max, [3.0, 4.0, 5.0]);
+        assert_eq!(sphere[0].bounds.min.to_array(), [-1.0, 0.0, 1.0]);
+        assert_eq!(sphere[0].bounds.max.to_array(), [3.0, 4.0, 5.0]);
     }
 }
