@@ -57,7 +57,7 @@ impl Camera {
 #[must_use]
 pub fn sample_offset(sample: u32, sample_count: u32) -> [f32; 2] {
     let mut side = 1;
-    for _ in 0..16 {
+    for _ in 0..16u32 {
         if side * side < sample_count {
             side += 1;
         }

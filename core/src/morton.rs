@@ -43,12 +43,7 @@ impl Frame {
             AxisMeasure::new(bounds, 1),
             AxisMeasure::new(bounds, 2),
         ];
-        let mut longest = measures[0];
-        for measure in [measures[1], measures[2]] {
-            if measure.is_longer_than(&longest) {
-                longest = measure;
-            }
-        }
+        let longest = measures[0].longer(measures[1]).longer(measures[2]);
         Self {
             axes: [
                 measures[0].relative_to(&longest, bits),
@@ -117,11 +112,13 @@ impl AxisMeasure {
         }
     }
 
-    fn is_longer_than(&self, other: &Self) -> bool {
-        self.normalized > 0
-            && (other.normalized == 0
-                || self.weight > other.weight
-                || (self.weight == other.weight && self.normalized > other.normalized))
+    /// The longer of two, the first of equals.
+    fn longer(self, other: Self) -> Self {
+        let other_is_longer = other.normalized > 0
+            && (self.normalized == 0
+                || other.weight > self.weight
+                || (other.weight == self.weight && other.normalized > self.normalized));
+        if other_is_longer { other } else { self }
     }
 
     fn relative_to(&self, longest: &Self, bits: u32) -> FrameAxis {
@@ -148,7 +145,7 @@ fn divide_63_ones(divisor: u32) -> u32 {
     }
     let mut quotient = 0;
     let mut remainder = 0u32;
-    for _ in 0..63 {
+    for _ in 0..63u32 {
         let carry = remainder >> 31;
         remainder = (remainder << 1) | 1;
         quotient <<= 1;

@@ -44,7 +44,7 @@ impl WideBox {
         let LeafTriangle {
             vertices: v,
             primitive,
-        } = crate::load(triangles, i, LeafTriangle::zeroed());
+        } = crate::load(triangles, i, LeafTriangle::NOTHING);
         // Each vector reaches one number into what follows.
         let a = Vec4::new(v[0], v[1], v[2], v[3]);
         let b = Vec4::new(v[3], v[4], v[5], v[6]);
@@ -151,7 +151,7 @@ fn wide_range_bounds(
     // Climb: an odd end is taken at its level, even ends are covered by their parents.
     let mut level_begin = 0;
     let mut level_count = group_count(triangles.len() as u32);
-    for _ in 0..32 {
+    for _ in 0..32u32 {
         if low >= high {
             break;
         }

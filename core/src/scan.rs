@@ -34,11 +34,13 @@ pub fn doubling_step<const LANES: usize>(lane: u32, distance: u32, sums: &[u32; 
 pub fn run_scan(values: &mut [u32], first: u32, count: u32, before: u32) -> u32 {
     let mut sum = before;
     for i in first..first + count {
-        if let Some(value) = values.get_mut(i as usize) {
-            let next = sum.wrapping_add(*value);
-            *value = sum;
-            sum = next;
+        let i = i as usize;
+        if i >= values.len() {
+            break;
         }
+        let next = sum.wrapping_add(values[i]);
+        values[i] = sum;
+        sum = next;
     }
     sum
 }

@@ -94,7 +94,7 @@ fn orient<C: SortedCodes>(codes: &C, i: u32) -> (i32, i32) {
 pub fn kept_nodes<C: SortedCodes>(word: u32, codes: &C) -> u32 {
     let mut bits = 0;
     let first = word * 32;
-    for bit in 0..32 {
+    for bit in 0..32u32 {
         let i = first + bit;
         if i + 1 < codes.count() {
             let (direction, outside) = orient(codes, i);
@@ -129,14 +129,14 @@ pub fn internal_node<C: SortedCodes>(
 
     // Double the reach until it leaves the node, then bisect for the other end.
     let mut length = LEAF_SIZE_FLOOR as i32;
-    for _ in 0..31 {
+    for _ in 0..31u32 {
         if prefix_at(codes, i, 2 * length * direction) <= outside {
             break;
         }
         length *= 2;
     }
     let mut step = length / 2;
-    for _ in 0..31 {
+    for _ in 0..31u32 {
         if step == 0 {
             break;
         }
@@ -150,7 +150,7 @@ pub fn internal_node<C: SortedCodes>(
     let shared = prefix_at(codes, i, length * direction);
     let mut split = 0;
     let mut step = length;
-    for _ in 0..32 {
+    for _ in 0..32u32 {
         step = (step + 1) / 2;
         if prefix_at(codes, i, (split + step) * direction) > shared {
             split += step;
@@ -194,7 +194,7 @@ pub fn internal_node<C: SortedCodes>(
 pub const fn single_node(triangle_count: u32) -> Node {
     Node {
         left: NodeRef::leaf(0, triangle_count),
-        last: triangle_count.saturating_sub(1),
+        last: triangle_count - (triangle_count > 0) as u32,
         ..Node::EMPTY
     }
 }

@@ -16,6 +16,9 @@ pub trait NodeSource {
     /// What names a node on the stack, with all that decoding it needs.
     type Cursor: Copy;
 
+    /// Fills the stack before use; all bits zero, so that one constant does it.
+    const UNUSED: Self::Cursor;
+
     /// Where to begin.
     fn root(&self) -> Self::Cursor;
 
@@ -77,7 +80,7 @@ pub fn traverse<N: NodeSource, T: TriangleSource, C: Collector>(
     collector: &mut C,
 ) {
     let mut cursor = nodes.root();
-    let mut stack = [cursor; STACK_SIZE];
+    let mut stack = [N::UNUSED; STACK_SIZE];
     let mut stack_enter = [0.0f32; STACK_SIZE];
     let mut depth = 0usize;
     let mut at_node = ray.t_min <= ray.t_max;
@@ -177,9 +180,8 @@ pub fn nearest_hits<const K: usize, N: NodeSource, T: TriangleSource>(
     let prepared = PreparedRay::new(ray, scene_exponent);
     let mut collector = NearestHits::<K>::new(prepared.t_max);
     traverse(nodes, triangles, &prepared, NO_PRIMITIVE, &mut collector);
-    let mut hits = collector.hits;
-    for hit in &mut hits {
-        *hit = prepared.restore(*hit);
+    for i in 0..K {
+        collector.hits[i] = prepared.restore(collector.hits[i]);
     }
-    hits
+    collector.hits
 }

@@ -48,6 +48,12 @@ pub struct LeafTriangle {
 const _: () = assert!(size_of::<LeafTriangle>() == 40);
 
 impl LeafTriangle {
+    /// What an index out of range stands for.
+    pub(crate) const NOTHING: Self = Self {
+        vertices: [0.0; 9],
+        primitive: 0,
+    };
+
     /// The three corners.
     #[inline(always)]
     #[must_use]

@@ -74,11 +74,11 @@ pub fn intersect(ray: &PreparedRay, corners: [[f32; 3]; 3], limit: f32, primitiv
 
     // The triangle's own box has the last word.
     let [a, b, c] = corners;
-    let planes = [0, 1, 2].map(|axis| {
-        let low = min(min(a[axis], b[axis]), c[axis]);
-        let high = max(max(a[axis], b[axis]), c[axis]);
-        PlanePair::new(low, low, high, high)
-    });
+    let planes = [
+        span(a[0], b[0], c[0]),
+        span(a[1], b[1], c[1]),
+        span(a[2], b[2], c[2]),
+    ];
     let own_box = slab(ray, planes, limit);
     let t = max(t, own_box.enter_a);
     if own_box.meets_a && t <= limit {
@@ -86,6 +86,14 @@ pub fn intersect(ray: &PreparedRay, corners: [[f32; 3]; 3], limit: f32, primitiv
     } else {
         Hit::MISS
     }
+}
+
+/// The planes around three coordinates, twice.
+#[inline(always)]
+fn span(a: f32, b: f32, c: f32) -> PlanePair {
+    let low = min(min(a, b), c);
+    let high = max(max(a, b), c);
+    PlanePair::new(low, low, high, high)
 }
 
 /// Keeps barycentric coordinates of a hit in range: rounding may leave u + v a little above 1.

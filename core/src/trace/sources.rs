@@ -12,6 +12,7 @@ pub struct PlainNodes<'a>(pub &'a [Node]);
 
 impl NodeSource for PlainNodes<'_> {
     type Cursor = NodeRef;
+    const UNUSED: NodeRef = NodeRef::inner(0);
 
     #[inline(always)]
     fn root(&self) -> NodeRef {
@@ -70,6 +71,7 @@ pub struct BruteForce(pub u32);
 
 impl NodeSource for BruteForce {
     type Cursor = ();
+    const UNUSED: () = ();
 
     #[inline(always)]
     fn root(&self) {}
@@ -110,7 +112,9 @@ impl TriangleSource for LeafTriangles<'_> {
             return [[0.0; 3]; 3];
         }
         let v = &self.0[place].vertices;
-        let [a, b, c] = axes.map(|axis| axis as usize % 3);
+        let a = axes[0] as usize % 3;
+        let b = axes[1] as usize % 3;
+        let c = axes[2] as usize % 3;
         [
             [v[a], v[b], v[c]],
             [v[3 + a], v[3 + b], v[3 + c]],
