@@ -51,7 +51,7 @@ impl Camera {
     }
 }
 
-/// Where in its pixel a sample lies, each coordinate in `[0, 1)`. A square number of samples forms a regular grid; any
+/// Where in its pixel a sample lies, each coordinate in `[0, 1)`. A square number of samples up to 289 forms a regular grid; any
 /// other number a Fibonacci lattice.
 #[inline]
 #[must_use]

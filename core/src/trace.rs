@@ -22,7 +22,7 @@ pub trait NodeSource {
     /// Where to begin.
     fn root(&self) -> Self::Cursor;
 
-    /// The triangles of a leaf; `None` for an inner node.
+    /// What a cursor stands for: a leaf and its triangles, or an inner node.
     fn leaf(&self, cursor: Self::Cursor) -> LeafRun;
 
     /// An inner node's children.
