@@ -39,6 +39,13 @@ pub const fn is_finite(x: f32) -> bool {
     x.to_bits() & 0x7f80_0000 != 0x7f80_0000
 }
 
+/// Whether a number is NaN, by its bits: comparisons with NaN do not survive on every GPU.
+#[inline(always)]
+#[must_use]
+pub const fn is_nan(x: f32) -> bool {
+    x.to_bits() & 0x7fff_ffff > 0x7f80_0000
+}
+
 /// The exponent `e` of `|x|` in `[2^e, 2^(e+1))`, −149 to 127; −150 for zero. `x` must be finite.
 #[inline]
 #[must_use]

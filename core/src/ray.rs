@@ -1,6 +1,8 @@
 //! Rays, hits, and the form in which a ray is traced.
 
-use crate::float::{abs, exponent, is_finite, max, min, power_of_two, scale_by_power_of_two};
+use crate::float::{
+    abs, exponent, is_finite, is_nan, max, min, power_of_two, scale_by_power_of_two,
+};
 use crate::slab::PlanePair;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
@@ -126,6 +128,7 @@ impl PreparedRay {
             && is_finite(ray.origin[1])
             && is_finite(ray.origin[2])
             && is_finite(ray.t_min)
+            && !is_nan(ray.t_max)
             && longest > 0.0;
         let direction_exponent = if sane { exponent(longest) } else { 0 };
 

@@ -38,22 +38,41 @@ pub struct BoxPairHit {
 #[inline(always)]
 #[must_use]
 pub fn slab(ray: &PreparedRay, planes: [PlanePair; 3], limit: f32) -> BoxPairHit {
-    let t0 = (planes[0] - ray.plane_origins[0]) * ray.inverse[0];
-    let t1 = (planes[1] - ray.plane_origins[1]) * ray.inverse[1];
-    let t2 = (planes[2] - ray.plane_origins[2]) * ray.inverse[2];
-    let (near_2, far_2) = (t2.min(t2.zwxy()), t2.max(t2.zwxy()));
-
-    // The lanes hold a, b, a, b.
-    let enter = t0.min(t0.zwxy()).max(t1.min(t1.zwxy())).max(near_2);
-    let exit = t0.max(t0.zwxy()).min(t1.max(t1.zwxy())).min(far_2);
-    let reach = far_2.max(-near_2);
-    let exit = (exit + reach * SLAB_PADDING).min(Vec4::splat(limit));
-    let enter = enter.max(Vec4::splat(ray.t_min));
-    let meets = enter.cmple(exit);
+    let crossing = crossings(ray, planes);
+    let enter = crossing.enter.max(Vec4::splat(ray.t_min));
+    let meets = enter.cmple(crossing.padded_exit.min(Vec4::splat(limit)));
     BoxPairHit {
         enter_a: enter.x,
         enter_b: enter.y,
         meets_a: meets.test(0),
         meets_b: meets.test(1),
+    }
+}
+
+/// Where the ray's whole line passes two boxes. The lanes hold a, b, a, b.
+#[derive(Clone, Copy)]
+pub(crate) struct Crossings {
+    /// Rounded.
+    pub enter: Vec4,
+    /// Rounded; below `enter` where the box is missed, by rounding alone if barely.
+    pub exit: Vec4,
+    /// `exit` with the padding.
+    pub padded_exit: Vec4,
+}
+
+/// The arithmetic of [`slab`].
+#[inline(always)]
+pub(crate) fn crossings(ray: &PreparedRay, planes: [PlanePair; 3]) -> Crossings {
+    let t0 = (planes[0] - ray.plane_origins[0]) * ray.inverse[0];
+    let t1 = (planes[1] - ray.plane_origins[1]) * ray.inverse[1];
+    let t2 = (planes[2] - ray.plane_origins[2]) * ray.inverse[2];
+    let (near_2, far_2) = (t2.min(t2.zwxy()), t2.max(t2.zwxy()));
+    let enter = t0.min(t0.zwxy()).max(t1.min(t1.zwxy())).max(near_2);
+    let exit = t0.max(t0.zwxy()).min(t1.max(t1.zwxy())).min(far_2);
+    let reach = far_2.max(-near_2);
+    Crossings {
+        enter,
+        exit,
+        padded_exit: exit + reach * SLAB_PADDING,
     }
 }

@@ -55,9 +55,11 @@ impl Answers {
     #[must_use]
     pub fn are_consistent(&self) -> bool {
         let sorted = self.nearest_8.windows(2).all(|pair| {
-            !pair[1].is_hit()
-                || pair[0].t < pair[1].t
-                || (pair[0].t == pair[1].t && pair[0].primitive < pair[1].primitive)
+            let (a, b) = (pair[0], pair[1]);
+            // Different t may both leave the range of floats when they are carried back to the caller's unit.
+            let collapsed = !a.t.is_normal() || a.t.abs() == f32::MAX;
+            let ties_in_order = a.primitive < b.primitive || collapsed;
+            !b.is_hit() || a.t < b.t || (a.t == b.t && ties_in_order)
         });
         sorted
             && self.any == self.closest.is_hit()

@@ -62,7 +62,8 @@ proptest! {
         for ray in cook(&recipes, &mesh) {
             let hit = bvh.closest_hit(&ray);
             let mut moved = other.closest_hit(&ray);
-            prop_assert_eq!(hit.t.to_bits(), moved.t.to_bits());
+            // Of two hits at t = 0 one may say -0.
+            prop_assert_eq!(hit.t, moved.t);
             prop_assert_eq!(bvh.any_hit(&ray), other.any_hit(&ray));
             if moved.is_hit() {
                 moved.primitive = order[moved.primitive as usize];
@@ -87,7 +88,7 @@ fn generated_meshes_answer_as_brute_force_does() {
             let bvh = build(&mesh, code_bits);
             match Parts::from(&bvh).compare(&rays) {
                 Ok(hit_count) => {
-                    assert!(3 * hit_count > count / 2, "{name}: {hit_count} of {count}")
+                    assert!(10 * hit_count > count, "{name}: {hit_count} of {count}");
                 }
                 Err(disagreement) => panic!("{name}: {disagreement:#?}"),
             }
@@ -106,7 +107,7 @@ fn real_meshes_answer_as_brute_force_does() {
     ];
     let recipes = fixed_rays(400);
     for (name, mesh) in real_meshes(&names) {
-        let count = (40_000_000 / mesh.indices.len()).clamp(40, 400);
+        let count = (20_000_000 / mesh.indices.len()).clamp(40, 400);
         let rays = cook(&recipes[..count], &mesh);
         for code_bits in CODE_BITS {
             let bvh = build(&mesh, code_bits);

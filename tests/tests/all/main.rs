@@ -7,6 +7,7 @@ mod exact;
 mod meshes;
 mod negative_controls;
 mod odd_rays;
+mod refits;
 mod repeatable;
 mod trees;
 mod watertight;

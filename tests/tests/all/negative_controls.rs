@@ -1,5 +1,6 @@
 //! The checks themselves are checked: a planted fault must be found.
 
+use glam::Vec3;
 use slimbvh::generate::icosphere;
 use slimbvh::{CodeBits, Mesh};
 use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef, Ray};
@@ -18,7 +19,7 @@ struct Tree {
 
 impl Tree {
     fn new() -> Self {
-        let mesh = icosphere(glam::Vec3::new(0.1, 0.2, 0.3), 1.0, 2);
+        let mesh = icosphere(Vec3::new(0.1, 0.2, 0.3), 1.0, 2);
         let bvh = build(&mesh, CodeBits::Bits30);
         let tree = Self {
             nodes: bvh.nodes().to_vec(),
@@ -40,16 +41,20 @@ impl Tree {
             })
     }
 
-    /// Rays from the middle at every triangle's centroid.
+    /// Rays at every corner and every middle of a triangle, along its normal, just about there.
     fn agrees_with_brute_force(&self) -> bool {
         let rays: Vec<Ray> = self
             .mesh
             .indices
             .iter()
-            .map(|face| {
-                let [a, b, c] = face.map(|v| glam::Vec3::from(self.mesh.vertices[v as usize]));
-                let middle = glam::Vec3::new(0.1, 0.2, 0.3);
-                Ray::new(middle.to_array(), ((a + b + c) / 3.0 - middle).to_array())
+            .flat_map(|face| {
+                let [a, b, c] = face.map(|v| Vec3::from(self.mesh.vertices[v as usize]));
+                let normal = (b - a).cross(c - a).normalize();
+                [a, b, c, (a + b + c) / 3.0].map(|target| Ray {
+                    t_min: 0.999,
+                    t_max: 1.001,
+                    ..Ray::new((target + normal).to_array(), (-normal).to_array())
+                })
             })
             .collect();
         let parts = Parts {

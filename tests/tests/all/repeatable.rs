@@ -95,3 +95,21 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn batches_answer_as_single_rays_do() {
+    let bvh = build(&soup(3000, 2), CodeBits::Bits30);
+    let mut random = slimbvh_tests::random::Random::new(6);
+    let mut hits = vec![slimbvh_core::Hit::MISS; 7];
+    for count in [0, 1, 511, 512, 513, 5000] {
+        let rays: Vec<_> = (0..count)
+            .map(|_| slimbvh_core::Ray::new(random.point().to_array(), random.point().to_array()))
+            .collect();
+        bvh.closest_hits(&rays, &mut hits);
+        let expected: Vec<_> = rays.iter().map(|ray| bvh.closest_hit(ray)).collect();
+        assert_eq!(
+            bytemuck::cast_slice::<_, u8>(&hits),
+            bytemuck::cast_slice::<_, u8>(&expected)
+        );
+    }
+}

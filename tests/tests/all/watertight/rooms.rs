@@ -6,6 +6,7 @@ use crate::meshes::Solid;
 use glam::{Quat, Vec3};
 use slimbvh::CodeBits;
 use slimbvh::generate::{cuboid, subdivide, transformed};
+use slimbvh_core::Ray;
 use slimbvh_tests::build;
 use slimbvh_tests::random::Random;
 
@@ -31,11 +32,11 @@ fn rooms(length: f32) -> Vec<Solid> {
             };
             let from = Vec3::new(weight(0), weight(1), weight(2));
             let mut eye = from * size;
-            eye[axis] = if corner >> axis & 1 == 0 {
-                near
-            } else {
-                length - near.max(1e-6 * length)
-            };
+            if length > 1.0 {
+                let near = near.max(1e-6 * length);
+                let is_low = corner >> axis & 1 == 0;
+                eye[axis] = if is_low { near } else { length - near };
+            }
             inside.push(eye);
         }
         for (kind, mesh) in [("plain", plain.clone()), ("divided", subdivide(&plain, 3))] {
@@ -98,4 +99,35 @@ fn watertight_long_rooms() {
 fn watertight_flat_rooms() {
     check(1e-3);
     check(1e-5);
+}
+
+/// The smallest case of a fault that there was: t as the weighted sum of the corners' t is off by the weights' rounding
+/// times the wall's length, here by -12, and a hit at 2.18 fell behind the eye.
+#[test]
+fn a_hit_on_a_long_wall_does_not_fall_behind_the_eye() {
+    let wall = slimbvh::Mesh {
+        vertices: vec![
+            [0.0, 0.0, 0.7],
+            [1e5, 0.0, 0.7],
+            [1e5, 1.3, 0.7],
+            [0.0, 1.3, 0.7],
+        ],
+        indices: vec![[0, 1, 2], [0, 2, 3]],
+        ..slimbvh::Mesh::default()
+    };
+    let direction = Vec3::new(-0.958_579_6, -0.235_256_52, 0.160_559_83);
+    for turn in [0.0, 0.7] {
+        let rotation = Quat::from_axis_angle(Vec3::new(0.6, 0.0, 0.8), turn);
+        let bvh = build(
+            &transformed(wall.clone(), 1.0, rotation, Vec3::ZERO),
+            CodeBits::Bits30,
+        );
+        let eye = rotation * Vec3::new(50_000.0, 0.65, 0.35);
+        let hit = bvh.closest_hit(&Ray::new(eye.to_array(), (rotation * direction).to_array()));
+        assert!(hit.is_hit(), "turned by {turn}");
+
+        // Turning rounds the eye and the corners to 2^-9.
+        let tolerance = if turn == 0.0 { 1e-5 } else { 0.1 };
+        assert!((hit.t - 2.179_873).abs() < tolerance, "{hit:?}");
+    }
 }
