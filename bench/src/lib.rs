@@ -21,11 +21,15 @@ pub use tracers::{Answer, Input, Tracer};
 use anyhow::{Context, Result};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// 1 and the number of processors, if that is more.
+/// 1, and the number of processors if that is more and obvhs was built to use them.
 #[must_use]
 pub fn thread_counts() -> Vec<usize> {
     let all = std::thread::available_parallelism().map_or(1, usize::from);
-    if all == 1 { vec![1] } else { vec![1, all] }
+    if all == 1 || cfg!(not(feature = "parallel")) {
+        vec![1]
+    } else {
+        vec![1, all]
+    }
 }
 
 /// A pool for both tracers: slimbvh and obvhs run in the pool that calls them.

@@ -32,18 +32,11 @@ pub const fn abs(x: f32) -> f32 {
     f32::from_bits(x.to_bits() & 0x7fff_ffff)
 }
 
-/// Whether a number is neither infinite nor NaN, by its bits.
+/// Whether a number is neither infinite nor NaN, by its bits: comparisons with NaN do not survive on every GPU.
 #[inline(always)]
 #[must_use]
 pub const fn is_finite(x: f32) -> bool {
     x.to_bits() & 0x7f80_0000 != 0x7f80_0000
-}
-
-/// Whether a number is NaN, by its bits: comparisons with NaN do not survive on every GPU.
-#[inline(always)]
-#[must_use]
-pub const fn is_nan(x: f32) -> bool {
-    x.to_bits() & 0x7fff_ffff > 0x7f80_0000
 }
 
 /// The exponent `e` of `|x|` in `[2^e, 2^(e+1))`, −149 to 127; −150 for zero. `x` must be finite.
@@ -74,6 +67,33 @@ pub const fn scale_by_power_of_two(x: f32, e: i32) -> f32 {
     let third = e / 3;
     let rest = e - 2 * third;
     x * power_of_two(third) * power_of_two(third) * power_of_two(rest)
+}
+
+/// Multiplication by a power of two that may itself be out of range.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PowerOfTwo {
+    first: f32,
+    second: f32,
+}
+
+impl PowerOfTwo {
+    /// Multiplication by `2^exponent`, for exponents from −252 to 252.
+    #[inline(always)]
+    #[must_use]
+    pub const fn new(exponent: i32) -> Self {
+        let half = exponent / 2;
+        Self {
+            first: power_of_two(half),
+            second: power_of_two(exponent - half),
+        }
+    }
+
+    /// Exact, unless the result leaves the normal range.
+    #[inline(always)]
+    #[must_use]
+    pub const fn times(&self, x: f32) -> f32 {
+        x * self.first * self.second
+    }
 }
 
 /// The next larger `f32`. `x` must be finite.

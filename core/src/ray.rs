@@ -1,11 +1,8 @@
 //! Rays, hits, and the form in which a ray is traced.
 
-use crate::float::{
-    abs, exponent, is_finite, is_nan, max, min, power_of_two, scale_by_power_of_two,
-};
+use crate::float::{PowerOfTwo, abs, exponent, max, min, power_of_two, scale_by_power_of_two};
 use crate::slab::PlanePair;
 use bytemuck::{Pod, Zeroable};
-use glam::Vec3;
 
 /// A half line, or a part of one: the points `origin + t · direction` with `t_min <= t <= t_max`. 32 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
@@ -116,26 +113,35 @@ impl PreparedRay {
     /// Carries a ray to the magnitude of a scene whose coordinates were multiplied by `2^scene_exponent`. Exact: powers
     /// of two only. A ray with a NaN or infinite number in it (an infinite `t_max` aside), with a zero direction or an
     /// origin beyond [`FARTHEST_ORIGIN`] hits nothing.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn new(ray: &Ray, scene_exponent: i32) -> Self {
-        let direction = Vec3::from_array(ray.direction);
-        let longest = max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
-        let sane = is_finite(direction.x)
-            && is_finite(direction.y)
-            && is_finite(direction.z)
-            && is_finite(ray.origin[0])
-            && is_finite(ray.origin[1])
-            && is_finite(ray.origin[2])
-            && is_finite(ray.t_min)
-            && !is_nan(ray.t_max)
-            && longest > 0.0;
-        let direction_exponent = if sane { exponent(longest) } else { 0 };
+        // Magnitudes compare like their bits. The largest of all tells whether any is infinite or NaN.
+        let [dx, dy, dz] = [
+            magnitude_bits(ray.direction[0]),
+            magnitude_bits(ray.direction[1]),
+            magnitude_bits(ray.direction[2]),
+        ];
+        let [ox, oy, oz] = [
+            magnitude_bits(ray.origin[0]),
+            magnitude_bits(ray.origin[1]),
+            magnitude_bits(ray.origin[2]),
+        ];
+        let longest = dx.max(dy).max(dz);
+        let largest = longest.max(ox).max(oy).max(oz);
+        let sane = (largest.max(magnitude_bits(ray.t_min)) < INFINITY_BITS)
+            & (magnitude_bits(ray.t_max) <= INFINITY_BITS)
+            & (longest > 0);
+        let direction_exponent = if sane {
+            exponent(f32::from_bits(longest))
+        } else {
+            0
+        };
 
         // The longest axis comes last, so that shearing along it is well conditioned.
-        let last = if abs(direction.x) == longest {
+        let last = if dx == longest {
             0
-        } else if abs(direction.y) == longest {
+        } else if dy == longest {
             1
         } else {
             2
@@ -144,15 +150,15 @@ impl PreparedRay {
         let second = if first == 2 { 0 } else { first + 1 };
         let axes = [first, second, last];
 
-        let a = Axis::new(ray, first, scene_exponent, direction_exponent);
-        let b = Axis::new(ray, second, scene_exponent, direction_exponent);
-        let c = Axis::new(ray, last, scene_exponent, direction_exponent);
-        let near = abs(a.origin) <= FARTHEST_ORIGIN
-            && abs(b.origin) <= FARTHEST_ORIGIN
-            && abs(c.origin) <= FARTHEST_ORIGIN;
+        let to_scene = PowerOfTwo::new(scene_exponent);
+        let to_unit = PowerOfTwo::new(-direction_exponent);
+        let a = Axis::new(ray, first, &to_scene, &to_unit);
+        let b = Axis::new(ray, second, &to_scene, &to_unit);
+        let c = Axis::new(ray, last, &to_scene, &to_unit);
+        let farthest = max(max(abs(a.origin), abs(b.origin)), abs(c.origin));
 
         let t_exponent = scene_exponent + direction_exponent;
-        let (t_min, t_max) = if sane && near {
+        let (t_min, t_max) = if sane & (farthest <= FARTHEST_ORIGIN) {
             (
                 clamp_t(scale_by_power_of_two(ray.t_min, t_exponent)),
                 clamp_t(scale_by_power_of_two(ray.t_max, t_exponent)),
@@ -203,36 +209,41 @@ struct Axis {
 
 impl Axis {
     #[inline(always)]
-    fn new(ray: &Ray, axis: u32, scene_exponent: i32, direction_exponent: i32) -> Self {
-        let origin = scale_by_power_of_two(pick(ray.origin, axis), scene_exponent);
-        let direction = scale_by_power_of_two(pick(ray.direction, axis), -direction_exponent);
-        if abs(direction) < PARALLEL {
-            // At least one step of the float grid to both sides, and far more than 2^-100.
-            let shift = max(abs(origin) * power_of_two(-23), PARALLEL);
-            let (low, high) = (origin + shift, origin - shift);
-            Self {
-                origin,
-                direction: 0.0,
-                plane_origins: PlanePair::new(low, low, high, high),
-                inverse: power_of_two(100),
-            }
+    fn new(ray: &Ray, axis: u32, to_scene: &PowerOfTwo, to_unit: &PowerOfTwo) -> Self {
+        let origin = to_scene.times(pick(ray.origin, axis));
+        let direction = to_unit.times(pick(ray.direction, axis));
+        let is_parallel = abs(direction) < PARALLEL;
+        // At least one step of the float grid to both sides, and far more than 2^-100.
+        let shift = if is_parallel {
+            max(abs(origin) * power_of_two(-23), PARALLEL)
         } else {
-            Self {
-                origin,
-                direction,
-                plane_origins: PlanePair::splat(origin),
-                inverse: 1.0 / direction,
-            }
+            0.0
+        };
+        let (low, high) = (origin + shift, origin - shift);
+        Self {
+            origin,
+            direction: if is_parallel { 0.0 } else { direction },
+            plane_origins: PlanePair::new(low, low, high, high),
+            inverse: if is_parallel {
+                power_of_two(100)
+            } else {
+                1.0 / direction
+            },
         }
     }
 }
 
-/// A component by number, without a dynamic index.
+/// The bits of a number's magnitude: they compare as it does, with infinity above all numbers and NaN above that.
+#[inline(always)]
+const fn magnitude_bits(x: f32) -> u32 {
+    x.to_bits() & 0x7fff_ffff
+}
+
+const INFINITY_BITS: u32 = 0x7f80_0000;
+
+/// A component by number, without a dynamic index or a branch.
 #[inline(always)]
 const fn pick(v: [f32; 3], axis: u32) -> f32 {
-    match axis {
-        0 => v[0],
-        1 => v[1],
-        _ => v[2],
-    }
+    let xy = if axis == 0 { v[0] } else { v[1] };
+    if axis == 2 { v[2] } else { xy }
 }

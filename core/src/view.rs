@@ -9,11 +9,12 @@ pub fn normal_color(normal: Vec3) -> Vec3 {
     normal * 0.5 + Vec3::splat(0.5)
 }
 
-/// A color for each primitive, by a hash (Wellons 2018, lowbias32).
+/// A color for each primitive, by a hash (Wellons 2018, lowbias32). The hash of 0, which is black, is left out.
 #[inline]
 #[must_use]
 pub fn primitive_color(primitive: u32) -> Vec3 {
-    let x = primitive ^ (primitive >> 16);
+    let x = primitive.wrapping_add(1);
+    let x = x ^ (x >> 16);
     let x = x.wrapping_mul(0x7feb_352d);
     let x = x ^ (x >> 15);
     let x = x.wrapping_mul(0x846c_a68b);
@@ -22,11 +23,12 @@ pub fn primitive_color(primitive: u32) -> Vec3 {
     Vec3::new(channel(0), channel(8), channel(16))
 }
 
-/// Near is bright, far is dark: `depth` from `near` to `far`.
+/// Near is bright, far is dark: `depth` from `near` to `far`, by its reciprocal, so that a wide ground leaves contrast to
+/// what stands on it.
 #[inline]
 #[must_use]
 pub fn depth_color(depth: f32, near: f32, far: f32) -> Vec3 {
-    let share = (depth - near) / crate::float::max(far - near, f32::MIN_POSITIVE);
+    let share = (depth - near) / crate::float::max(far - near, f32::MIN_POSITIVE) * (far / depth);
     let share = crate::float::max(crate::float::min(share, 1.0), 0.0);
     Vec3::splat(0.9 - 0.85 * share)
 }
@@ -52,6 +54,7 @@ mod tests {
         assert_eq!(heat_color(10, 0), Vec3::ONE);
         assert!((depth_color(2.0, 2.0, 3.0).x - 0.9).abs() < 1e-6);
         assert!((depth_color(9.0, 2.0, 3.0).x - 0.05).abs() < 1e-6);
+        assert!((depth_color(3.0, 2.0, 6.0).x - (0.9 - 0.85 * 0.5)).abs() < 1e-6);
         assert_eq!(
             normal_color(Vec3::new(0.0, -1.0, 1.0)),
             Vec3::new(0.5, 0.0, 1.0)

@@ -62,23 +62,29 @@ pub fn intersect(ray: &PreparedRay, corners: [[f32; 3]; 3], limit: f32, primitiv
     if area < f32::MIN_POSITIVE {
         return Hit::MISS;
     }
-    let scale = 1.0 / area;
-    let u = e1 * scale;
-    let v = e2 * scale;
-    let t = plane_t(ray, corners, [e0, e1, e2]);
 
     // The triangle's own box has the last word.
-    let [a, b, c] = corners;
+    let ([a, b, c], weights) = (corners, [e0, e1, e2]);
     let planes = [
         span(a[0], b[0], c[0]),
         span(a[1], b[1], c[1]),
         span(a[2], b[2], c[2]),
     ];
     let own_box = crossings(ray, planes);
-    let t = max(min(t, own_box.exit.x), own_box.enter.x);
-    let meets_box = max(own_box.enter.x, ray.t_min) <= own_box.padded_exit.x;
-    if meets_box && t >= ray.t_min && t <= limit {
-        Hit { t, u, v, primitive }
+    let (enter, exit) = (own_box.enter.x, own_box.exit.x);
+    let first = max(enter, ray.t_min);
+    if first > own_box.padded_exit.x || first > limit {
+        return Hit::MISS;
+    }
+    let t = max(min(plane_t(ray, corners, weights), exit), enter);
+    if t >= ray.t_min && t <= limit {
+        let scale = 1.0 / area;
+        Hit {
+            t,
+            u: e1 * scale,
+            v: e2 * scale,
+            primitive,
+        }
     } else {
         Hit::MISS
     }

@@ -9,6 +9,7 @@ mod mesh;
 mod picture;
 pub mod scene;
 mod stages;
+mod text;
 
 pub use bvh::Bvh;
 pub use cpu::{BuildConfig, Builder, CodeBits, RefitError, Renderer};

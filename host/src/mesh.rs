@@ -1,5 +1,6 @@
 //! Indexed triangle meshes and the checks at the door.
 
+use crate::text::excerpt;
 use slimbvh_core::IndexedTriangles;
 use thiserror::Error;
 
@@ -221,7 +222,7 @@ impl Mesh {
         });
         match part {
             Some(part) => (
-                format!("mesh \"{}\", ", part.name),
+                format!("mesh \"{}\", ", excerpt(&part.name)),
                 face - part.first_triangle as usize,
             ),
             None => (String::new(), face),

@@ -13,7 +13,7 @@ use obvhs::triangle::Triangle;
 use rayon::prelude::*;
 use slimbvh::{CodeBits, Mesh, Stages};
 use slimbvh_core::Ray;
-use std::ops::AddAssign;
+use std::ops::Add;
 
 /// A mesh as each tracer wants it.
 pub struct Input<'a> {
@@ -90,10 +90,14 @@ pub struct Visits {
     pub triangles: u64,
 }
 
-impl AddAssign for Visits {
-    fn add_assign(&mut self, other: Self) {
-        self.nodes += other.nodes;
-        self.triangles += other.triangles;
+impl Add for Visits {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            nodes: self.nodes + other.nodes,
+            triangles: self.triangles + other.triangles,
+        }
     }
 }
 
@@ -126,28 +130,21 @@ pub trait Tracer: Send + Sync {
     /// Sizes of what was built.
     fn bytes(&self) -> Bytes;
 
-    /// What these rays touch, where the tracer can count it.
-    fn visits(&self, _rays: &[Ray], _question: Question) -> Option<Visits> {
-        None
-    }
+    /// What these rays touch.
+    fn visits(&self, rays: &[Ray], question: Question) -> Visits;
 }
 
-/// slimbvh with short and long codes, and obvhs with its fastest and its medium preset.
+/// slimbvh with short codes and what it is held against, obvhs with its fastest preset, then slimbvh with long codes and
+/// obvhs with its medium preset.
 #[must_use]
 pub fn tracers<'a>(input: &'a Input<'a>) -> Vec<Box<dyn Tracer + 'a>> {
+    let slim = |name, code_bits| Box::new(Slim::new(name, code_bits, input.mesh));
+    let ploc = |name, params| Box::new(Ploc::new(name, params, &input.triangles));
     vec![
-        Box::new(Slim::new("slimbvh 30", CodeBits::Bits30, input.mesh)),
-        Box::new(Slim::new("slimbvh 63", CodeBits::Bits63, input.mesh)),
-        Box::new(Ploc::new(
-            "obvhs fastest",
-            BvhBuildParams::fastest_build(),
-            &input.triangles,
-        )),
-        Box::new(Ploc::new(
-            "obvhs medium",
-            BvhBuildParams::medium_build(),
-            &input.triangles,
-        )),
+        slim("slimbvh 30", CodeBits::Bits30),
+        ploc("obvhs fastest", BvhBuildParams::fastest_build()),
+        slim("slimbvh 63", CodeBits::Bits63),
+        ploc("obvhs medium", BvhBuildParams::medium_build()),
     ]
 }
 

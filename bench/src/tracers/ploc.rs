@@ -1,6 +1,6 @@
 //! obvhs: its binary tree, built by locally ordered clustering.
 
-use super::{Answer, Bytes, Tracer, answer_all};
+use super::{Answer, Bytes, Question, Tracer, Visits, answer_all};
 use anyhow::{Result, ensure};
 use glam::Vec3A;
 use obvhs::BvhBuildParams;
@@ -13,6 +13,7 @@ use obvhs::triangle::Triangle;
 use rayon::prelude::*;
 use slimbvh::Stages;
 use slimbvh_core::Ray;
+use std::ops::Add;
 
 /// obvhs' `Bvh2` over triangles in leaf order, as its documentation advises.
 ///
@@ -42,10 +43,49 @@ impl<'a> Ploc<'a> {
         }
     }
 
-    /// What was built.
-    #[must_use]
-    pub fn bvh(&self) -> &Bvh2 {
-        &self.bvh
+    /// Walks the tree as obvhs' `ray_traverse_dynamic` does, and counts.
+    fn count(&self, ray: &Ray, question: Question) -> Visits {
+        let mut visits = Visits::default();
+        let mut ray = peer_ray(ray);
+        let nodes = &self.bvh.nodes;
+        let mut stack = Vec::new();
+        match nodes.first() {
+            Some(root) if root.aabb().intersect_ray(&ray) < ray.tmax => {
+                stack.push(root.first_index as usize);
+            }
+            _ => return visits,
+        }
+        while let Some(left) = stack.pop() {
+            visits.nodes += 1;
+            let mut pair = [&nodes[left], &nodes[left + 1]]
+                .map(|node| (node, node.aabb().intersect_ray(&ray)));
+            if pair[0].1 > pair[1].1 {
+                pair.swap(0, 1);
+            }
+            // The far child's box is held against what the near child's triangles left of the ray.
+            let mut inner = [None; 2];
+            for ((node, enter), inner) in pair.into_iter().zip(&mut inner) {
+                if enter >= ray.tmax {
+                    continue;
+                }
+                if !node.is_leaf() {
+                    *inner = Some(node.first_index as usize);
+                    continue;
+                }
+                for place in node.first_index..node.first_index + node.prim_count {
+                    visits.triangles += 1;
+                    let t = self.leaf_triangles[place as usize].intersect(&ray);
+                    if t < ray.tmax {
+                        ray.tmax = t;
+                        if question == Question::Any {
+                            return visits;
+                        }
+                    }
+                }
+            }
+            stack.extend(inner.into_iter().rev().flatten());
+        }
+        visits
     }
 }
 
@@ -137,5 +177,11 @@ impl Tracer for Ploc<'_> {
             triangles: size_of_val(self.leaf_triangles.as_slice())
                 + size_of_val(self.bvh.primitive_indices.as_slice()),
         }
+    }
+
+    fn visits(&self, rays: &[Ray], question: Question) -> Visits {
+        rays.par_iter()
+            .map(|ray| self.count(ray, question))
+            .reduce(Visits::default, Visits::add)
     }
 }

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use slimbvh::{BuildConfig, Builder, Bvh, CodeBits, Mesh, Stages};
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay, Ray};
 use slimbvh_core::trace::{AnyHit, ClosestHit, Collector, Counted, traverse};
+use std::ops::Add;
 
 /// slimbvh's plain tree.
 pub struct Slim<'a> {
@@ -28,12 +29,6 @@ impl<'a> Slim<'a> {
             builder: Builder::new(config),
             bvh: Bvh::default(),
         }
-    }
-
-    /// What was built.
-    #[must_use]
-    pub fn bvh(&self) -> &Bvh {
-        &self.bvh
     }
 
     /// Walks the tree with a collector that counts.
@@ -97,15 +92,11 @@ impl Tracer for Slim<'_> {
         }
     }
 
-    fn visits(&self, rays: &[Ray], question: Question) -> Option<Visits> {
+    fn visits(&self, rays: &[Ray], question: Question) -> Visits {
         let visits = rays.par_iter().map(|ray| match question {
             Question::Closest => self.count(ray, ClosestHit::new),
             Question::Any => self.count(ray, AnyHit::new),
         });
-        let sum = visits.reduce(Visits::default, |mut sum, visits| {
-            sum += visits;
-            sum
-        });
-        Some(sum)
+        visits.reduce(Visits::default, Visits::add)
     }
 }

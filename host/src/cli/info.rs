@@ -60,14 +60,14 @@ struct ComponentSummary {
 }
 
 pub fn run(arguments: &InfoArguments) -> Result<()> {
+    let json_on_stdout = output::is_stdout(arguments.json.as_deref());
+    if let Some(json) = arguments.json.as_deref().filter(|_| !json_on_stdout) {
+        output::check_place(json, arguments.scene.scene.as_deref().as_slice())?;
+    }
     let scene = arguments.scene.load()?;
     let progress = output::spinner("looking at the mesh".into());
     let analysis = analyze(&scene.mesh);
     drop(progress);
-    let json_on_stdout = arguments
-        .json
-        .as_deref()
-        .is_some_and(|path| path.as_os_str() == "-");
     if !json_on_stdout {
         let listed = if arguments.all { usize::MAX } else { LISTED };
         output::print(&describe(

@@ -5,7 +5,7 @@ mod options;
 mod output;
 mod render;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use clap::{Args, Parser, Subcommand};
 use slimbvh::Scene;
 use slimbvh::scene::{LoadOptions, load};
@@ -13,7 +13,12 @@ use std::path::PathBuf;
 
 /// Build only the hierarchy that a view needs, store it small, trace it without a missed hit.
 #[derive(Debug, Parser)]
-#[command(name = "slimbvh", version, arg_required_else_help = true)]
+#[command(
+    name = "slimbvh",
+    version,
+    arg_required_else_help = true,
+    allow_negative_numbers = true
+)]
 pub struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -63,22 +68,15 @@ impl SceneArguments {
 #[derive(Debug, Args)]
 struct ThreadArguments {
     /// Threads to use; all cores by default. The result is the same for any number
-    #[arg(long, value_name = "N")]
-    threads: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = |text: &str| options::whole(text, 1..=1024))]
+    threads: Option<u32>,
 }
 
 impl ThreadArguments {
     /// Runs work on that many threads.
     fn run<R: Send>(&self, work: impl FnOnce() -> R + Send) -> Result<R> {
-        const MOST: usize = 1024;
-        let threads = match self.threads {
-            Some(threads) if !(1..=MOST).contains(&threads) => {
-                bail!("--threads is {threads}; it must be from 1 to {MOST}")
-            }
-            Some(threads) => threads,
-            // rayon's own default.
-            None => 0,
-        };
+        // 0 is rayon's own default.
+        let threads = self.threads.unwrap_or(0) as usize;
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()

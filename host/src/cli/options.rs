@@ -6,6 +6,8 @@ use std::str::FromStr;
 /// Parses `WIDTHxHEIGHT`.
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     const MOST: u32 = 1 << 16;
+    // Two gigabytes, with what it takes to write it.
+    const MOST_PIXELS: u64 = 1 << 27;
     let parts = text.split_once(['x', 'X']);
     let sides = parts.and_then(|(w, h)| Some([w.trim().parse().ok()?, h.trim().parse().ok()?]));
     match sides {
@@ -13,8 +15,23 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
         Some([width, height]) if width > MOST || height > MOST => {
             Err(format!("a side may have at most {MOST} pixels"))
         }
+        Some([width, height]) if u64::from(width) * u64::from(height) > MOST_PIXELS => {
+            Err(format!("a picture may have at most {MOST_PIXELS} pixels"))
+        }
         Some(sides) => Ok(sides),
         None => Err("write it as WIDTHxHEIGHT, for example 1280x720".into()),
+    }
+}
+
+/// Parses a whole number within a range.
+pub fn whole(text: &str, range: std::ops::RangeInclusive<u32>) -> Result<u32, String> {
+    match text.parse() {
+        Ok(number) if range.contains(&number) => Ok(number),
+        _ => Err(format!(
+            "it must be a whole number from {} to {}",
+            range.start(),
+            range.end()
+        )),
     }
 }
 
@@ -131,7 +148,16 @@ mod tests {
     #[test]
     fn sizes() {
         assert_eq!(size("1280x720"), Ok([1280, 720]));
-        for bad in ["0x5", "5", "5x", "x", "-1x4", "99999x1", "1e3x4"] {
+        for bad in [
+            "0x5",
+            "5",
+            "5x",
+            "x",
+            "-1x4",
+            "99999x1",
+            "1e3x4",
+            "65535x65535",
+        ] {
             assert!(size(bad).is_err(), "{bad}");
         }
     }

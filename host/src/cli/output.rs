@@ -1,20 +1,59 @@
 //! What the commands write: text, JSON, pictures, progress.
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use slimbvh::Picture;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 /// Writes text to standard output.
 pub fn print(text: &str) -> Result<()> {
     let mut out = std::io::stdout().lock();
-    out.write_all(text.as_bytes())?;
-    out.flush()?;
-    Ok(())
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    written.context("cannot write to standard output")
+}
+
+/// Whether a report goes to standard output.
+pub fn is_stdout(path: Option<&Path>) -> bool {
+    path == Some(Path::new("-"))
+}
+
+/// Tells before the work, not after it, that a file has no place to go. `taken` are files that it must not replace.
+pub fn check_place(path: &Path, taken: &[&Path]) -> Result<()> {
+    let shown = path.display().to_string();
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    if !folder.is_dir() {
+        bail!("there is no folder {:?}", folder.display().to_string());
+    }
+    if path.is_dir() {
+        bail!("{shown:?} is a folder; name a file");
+    }
+    if taken.iter().any(|other| is_same(path, other)) {
+        bail!("{shown:?} has another use already; name another file");
+    }
+    // Try it, as only that tells.
+    let part = part(path);
+    std::fs::write(&part, [])
+        .and_then(|()| std::fs::remove_file(&part))
+        .with_context(|| format!("cannot write {shown:?}"))
+}
+
+fn is_same(a: &Path, b: &Path) -> bool {
+    match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => a == b,
+    }
+}
+
+/// Where a file is written before it is moved to its place.
+fn part(path: &Path) -> PathBuf {
+    path.with_file_name(format!(".slimbvh-{}.part", std::process::id()))
 }
 
 /// Writes JSON to a file, or to standard output for `-`.
@@ -43,12 +82,10 @@ pub fn write_png(path: &Path, picture: &Picture) -> Result<()> {
 
 /// Writes a file so that it is there whole or not at all: beside its place first, then moved.
 fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
-    let mut part = path.as_os_str().to_owned();
-    part.push(format!(".{}.part", std::process::id()));
-    let part = Path::new(&part);
-    let written = std::fs::write(part, bytes).and_then(|()| std::fs::rename(part, path));
+    let part = part(path);
+    let written = std::fs::write(&part, bytes).and_then(|()| std::fs::rename(&part, path));
     written
-        .inspect_err(|_| drop(std::fs::remove_file(part)))
+        .inspect_err(|_| drop(std::fs::remove_file(&part)))
         .with_context(|| format!("cannot write {:?}", path.display().to_string()))
 }
 

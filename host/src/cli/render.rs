@@ -28,7 +28,7 @@ pub struct RenderArguments {
     size: [u32; 2],
 
     /// Samples a pixel: 1, 4, 16 … form a grid, any number works
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=65536))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = |text: &str| options::whole(text, 1..=65536))]
     spp: u32,
 
     #[command(flatten)]
@@ -52,7 +52,7 @@ pub struct RenderArguments {
     light: Vec<Light>,
 
     /// How many mirrors a ray may meet
-    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u32).range(0..=64))]
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = |text: &str| options::whole(text, 0..=64))]
     mirror_depth: u32,
 
     /// Bits of the codes that order triangles: 30, or 63 for scenes with small details
@@ -113,15 +113,11 @@ pub fn run(arguments: &RenderArguments) -> Result<()> {
     if arguments.backend == Backend::Gpu {
         bail!("this build has no GPU backend; use --backend cpu");
     }
-    check_output(&arguments.output)?;
+    check_places(arguments)?;
     let mut scene = arguments.scene.load()?;
     let (summary, text, picture) = arguments.threads.run(|| render(arguments, &mut scene))??;
     output::write_png(&arguments.output, &picture)?;
-    let json_on_stdout = arguments
-        .json
-        .as_deref()
-        .is_some_and(|path| path.as_os_str() == "-");
-    if !json_on_stdout {
+    if !output::is_stdout(arguments.json.as_deref()) {
         output::print(&text)?;
     }
     if let Some(path) = &arguments.json {
@@ -130,31 +126,27 @@ pub fn run(arguments: &RenderArguments) -> Result<()> {
     Ok(())
 }
 
-/// Tells before the work, not after it, that the picture has no place to go.
-fn check_output(path: &std::path::Path) -> Result<()> {
-    let is_png = path
+/// Tells before the work, not after it, that a file has no place to go.
+fn check_places(arguments: &RenderArguments) -> Result<()> {
+    let picture = arguments.output.as_path();
+    let is_png = picture
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("png"));
     if !is_png {
         bail!(
             "{:?} does not end in .png; pictures are written as PNG",
-            path.display().to_string()
+            picture.display().to_string()
         );
     }
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => std::path::Path::new("."),
-    };
-    if !folder.is_dir() {
-        bail!(
-            "there is no folder {:?} for the picture",
-            folder.display().to_string()
-        );
+    let scene = arguments.scene.scene.as_deref();
+    output::check_place(picture, scene.as_slice())?;
+    match &arguments.json {
+        Some(json) if !output::is_stdout(Some(json)) => {
+            let taken: Vec<_> = scene.into_iter().chain([picture]).collect();
+            output::check_place(json, &taken)
+        }
+        _ => Ok(()),
     }
-    if path.is_dir() {
-        bail!("{:?} is a folder; name a file", path.display().to_string());
-    }
-    Ok(())
 }
 
 fn render(arguments: &RenderArguments, scene: &mut Scene) -> Result<(Summary, String, Picture)> {

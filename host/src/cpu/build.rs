@@ -5,10 +5,10 @@ use super::refit::{fill_boxes, fill_pyramid};
 use super::sort::Sorter;
 use super::topology::connect;
 use crate::{Bvh, Mesh, MeshError, Stages};
+use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::refit::{PyramidBox, split_of};
-use slimbvh_core::snap::Scale;
 use slimbvh_core::topology::{Codes30, Codes63, depth_bound, single_node};
 use slimbvh_core::{Aabb, NodeRef};
 use thiserror::Error;
@@ -92,7 +92,7 @@ impl Builder {
         let count = mesh.indices.len() as u32;
         let bounds = stages.time("bounds", || scene_bounds(&triangles));
         bvh.set_bounds(bounds);
-        let scale = Scale::new(bvh.scene_exponent);
+        let scale = PowerOfTwo::new(bvh.scene_exponent);
         match self.config.code_bits {
             CodeBits::Bits30 => {
                 let frame = Frame::new(&bounds, 10);
@@ -178,7 +178,7 @@ impl Builder {
         let triangles = mesh.triangles();
         let bounds = stages.time("bounds", || scene_bounds(&triangles));
         bvh.set_bounds(bounds);
-        let scale = Scale::new(bvh.scene_exponent);
+        let scale = PowerOfTwo::new(bvh.scene_exponent);
         stages.time("snap", || {
             gather_again(&triangles, &scale, &mut bvh.triangles);
         });

@@ -5,7 +5,8 @@ use super::sort::Sorter;
 use crate::Stages;
 use rayon::prelude::*;
 use slimbvh_core::bounds::run_bounds;
-use slimbvh_core::snap::{Scale, leaf_triangle};
+use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::{Aabb, IndexedTriangles, LeafTriangle};
 
 /// Stage `bounds`.
@@ -44,7 +45,7 @@ pub fn order<const W: usize>(
 pub fn gather<const W: usize, C: Clone + Default + Send>(
     sorter: &mut Sorter<W>,
     triangles: &IndexedTriangles,
-    scale: &Scale,
+    scale: &PowerOfTwo,
     leaves: &mut Vec<LeafTriangle>,
     codes: &mut Vec<C>,
     code: impl Fn([u32; W]) -> C + Sync,
@@ -65,7 +66,7 @@ pub fn gather<const W: usize, C: Clone + Default + Send>(
 }
 
 /// Stage `snap`, for triangles that are in leaf order already and have moved.
-pub fn gather_again(triangles: &IndexedTriangles, scale: &Scale, leaves: &mut [LeafTriangle]) {
+pub fn gather_again(triangles: &IndexedTriangles, scale: &PowerOfTwo, leaves: &mut [LeafTriangle]) {
     leaves.par_chunks_mut(BLOCK).for_each(|leaves| {
         for leaf in leaves {
             *leaf = leaf_triangle(leaf.primitive, triangles, scale);

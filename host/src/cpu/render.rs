@@ -5,11 +5,12 @@ use crate::scene::ViewError;
 use crate::{Bvh, Scene};
 use rayon::prelude::*;
 use slimbvh_core::camera::Camera as CoreCamera;
+use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::ray::{Hit, PreparedRay};
 use slimbvh_core::shade::{
     Environment, Light as CoreLight, Material as CoreMaterial, Path, ambient_light, direct_light,
 };
-use slimbvh_core::snap::{Scale, leaf_triangle};
+use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
 use slimbvh_core::trace::{self, ClosestHit, Counted};
 use slimbvh_core::view;
@@ -27,18 +28,18 @@ pub struct Renderer {
     paths: Vec<Path>,
     hits: Vec<Hit>,
     heat: Vec<u32>,
+    depths: Vec<f32>,
 }
 
 /// All that a picture is made from, next to the tree.
 struct Stage<'a> {
     scene: &'a Scene,
     bvh: &'a Bvh,
-    scale: Scale,
+    scale: PowerOfTwo,
     camera: CoreCamera,
     lights: Vec<CoreLight>,
     materials: Vec<CoreMaterial>,
     environment: Environment,
-    depth_range: [f32; 2],
 }
 
 impl Renderer {
@@ -70,6 +71,7 @@ impl Renderer {
         picture.pixels.clear();
         picture.pixels.resize(pixel_count as usize, [0.0; 3]);
         self.heat.clear();
+        self.depths.clear();
 
         let wave_pixels = (WAVE / settings.sample_count).max(1);
         for first_pixel in (0..pixel_count).step_by(wave_pixels as usize) {
@@ -82,6 +84,7 @@ impl Renderer {
                 self.trace_primary(&stage, &mut report);
                 match settings.view {
                     View::Color => self.shade(&stage, settings.mirror_depth, &mut report),
+                    View::Depth => self.depths.extend(self.hits.iter().map(|hit| hit.t)),
                     view => self.show(&stage, view, &mut report),
                 }
             }
@@ -90,6 +93,9 @@ impl Renderer {
                 resolve(&self.paths, settings.sample_count as usize, to);
             });
             progress(f64::from(first_pixel + pixels) / f64::from(pixel_count));
+        }
+        if settings.view == View::Depth {
+            paint_depth(&self.depths, settings.sample_count as usize, picture);
         }
         if settings.view == View::Heatmap {
             paint_heat(&self.heat, settings.sample_count as usize, picture);
@@ -104,6 +110,7 @@ impl Renderer {
         size_of_val(self.paths.as_slice())
             + size_of_val(self.hits.as_slice())
             + size_of_val(self.heat.as_slice())
+            + size_of_val(self.depths.as_slice())
     }
 
     /// Sends the samples `first..first + count` off from the camera.
@@ -235,12 +242,9 @@ impl Renderer {
                         continue;
                     }
                     let (surface, _) = stage.surface(path, hit);
-                    let [near, far] = stage.depth_range;
                     let color = match view {
                         View::Normals => view::normal_color(surface.shading_normal),
-                        View::Primitives => view::primitive_color(hit.primitive),
-                        // Camera rays advance by one along the view for each unit of t.
-                        _ => view::depth_color(hit.t, near, far),
+                        _ => view::primitive_color(hit.primitive),
                     };
                     *path = path.with_light(color);
                 }
@@ -284,8 +288,7 @@ impl<'a> Stage<'a> {
         Ok(Self {
             scene,
             bvh,
-            scale: Scale::new(exponent),
-            depth_range: depth_range(bvh, &core_camera),
+            scale: PowerOfTwo::new(exponent),
             camera: core_camera,
             lights: lights
                 .map(|(index, light)| light.to_core(exponent, index))
@@ -324,31 +327,6 @@ const DEFAULT_MATERIAL: CoreMaterial = CoreMaterial {
     mirror: 0.0,
 };
 
-/// Nearest and farthest distance of the scene's box along the view.
-fn depth_range(bvh: &Bvh, camera: &CoreCamera) -> [f32; 2] {
-    let Some(bounds) = bvh.bounds() else {
-        return [0.0, 1.0];
-    };
-    let scale = Scale::new(bvh.scene_exponent());
-    let eye = glam::Vec3::from_array(camera.eye);
-    let forward = glam::Vec3::from_array(camera.forward);
-    let corners = (0..8).map(|corner| {
-        let pick = |axis: usize| {
-            let end = if corner >> axis & 1 == 0 {
-                bounds.min
-            } else {
-                bounds.max
-            };
-            scale.snap(end[axis])
-        };
-        (glam::Vec3::new(pick(0), pick(1), pick(2)) - eye).dot(forward)
-    });
-    let (near, far) = corners.fold((f32::MAX, 0.0f32), |(near, far), depth| {
-        (near.min(depth), far.max(depth))
-    });
-    [near.max(0.0), far]
-}
-
 /// Averages each pixel's samples, in order.
 fn resolve(paths: &[Path], sample_count: usize, pixels: &mut [[f32; 3]]) {
     let samples = paths.par_chunks(sample_count);
@@ -362,6 +340,31 @@ fn resolve(paths: &[Path], sample_count: usize, pixels: &mut [[f32; 3]]) {
             });
             *pixel = (sum / sample_count as f32).to_array();
         });
+}
+
+/// Colors each pixel by how far along the view its samples hit: a camera ray advances by one for each unit of t. The
+/// scale reaches from the nearest hit to the distance that one hit in a hundred exceeds.
+fn paint_depth(depths: &[f32], sample_count: usize, picture: &mut Picture) {
+    let mut sorted: Vec<f32> = depths.iter().copied().filter(|&t| t < f32::MAX).collect();
+    if sorted.is_empty() {
+        return;
+    }
+    let rank = sorted.len() - 1 - sorted.len() / 100;
+    let (nearer, &mut far, _) = sorted.select_nth_unstable_by(rank, f32::total_cmp);
+    let near = nearer.iter().fold(far, |near, &t| near.min(t));
+    let color = |t: f32| {
+        if t < f32::MAX {
+            view::depth_color(t, near, far)
+        } else {
+            glam::Vec3::ZERO
+        }
+    };
+    for (pixel, depths) in picture.pixels.iter_mut().zip(depths.chunks(sample_count)) {
+        let sum = depths
+            .iter()
+            .fold(glam::Vec3::ZERO, |sum, &t| sum + color(t));
+        *pixel = (sum / sample_count as f32).to_array();
+    }
 }
 
 /// Colors each pixel by its mean count, white being the count that one pixel in a thousand exceeds.

@@ -110,8 +110,8 @@ mod tests {
         let component = &assert_solid(&moved)[0];
         assert!((component.signed_volume - 48.0).abs() < 1e-4);
         let (min, max) = (component.bounds.min, component.bounds.max);
-        assert!(Vec3::from(min).distance(Vec3::new(10.0, 20.0, 28.0)) < 1e-5);
-        assert!(Vec3::from(max).distance(Vec3::new(16.0, 24.0, 30.0)) < 1e-5);
+        assert!(min.distance(Vec3::new(10.0, 20.0, 28.0)) < 1e-5);
+        assert!(max.distance(Vec3::new(16.0, 24.0, 30.0)) < 1e-5);
         let sphere = icosphere(Vec3::ZERO, 1.0, 1);
         let moved = transformed(sphere.clone(), 0.1, quarter, Vec3::ONE);
         assert_unit_normals(&moved);

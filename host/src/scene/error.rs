@@ -2,6 +2,7 @@
 
 use super::gltf::GltfError;
 use crate::MeshError;
+pub(super) use crate::text::excerpt;
 use std::io;
 use thiserror::Error;
 
@@ -17,7 +18,7 @@ pub enum LoadError {
         error: io::Error,
     },
     /// The path names a directory, a device or a pipe.
-    #[error("\"{file}\" is not a regular file")]
+    #[error("\"{file}\" is a folder or a device; name a file")]
     NotAFile {
         /// The path as given.
         file: String,
@@ -247,16 +248,6 @@ impl Indexed {
     }
 }
 
-/// The first characters of a word or a line, for a message.
-pub(super) fn excerpt(text: &str) -> String {
-    const LENGTH: usize = 40;
-    let text = text.trim();
-    match text.char_indices().nth(LENGTH) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
-    }
-}
-
 /// `, line 12`, or nothing where lines are not known.
 fn at(line: Option<usize>) -> String {
     line.map_or_else(String::new, |line| format!(", line {line}"))
@@ -307,12 +298,5 @@ mod tests {
             error.to_string(),
             "the PLY reader failed on \"x.ply\": index out of bounds; please report it with the file"
         );
-    }
-
-    #[test]
-    fn excerpts_cut_between_characters() {
-        assert_eq!(excerpt("  plain \n"), "plain");
-        let long = "ä".repeat(50);
-        assert_eq!(excerpt(&long), format!("{}…", "ä".repeat(40)));
     }
 }

@@ -1,6 +1,6 @@
 //! Polygons to triangles, checked against the vertices that they name.
 
-use super::error::Indexed;
+use super::error::{Indexed, excerpt};
 use super::load::Source;
 use super::{LoadError, Scene};
 use crate::{Mesh, MeshError};
@@ -76,7 +76,7 @@ impl<'a> Faces<'a> {
                 line: place.line,
                 part: place
                     .part
-                    .map_or_else(String::new, |part| format!("mesh \"{part}\", ")),
+                    .map_or_else(String::new, |part| format!("mesh \"{}\", ", excerpt(part))),
                 face: place.face,
                 list: Indexed::Vertices,
                 index,

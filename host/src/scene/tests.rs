@@ -134,7 +134,7 @@ fn files_that_cannot_be_read_are_named() {
     std::fs::create_dir(files.path("folder.obj")).expect("a folder");
     assert_eq!(
         files.refusal("folder.obj"),
-        "\"folder.obj\" is not a regular file"
+        "\"folder.obj\" is a folder or a device; name a file"
     );
 }
 

@@ -57,9 +57,9 @@ pub enum ViewError {
         height: f32,
     },
     /// A light with a NaN, a negative color, or a zero direction.
-    #[error("light {index} {fault}")]
+    #[error("light {} {fault}", .index + 1)]
     Light {
-        /// Which, counted from 0.
+        /// Which, counted from 0; the message counts from 1.
         index: usize,
         /// What is wrong with it.
         fault: &'static str,

@@ -6,3 +6,4 @@ mod golden;
 mod good_output;
 mod process;
 mod shading_is_right;
+mod wide;

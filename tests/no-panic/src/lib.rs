@@ -12,7 +12,8 @@ use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
 use slimbvh_core::shade::{
     DirectLight, Environment, Light, Material, Path, ambient_light, direct_light,
 };
-use slimbvh_core::snap::{Scale, leaf_triangle};
+use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::sort::{DigitCounts, count_digit, digit, place};
 use slimbvh_core::surface::Surface;
 use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes, rank, single_node};
@@ -56,7 +57,7 @@ pub fn build(
         frame,
         morton_code_30(&own, &frame),
         morton_code_63(&own, &frame),
-        leaf_triangle(i, triangles, &Scale::new(exponent)),
+        leaf_triangle(i, triangles, &PowerOfTwo::new(exponent)),
     );
 }
 

@@ -3,9 +3,10 @@
 use super::Fault;
 use slimbvh::{CodeBits, Mesh};
 use slimbvh_core::bounds::{run_bounds, scene_exponent};
+use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
 use slimbvh_core::node::LEAF_SIZE;
-use slimbvh_core::snap::{Scale, leaf_triangle};
+use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::{Aabb, IndexedTriangles, LeafTriangle, Node};
 
 /// Checks that the leaves hold each of the mesh's triangles once, at the scene's magnitude, sorted by their Morton codes
@@ -28,7 +29,7 @@ pub fn validate_order(
     let bounds = run_bounds(0, count, &indexed);
 
     // Every primitive once, with its own corners.
-    let scale = Scale::new(scene_exponent(&bounds));
+    let scale = PowerOfTwo::new(scene_exponent(&bounds));
     let mut is_there = vec![false; count as usize];
     for (leaf, place) in triangles.iter().zip(0..) {
         let primitive = leaf.primitive;

@@ -1,4 +1,4 @@
-//! One mesh, all tracers, in turn: A B C D A B C D …
+//! One mesh, all tracers in turn, job by job: all build, all trace primary rays, all trace shadow rays, and again.
 
 use anyhow::Result;
 use slimbvh::{Mesh, Stages};
@@ -23,8 +23,8 @@ pub struct MeshRecord {
 pub struct TracerRecord {
     pub name: &'static str,
     pub bytes: Bytes,
-    pub primary_visits: Option<Visits>,
-    pub shadow_visits: Option<Visits>,
+    pub primary_visits: Visits,
+    pub shadow_visits: Visits,
     /// Against slimbvh with 30-bit codes on one thread.
     pub primary: Agreement,
     /// Against slimbvh with 30-bit codes on one thread.
@@ -59,16 +59,16 @@ impl Samples {
         result
     }
 
-    /// The middle one, or the mean of the two in the middle.
+    /// The middle one, or the mean of the two in the middle; NaN if there are none.
     pub fn median(&self) -> f64 {
-        let mut sorted = self.0.clone();
-        sorted.sort_by(f64::total_cmp);
-        let middle = sorted.len() / 2;
-        match sorted.len() {
-            0 => f64::NAN,
-            count if count % 2 == 1 => sorted[middle],
-            _ => (sorted[middle - 1] + sorted[middle]) / 2.0,
-        }
+        median(self.0.clone())
+    }
+
+    /// The median over rounds of these times as multiples of others, which were taken in the same rounds: what slows
+    /// the machine for a while slows both.
+    pub fn ratio(&self, others: &Self) -> f64 {
+        let ratios = self.0.iter().zip(&others.0).map(|(a, b)| a / b);
+        median(ratios.collect())
     }
 
     pub fn min(&self) -> f64 {
@@ -77,6 +77,16 @@ impl Samples {
 
     pub fn max(&self) -> f64 {
         self.0.iter().copied().fold(0.0, f64::max)
+    }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    match values.len() {
+        0 => f64::NAN,
+        count if count % 2 == 1 => values[middle],
+        _ => (values[middle - 1] + values[middle]) / 2.0,
     }
 }
 
@@ -141,10 +151,16 @@ fn time_all(
         for (tracer, run) in tracers.iter_mut().zip(&mut runs) {
             tracer.forget();
             run.first_build.time(|| tracer.build())?;
+        }
+        for (tracer, run) in tracers.iter_mut().zip(&mut runs) {
             let stages = run.build.time(|| tracer.build())?;
             run.stages.merge(&stages);
+        }
+        for (tracer, run) in tracers.iter().zip(&mut runs) {
             run.primary
                 .time(|| tracer.closest_hits(primary, &mut closest));
+        }
+        for (tracer, run) in tracers.iter().zip(&mut runs) {
             run.shadow.time(|| tracer.any_hits(shadow, &mut any));
         }
     }
@@ -179,5 +195,13 @@ mod tests {
         let samples = Samples(vec![9.0, 1.0, 4.0, 5.0]);
         assert_eq!(samples.median(), 4.5);
         assert_eq!((samples.min(), samples.max()), (1.0, 9.0));
+        assert!(Samples::default().median().is_nan());
+    }
+
+    #[test]
+    fn ratios_are_taken_round_by_round() {
+        let slowed_once = Samples(vec![2.0, 20.0, 3.0]);
+        let other = Samples(vec![1.0, 10.0, 2.0]);
+        assert_eq!(slowed_once.ratio(&other), 2.0);
     }
 }

@@ -8,8 +8,10 @@ use std::path::Path;
 pub const USAGE: &str = "\
 record [--out FILE] [--rounds N] [MESH...]
   --out FILE   also write the tables to FILE
-  --rounds N   measure N times, at least 5 (default 7)
+  --rounds N   measure N times, at least 5 (default 9)
   MESH...      only these meshes (default all)";
+
+const DEFAULT_ROUNDS: usize = 9;
 
 /// The command line, parsed.
 pub struct Options {
@@ -29,7 +31,7 @@ impl Options {
         let mut options = Self {
             help: false,
             out: None,
-            rounds: 7,
+            rounds: DEFAULT_ROUNDS,
             meshes: Vec::new(),
         };
         while let Some(argument) = arguments.next() {
@@ -68,8 +70,15 @@ impl Options {
         if !flags.is_empty() {
             words.push(format!("RUSTFLAGS={flags:?}"));
         }
-        words.push("cargo run --release --bin record --".into());
-        if self.rounds != 7 {
+        words.push("cargo run --release --bin record".into());
+        if cfg!(not(feature = "parallel")) {
+            words.push("--no-default-features".into());
+        }
+        if cfg!(feature = "small-nodes") {
+            words.push("--features small-nodes".into());
+        }
+        words.push("--".into());
+        if self.rounds != DEFAULT_ROUNDS {
             words.push(format!("--rounds {}", self.rounds));
         }
         if let Some(out) = &self.out {

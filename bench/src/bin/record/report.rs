@@ -15,7 +15,7 @@ const NODE_BYTES_AIM: Aim = Aim::at_most(32.0, 56.0);
 
 /// The tracers that ratios are between, by their places in the list.
 const OURS: usize = 0;
-const PEER: usize = 2;
+const PEER: usize = 1;
 
 /// A bound to reach and a bound to keep.
 struct Aim {
@@ -76,12 +76,17 @@ fn head(out: &mut String, options: &Options) -> Result<()> {
         "" => "none",
         flags => flags,
     };
-    let features = match (cfg!(feature = "parallel"), cfg!(feature = "small-nodes")) {
-        (true, false) => "parallel",
-        (true, true) => "parallel, small_bvh2_node",
-        (false, false) => "none",
-        (false, true) => "small_bvh2_node",
-    };
+    let mut features = Vec::new();
+    if cfg!(feature = "parallel") {
+        features.push("parallel");
+    }
+    if cfg!(feature = "small-nodes") {
+        features.push("small_bvh2_node");
+    }
+    if features.is_empty() {
+        features.push("none");
+    }
+    let features = features.join(", ");
     writeln!(out, "# slimbvh and obvhs side by side\n")?;
     writeln!(out, "| | |\n|---|---|")?;
     writeln!(out, "| date | {} |", machine::date())?;
@@ -97,7 +102,7 @@ fn head(out: &mut String, options: &Options) -> Result<()> {
     writeln!(out, "| rounds | {} |\n", options.rounds)?;
     writeln!(
         out,
-        "Times are medians in milliseconds, with the smallest and the largest; the tracers took turns. What is measured \
+        "Times are medians in milliseconds, with the smallest and the largest; the tracers took turns at each job. What is measured \
          and how: [README](../README.md).\n"
     )?;
     writeln!(
@@ -116,7 +121,7 @@ fn aims(out: &mut String, records: &[MeshRecord]) -> Result<()> {
         "slimbvh with 30-bit codes against obvhs' fastest preset. Build and frame: slimbvh's time as a multiple of \
          obvhs', required at most {:.1}, aimed at {:.1}. Rays: slimbvh's rays a second as a multiple of obvhs', required \
          at least {:.1}, aimed at {:.1}. Nodes: bytes a triangle, required at most {}, aimed at {}. A frame is build, \
-         primary and shadow rays.\n",
+         primary and shadow rays. Ratios are medians of the rounds' ratios, that of frames is of medians.\n",
         BUILD_AIM.required,
         BUILD_AIM.aimed,
         TRACE_AIM.required,
@@ -133,16 +138,16 @@ fn aims(out: &mut String, records: &[MeshRecord]) -> Result<()> {
         let (ours, peer) = (&record.tracers[OURS], &record.tracers[PEER]);
         let node_bytes = ours.bytes.nodes as f64 / record.triangle_count as f64;
         for (a, b) in ours.runs.iter().zip(&peer.runs) {
-            let ratio = |of: fn(&Run) -> &Samples| of(a).median() / of(b).median();
+            let speedup = |of: fn(&Run) -> &Samples| of(b).ratio(of(a));
             writeln!(
                 out,
                 "| {} | {} | {} | {} | {} | {} | {:.2} | {} |",
                 record.name,
                 a.threads,
-                BUILD_AIM.judge(ratio(|run| &run.build)),
-                BUILD_AIM.judge(ratio(|run| &run.first_build)),
-                TRACE_AIM.judge(1.0 / ratio(|run| &run.primary)),
-                TRACE_AIM.judge(1.0 / ratio(|run| &run.shadow)),
+                BUILD_AIM.judge(a.build.ratio(&b.build)),
+                BUILD_AIM.judge(a.first_build.ratio(&b.first_build)),
+                TRACE_AIM.judge(speedup(|run| &run.primary)),
+                TRACE_AIM.judge(speedup(|run| &run.shadow)),
                 frame_ms(a) / frame_ms(b),
                 NODE_BYTES_AIM.judge(node_bytes),
             )?;
@@ -261,11 +266,9 @@ fn answers(out: &mut String, records: &[MeshRecord]) -> Result<()> {
     )?;
     for record in records {
         for tracer in &record.tracers {
-            let mut row = |kind: &str, count: usize, visits: Option<Visits>, seen: &Agreement| {
+            let mut row = |kind: &str, count: usize, visits: Visits, seen: &Agreement| {
                 let per_ray = |sum: u64| format!("{:.1}", sum as f64 / count.max(1) as f64);
-                let (nodes, triangles) = visits.map_or_else(Default::default, |v| {
-                    (per_ray(v.nodes), per_ray(v.triangles))
-                });
+                let (nodes, triangles) = (per_ray(visits.nodes), per_ray(visits.triangles));
                 writeln!(
                     out,
                     "| {} | {} | {count} {kind} | {nodes} | {triangles} | {} | {} + {} |",

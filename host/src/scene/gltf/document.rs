@@ -3,6 +3,7 @@
 use super::super::LoadError;
 use super::super::load::Source;
 use super::GltfError;
+use crate::text::shorten;
 use gltf::json::camera::Type;
 use gltf::json::mesh::Semantic;
 use gltf::json::validation::Checked;
@@ -28,7 +29,7 @@ pub(super) fn parse<'a>(bytes: &'a [u8], source: &Source<'_>) -> Result<WithBlob
     };
     let mut root = Root::from_slice(&json).map_err(|error| {
         in_file(GltfError::Json {
-            message: error.to_string(),
+            message: shorten(&error.to_string(), 120),
         })
     })?;
     root.extensions_required.retain(|name| !is_harmless(name));

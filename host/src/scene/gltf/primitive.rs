@@ -3,6 +3,7 @@
 use super::super::LoadError;
 use super::super::faces::{Place, unit_or_zero};
 use super::{Flat, GltfError, accessor};
+use crate::text::excerpt;
 use glam::{Mat3, Mat4, Vec3};
 use gltf::mesh::Mode;
 use gltf::{Primitive, Semantic};
@@ -32,7 +33,7 @@ pub(super) fn append(
     };
     if !normals.is_empty() && normals.len() != positions.len() {
         return Err(flat.error(GltfError::NormalCount {
-            part: part.to_owned(),
+            part: excerpt(part),
             normals: normals.len(),
             positions: positions.len(),
         }));

@@ -57,36 +57,34 @@ fn pictures_of_absurd_size() {
 #[test]
 fn counts_out_of_range() {
     let folder = folder();
-    let render = |rest: &[&'static str]| [&["render", "sound.obj", "-o", "new.png"], rest].concat();
-    for number in ["0", "-1", "1.5", "many", "", "65537", "99999999999"] {
-        refuses_usage(
-            &folder,
-            &[&render(&["--spp"])[..], &[number]].concat(),
-            &["--spp"],
-        );
+    let render = |option: &str| ["render", "sound.obj", "-o", "new.png", option].map(String::from);
+    for (option, numbers) in [
+        (
+            "--spp",
+            &["0", "-1", "1.5", "many", "", "65537", "99999999999"][..],
+        ),
+        ("--mirror-depth", &["-1", "65", "deep"]),
+        (
+            "--threads",
+            &["-1", "two", "0", "1025", "99999999999999999999"],
+        ),
+    ] {
+        for number in numbers {
+            let arguments = render(&format!("{option}={number}"));
+            let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+            refuses_usage(&folder, &arguments, &[option]);
+        }
     }
-    for number in ["-1", "65", "deep"] {
-        refuses_usage(
-            &folder,
-            &[&render(&["--mirror-depth"])[..], &[number]].concat(),
-            &["--mirror-depth"],
-        );
-    }
-    for number in ["0", "1025", "18446744073709551615"] {
-        refuses(
-            &folder,
-            &[&render(&["--threads"])[..], &[number]].concat(),
-            &["--threads", number],
-        );
-    }
-    for number in ["-1", "two", "99999999999999999999"] {
-        refuses_usage(
-            &folder,
-            &[&render(&["--threads"])[..], &[number]].concat(),
-            &["--threads"],
-        );
-    }
-    let most = render(&["--size", "65536x2", "--spp", "65536"]);
+    let most = [
+        "render",
+        "sound.obj",
+        "-o",
+        "new.png",
+        "--size",
+        "65536x2",
+        "--spp",
+        "65536",
+    ];
     refuses(&folder, &most, &["65536x2", "65536 samples", "4294967295"]);
 }
 
@@ -144,7 +142,7 @@ fn lights_that_do_not_shine() {
             // The second light is at fault.
             let lights = ["--light", "sun=0,-1,0", "--light", light];
             let arguments = [&["render", "sound.obj", "-o", output], &lights[..]].concat();
-            refuses(&folder, &arguments, &["light 1", expected]);
+            refuses(&folder, &arguments, &["light 2", expected]);
         }
     }
     for light in [
@@ -182,6 +180,10 @@ fn words_that_mean_nothing() {
             "'other.obj'",
         ),
         (&["render", "-o"], "--output"),
+        (&["render", "sound.obj", "-o", ""], "--output"),
+        (&["render", ""], "[SCENE]"),
+        (&["info", ""], "[SCENE]"),
+        (&["info", "--json", ""], "--json"),
         (
             &["render", "-o", "new.png", "--view", "smell"],
             "primitives",

@@ -14,7 +14,6 @@ fn pictures_without_a_place() {
         ("new", "\"new\" does not end in .png"),
         (".png", "\".png\" does not end in .png"),
         ("png", "\"png\" does not end in .png"),
-        ("", "\"\""),
         ("folder.png/", "\"folder.png/\" is a folder"),
         ("two\nlines/new.png", "lines"),
     ] {
@@ -61,7 +60,6 @@ fn reports_without_a_place() {
     for (json, expected) in [
         ("no folder/new.json", "no folder"),
         ("folder", "\"folder\""),
-        ("", "\"\""),
     ] {
         refuses(&folder, &["info", "sound.obj", "--json", json], &[expected]);
         let arguments = ["render", "sound.obj", "-o", "new.png", "--json", json];

@@ -1,0 +1,72 @@
+//! The help texts.
+
+use crate::process::Folder;
+
+/// The options that a help text has, `-x` left out where there is a long name.
+fn options_in(help: &str) -> Vec<&str> {
+    let mut options: Vec<&str> = help
+        .lines()
+        .filter(|line| line.trim_start().starts_with('-'))
+        .flat_map(|line| {
+            line.split_whitespace()
+                .take(2)
+                .find(|word| word.starts_with("--"))
+        })
+        .map(|word| word.trim_end_matches(','))
+        .collect();
+    options.sort_unstable();
+    options
+}
+
+#[test]
+fn help_has_every_option() {
+    let folder = Folder::new();
+    let render = folder.succeed(["render", "--help"]);
+    let expected = [
+        "--backend",
+        "--camera",
+        "--codes",
+        "--help",
+        "--json",
+        "--lenient",
+        "--light",
+        "--mirror-depth",
+        "--output",
+        "--size",
+        "--spp",
+        "--threads",
+        "--view",
+    ];
+    assert_eq!(options_in(&render), expected, "{render}");
+    for word in [
+        "color",
+        "normals",
+        "depth",
+        "primitives",
+        "heatmap",
+        "1280x720",
+        "slimbvh.png",
+        "eye=",
+        "sun=",
+        "point=",
+        "fov=",
+        "range=",
+        "gltf, glb, obj, ply, stl",
+    ] {
+        assert!(render.contains(word), "{word} is not in {render}");
+    }
+    let info = folder.succeed(["info", "--help"]);
+    assert_eq!(
+        options_in(&info),
+        ["--all", "--help", "--json", "--lenient"],
+        "{info}"
+    );
+    let top = folder.succeed(["--help"]);
+    assert!(top.contains("render") && top.contains("info"), "{top}");
+    assert_eq!(options_in(&top), ["--help", "--version"], "{top}");
+    assert_eq!(
+        folder.succeed(["--version"]),
+        concat!("slimbvh ", env!("CARGO_PKG_VERSION"), "\n")
+    );
+    assert_eq!(folder.succeed(["help", "render"]), render);
+}

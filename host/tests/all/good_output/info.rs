@@ -1,0 +1,120 @@
+//! What `info` finds in meshes.
+
+use super::{keys, number, parse};
+use crate::files::box_obj;
+use crate::process::Folder;
+use serde_json::Value;
+
+/// `info` on an OBJ file: the only component.
+fn component(folder: &Folder, text: &str) -> Value {
+    folder.write("solid.obj", text);
+    let info = parse(&folder.succeed(["info", "solid.obj", "--json", "-"]));
+    assert_eq!(info["scene"], "solid.obj");
+    let components = info["components"].as_array().expect("it is a list");
+    assert_eq!(components.len(), 1, "{info}");
+    components[0].clone()
+}
+
+#[test]
+fn info_tells_solids_from_shells() {
+    let folder = Folder::new();
+    let solid = component(&folder, &box_obj());
+    assert_eq!(
+        keys(&solid),
+        [
+            "closed",
+            "consistently_wound",
+            "extent",
+            "outward",
+            "triangles",
+            "volume"
+        ]
+    );
+    assert_eq!(number(&solid, "triangles"), 12.0);
+    assert_eq!(
+        [
+            &solid["closed"],
+            &solid["consistently_wound"],
+            &solid["outward"]
+        ],
+        [true; 3].map(Value::from).each_ref()
+    );
+    assert_eq!(number(&solid, "volume"), 6.0);
+    assert_eq!(
+        solid["extent"],
+        serde_json::json!({"min": [0.0, 0.0, 0.0], "max": [1.0, 2.0, 3.0]})
+    );
+
+    // Turned inside out.
+    let flipped = box_obj().lines().map(flip).collect::<String>();
+    let flipped = component(&folder, &flipped);
+    assert_eq!(
+        (&flipped["closed"], &flipped["outward"]),
+        (&true.into(), &false.into())
+    );
+    assert_eq!(number(&flipped, "volume"), -6.0);
+
+    // One triangle short, then with one turned over.
+    let text = box_obj();
+    let (open, last) = text.trim_end().rsplit_once('\n').unwrap();
+    let turned = format!("{open}\n{}", flip(last));
+    let open = component(&folder, open);
+    assert_eq!(
+        (
+            &open["closed"],
+            &open["consistently_wound"],
+            &open["outward"]
+        ),
+        (&false.into(), &true.into(), &Value::Null)
+    );
+    assert_eq!(number(&open, "triangles"), 11.0);
+    let turned = component(&folder, &turned);
+    assert_eq!(
+        (&turned["closed"], &turned["consistently_wound"]),
+        (&false.into(), &false.into())
+    );
+}
+
+/// Turns an OBJ line's face over.
+fn flip(line: &str) -> String {
+    match line.split_whitespace().collect::<Vec<_>>()[..] {
+        ["f", a, b, c] => format!("f {a} {c} {b}\n"),
+        _ => format!("{line}\n"),
+    }
+}
+
+#[test]
+fn info_on_the_default_scene() {
+    let folder = Folder::new();
+    let info = parse(&folder.succeed(["info", "--json", "-"]));
+    let scene = slimbvh::generate::default_scene();
+    let counts = [
+        ("triangles", scene.mesh.indices.len()),
+        ("vertices", scene.mesh.vertices.len()),
+        ("materials", scene.materials.len()),
+        ("cameras", 1),
+        ("lights", 2),
+        ("dropped_faces", 0),
+        ("degenerate_triangles", 0),
+        ("duplicate_triangles", 0),
+    ];
+    for (key, count) in counts {
+        assert_eq!(info[key], count, "{key}");
+    }
+    // Six solids and more, all facing out; the sphere flake is many.
+    let components = info["components"].as_array().unwrap();
+    let closed = components
+        .iter()
+        .filter(|component| component["closed"] == true);
+    assert!(
+        closed.clone().count() >= 6 && closed.clone().all(|component| component["outward"] == true)
+    );
+
+    let text = folder.succeed(["info"]);
+    let all = folder.succeed(["info", "--all"]);
+    assert!(text.contains("(--all lists them)") && !all.contains("(--all lists them)"));
+    assert_eq!(
+        all.lines().filter(|line| line.contains("wound")).count(),
+        components.len()
+    );
+}
