@@ -5,6 +5,7 @@
 use core::panic::PanicInfo;
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent};
 use slimbvh_core::camera::Camera;
+use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
 use slimbvh_core::orientation::{Orientation, Target};
 use slimbvh_core::refit::{PyramidBox, group_bounds, parent_bounds, refit_node};
@@ -12,7 +13,6 @@ use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
 use slimbvh_core::shade::{
     DirectLight, Environment, Light, Material, Path, ambient_light, direct_light,
 };
-use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::sort::{DigitCounts, count_digit, digit, place};
 use slimbvh_core::surface::Surface;
