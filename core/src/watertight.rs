@@ -1,6 +1,6 @@
 //! Ray against triangle, watertight (after Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection").
 //!
-//! Each vertex is carried into the ray's space by one function ([`shear`]) that knows nothing of the triangle, so a
+//! Each vertex is carried into the ray's space by one function (`shear`) that knows nothing of the triangle, so a
 //! shared vertex has the same bits in all its triangles. On which side of an edge the ray passes is decided by comparing
 //! two rounded products: rounding is monotone, so the answer is right or "on the edge", the same for both triangles of
 //! the edge, and on the edge is inside.
