@@ -10,6 +10,7 @@ mod picture;
 pub mod scene;
 mod stages;
 mod text;
+mod wide;
 
 pub use bvh::Bvh;
 pub use cpu::{BuildConfig, Builder, CodeBits, RefitError, Renderer};

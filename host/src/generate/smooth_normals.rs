@@ -2,6 +2,7 @@
 
 use crate::Mesh;
 use crate::analysis::weld;
+use crate::wide::{cross, dot, normalized};
 
 /// Gives every vertex the mean normal of all triangles at its position, weighted by their angles there (Thürmer and
 /// Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998), so that seams between equal positions do not show.
@@ -31,32 +32,8 @@ pub fn smooth_normals(mesh: &mut Mesh) {
         .collect();
 }
 
-// In doubles, so that no `f32` mesh is too small or too large.
-
 fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-/// The unit vector of the same direction, or zero if there is none.
-fn normalized(v: [f64; 3]) -> [f64; 3] {
-    let length = dot(v, v).sqrt();
-    if length > 0.0 {
-        v.map(|x| x / length)
-    } else {
-        [0.0; 3]
-    }
 }
 
 #[cfg(test)]

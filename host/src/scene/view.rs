@@ -1,6 +1,7 @@
 //! From a scene's camera and lights, in the caller's unit, to core's, in the scene's magnitude.
 
 use super::{Camera, Light, Material, Projection, Scene};
+use crate::wide::{cross, dot, normalized};
 use glam::Vec3;
 use slimbvh_core::Aabb;
 use slimbvh_core::float::{is_finite, scale_by_power_of_two};
@@ -289,20 +290,4 @@ fn unit(v: [f32; 3]) -> Option<Vec3> {
     let finite = v.iter().all(|x| x.is_finite());
     let unit = slimbvh_core::surface::normalize(Vec3::from_array(v));
     (finite && unit != Vec3::ZERO).then_some(unit)
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn normalized(v: [f64; 3]) -> [f64; 3] {
-    v.map(|x| x / dot(v, v).sqrt())
 }
