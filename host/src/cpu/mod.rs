@@ -2,6 +2,7 @@
 
 mod build;
 mod order;
+mod paint;
 mod refit;
 mod render;
 mod sort;
