@@ -1,7 +1,7 @@
 //! `slimbvh info`.
 
 use super::SceneArguments;
-use super::output::{self, count};
+use super::output::{self, count, things};
 use anyhow::Result;
 use clap::Args;
 use serde::Serialize;
@@ -130,10 +130,7 @@ fn describe(name: &str, scene: &Scene, analysis: &Analysis, listed: usize) -> St
         ),
     );
     if scene.dropped_face_count > 0 {
-        line(
-            "dropped",
-            format!("{} broken faces", count(scene.dropped_face_count)),
-        );
+        line("dropped", things(scene.dropped_face_count, "broken face"));
     }
     line(
         "vertices",
@@ -146,10 +143,10 @@ fn describe(name: &str, scene: &Scene, analysis: &Analysis, listed: usize) -> St
     line(
         "also",
         format!(
-            "{} materials, {} cameras, {} lights",
-            scene.materials.len(),
-            scene.cameras.len(),
-            scene.lights.len()
+            "{}, {}, {}",
+            things(scene.materials.len(), "material"),
+            things(scene.cameras.len(), "camera"),
+            things(scene.lights.len(), "light")
         ),
     );
     if let Some(bounds) = &analysis.bounds {
@@ -194,8 +191,8 @@ fn describe_component(component: &Component) -> String {
         None => "",
     };
     format!(
-        "{} triangles: {closed}, {wound}{outward}; {}",
-        count(component.triangle_count),
+        "{}: {closed}, {wound}{outward}; {}",
+        things(component.triangle_count, "triangle"),
         extent(&component.bounds)
     )
 }

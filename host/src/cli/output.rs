@@ -156,6 +156,13 @@ pub fn count(n: impl TryInto<u64>) -> String {
     grouped
 }
 
+/// A count of things: 1 camera, 1,200 cameras.
+pub fn things(n: impl TryInto<u64>, thing: &str) -> String {
+    let n = n.try_into().unwrap_or(u64::MAX);
+    let plural = if n == 1 { "" } else { "s" };
+    format!("{} {thing}{plural}", count(n))
+}
+
 /// Bytes in binary units: 19.5 MiB.
 pub fn bytes(n: usize) -> String {
     indicatif::BinaryBytes(n as u64).to_string()
@@ -171,5 +178,7 @@ mod tests {
         assert_eq!(count(999u32), "999");
         assert_eq!(count(1000u32), "1,000");
         assert_eq!(count(871_414u32), "871,414");
+        assert_eq!(things(1u32, "camera"), "1 camera");
+        assert_eq!(things(1200u32, "camera"), "1,200 cameras");
     }
 }

@@ -1,7 +1,7 @@
 //! `slimbvh render`.
 
 use super::options::{self, CameraOption};
-use super::output::{self, bytes, count};
+use super::output::{self, bytes, count, things};
 use super::{SceneArguments, ThreadArguments};
 use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
@@ -14,7 +14,14 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
 
+const EXAMPLES: &str = "\
+Examples:
+  slimbvh render
+  slimbvh render model.glb -o model.png --spp 16
+  slimbvh render model.ply --view heatmap --camera \"eye=0,1,5 target=0,0,0\" --light \"sun=-1,-2,-1\"";
+
 #[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
 pub struct RenderArguments {
     #[command(flatten)]
     scene: SceneArguments,
@@ -243,25 +250,20 @@ fn describe(s: &Summary, build: &Stages, report: &RenderReport) -> String {
     };
     line(
         "scene",
-        format!("{}, {} triangles", s.scene, count(s.triangles)),
+        format!("{}, {}", s.scene, things(s.triangles, "triangle")),
     );
     if s.dropped_faces > 0 {
-        line(
-            "dropped",
-            format!("{} broken faces", count(s.dropped_faces)),
-        );
+        line("dropped", things(s.dropped_faces, "broken face"));
     }
-    let plural = if s.threads == 1 { "" } else { "s" };
-    let per_pixel = if s.samples_per_pixel == 1 {
-        "sample"
-    } else {
-        "samples"
-    };
     line(
         "picture",
         format!(
-            "{}, {}x{}, {} {per_pixel} a pixel, {} thread{plural}",
-            s.picture, s.width, s.height, s.samples_per_pixel, s.threads
+            "{}, {}x{}, {} a pixel, {}",
+            s.picture,
+            s.width,
+            s.height,
+            things(s.samples_per_pixel, "sample"),
+            things(s.threads, "thread")
         ),
     );
     let ms = |stages: &Stages| stages.total().as_secs_f64() * 1e3;
