@@ -3,6 +3,7 @@
 use crate::aabb::Aabb;
 use crate::float::{abs, exponent, max, min};
 use crate::triangle::IndexedTriangles;
+use glam::Vec3;
 
 /// One lane per run of triangles. Reads the triangles `first..first + count`. Returns the box around them.
 #[inline]
@@ -12,7 +13,17 @@ pub fn run_bounds(first: u32, count: u32, triangles: &IndexedTriangles) -> Aabb 
     for i in first..first + count {
         bounds = bounds.union(triangles.triangle(i).bounds());
     }
-    bounds
+    Aabb {
+        min: positive_zeros(bounds.min),
+        max: positive_zeros(bounds.max),
+    }
+}
+
+/// Without −0, so that the order of unions does not tell.
+#[inline]
+fn positive_zeros(v: Vec3) -> Vec3 {
+    let positive = |x: f32| if x == 0.0 { 0.0 } else { x };
+    Vec3::new(positive(v.x), positive(v.y), positive(v.z))
 }
 
 /// Workgroup reduction, one lane per box: at each step with `distance` = LANES/2 … 1 every lane below `distance`
@@ -58,7 +69,6 @@ pub(crate) fn axis_magnitude(bounds: &Aabb, axis: usize) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::Vec3;
     use proptest::prelude::*;
 
     fn boxed(min: [f32; 3], max: [f32; 3]) -> Aabb {

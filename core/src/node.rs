@@ -4,7 +4,7 @@ use crate::aabb::Aabb;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
-/// Triangles that a leaf holds at most. Measured: see `bench/record`.
+/// Triangles that a leaf holds at most. Measured against 1, 2, 3 and 6: ARCHITECTURE.md.
 pub const LEAF_SIZE: u32 = 4;
 
 /// Names a child: an inner node by its index, or a leaf by its run of triangles.

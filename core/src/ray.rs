@@ -10,7 +10,7 @@ use bytemuck::{Pod, Zeroable};
 pub struct Ray {
     /// Bytes 0–11: where t is 0.
     pub origin: [f32; 3],
-    /// Bytes 12–15: smallest t; below 0 reaches behind the origin.
+    /// Bytes 12–15: smallest t; below 0 reaches behind the origin. Less than 2^-126 times the scene's size counts as 0.
     pub t_min: f32,
     /// Bytes 16–27: need not have unit length; t is in units of its length.
     pub direction: [f32; 3],
@@ -84,6 +84,11 @@ pub const FARTHEST_ORIGIN: f32 = power_of_two(40);
 /// Direction components this much smaller than the largest count as zero.
 const PARALLEL: f32 = power_of_two(-60);
 
+/// On an axis where the direction is zero, planes' origins move apart by at least this, and distances count this much:
+/// the product of both is beyond any t, that of the second and [`FARTHEST_ORIGIN`] still finite.
+const PARALLEL_SHIFT: f32 = power_of_two(-43);
+const PARALLEL_INVERSE: f32 = power_of_two(85);
+
 /// A ray as the tracer uses it: in the scene's magnitude, axes ordered so that the direction is longest on the last
 /// one, where it lies between 1 and 2.
 ///
@@ -110,8 +115,8 @@ pub struct PreparedRay {
 }
 
 impl PreparedRay {
-    /// Carries a ray to the magnitude of a scene whose coordinates were multiplied by `2^scene_exponent`. Exact: powers
-    /// of two only. A ray with a NaN or infinite number in it (an infinite `t_max` aside), with a zero direction or an
+    /// Carries a ray to the magnitude of a scene whose coordinates were multiplied by `2^scene_exponent`. By powers of
+    /// two only: exact in the normal range. A ray with a NaN or infinite number in it (an infinite `t_max` aside), with a zero direction or an
     /// origin beyond [`FARTHEST_ORIGIN`] hits nothing.
     #[inline(always)]
     #[must_use]
@@ -213,9 +218,9 @@ impl Axis {
         let origin = to_scene.times(pick(ray.origin, axis));
         let direction = to_unit.times(pick(ray.direction, axis));
         let is_parallel = abs(direction) < PARALLEL;
-        // At least one step of the float grid to both sides, and far more than 2^-100.
+        // At least one step of the float grid to both sides.
         let shift = if is_parallel {
-            max(abs(origin) * power_of_two(-23), PARALLEL)
+            max(abs(origin) * power_of_two(-23), PARALLEL_SHIFT)
         } else {
             0.0
         };
@@ -225,7 +230,7 @@ impl Axis {
             direction: if is_parallel { 0.0 } else { direction },
             plane_origins: PlanePair::new(low, low, high, high),
             inverse: if is_parallel {
-                power_of_two(100)
+                PARALLEL_INVERSE
             } else {
                 1.0 / direction
             },

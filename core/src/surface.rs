@@ -93,7 +93,8 @@ fn absolute(v: Vec3) -> Vec3 {
     Vec3::new(abs(v.x), abs(v.y), abs(v.z))
 }
 
-/// The unit vector along `v`, also where its squared length would underflow; zero for zero.
+/// The unit vector along `v`, also where its squared length would underflow; zero where no component is in the normal
+/// range.
 #[inline]
 #[must_use]
 pub fn normalize(v: Vec3) -> Vec3 {

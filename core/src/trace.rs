@@ -3,6 +3,7 @@
 use crate::float::max;
 use crate::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
 use crate::slab::{PlanePair, slab};
+use crate::topology::depth_bound;
 use crate::watertight::intersect;
 
 mod collect;
@@ -66,6 +67,7 @@ pub trait TriangleSource {
 /// The stack holds one entry a level below the root. Trees of 63-bit codes have at most 63 + 28 levels
 /// ([`crate::topology::depth_bound`]), trees of 30-bit codes 30 + 28.
 pub const STACK_SIZE: usize = 128;
+const _: () = assert!(STACK_SIZE as u32 > depth_bound(63, crate::MAX_TRIANGLES));
 
 /// Walks the tree, near child first, and offers every triangle that the ray meets to the collector. `skip` names a
 /// primitive that does not count, [`NO_PRIMITIVE`] for none.

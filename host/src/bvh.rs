@@ -20,7 +20,8 @@ pub struct Bvh {
 impl Bvh {
     /// The hit with the smallest t, and among equals with the smallest primitive index; [`Hit::MISS`] where there is none.
     ///
-    /// Rays are in the mesh's unit. A ray with a NaN in it, an infinite origin or a zero direction hits nothing.
+    /// Rays are in the mesh's unit. A ray with a zero direction, or with a NaN or infinite number in it (an
+    /// infinite `t_max` aside), hits nothing.
     #[must_use]
     pub fn closest_hit(&self, ray: &Ray) -> Hit {
         trace::closest_hit(

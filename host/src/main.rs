@@ -1,4 +1,4 @@
-//! The `slimbvh` binary. Exit codes: 0 done, 1 a check failed, 2 usage or input.
+//! The `slimbvh` binary. Exit codes: 0 done, 2 usage or input; 1 is kept for commands that check something.
 
 mod cli;
 

@@ -75,6 +75,18 @@ pub enum MeshError {
         /// Its coordinates.
         z: f32,
     },
+    /// Parts leave a gap, overlap, or are out of order.
+    #[error(
+        "mesh \"{part}\" begins at triangle {first_triangle}, but the one before it ends at {expected}"
+    )]
+    PartOutOfPlace {
+        /// The part's name.
+        part: String,
+        /// Where it begins.
+        first_triangle: u32,
+        /// Where it should begin.
+        expected: usize,
+    },
     /// A per-vertex or per-triangle list has the wrong length.
     #[error("{count} {what} for {expected} {of}")]
     LengthMismatch {
@@ -131,12 +143,18 @@ impl Mesh {
         if dropped == 0 {
             return 0;
         }
+        // How many sound faces come before each, and before the end.
+        let mut sum = 0;
+        let mut before = vec![0; sound.len() + 1];
+        for (face, &sound) in sound.iter().enumerate() {
+            sum += u32::from(sound);
+            before[face + 1] = sum;
+        }
+        let kept_before = |face: u32| before.get(face as usize).copied().unwrap_or(sum);
         for part in &mut self.parts {
-            let first = part.first_triangle as usize;
-            let before = sound[..first].iter().filter(|&&sound| sound).count();
-            let run = &sound[first..first + part.triangle_count as usize];
-            part.first_triangle = before as u32;
-            part.triangle_count = run.iter().filter(|&&sound| sound).count() as u32;
+            let end = part.first_triangle.saturating_add(part.triangle_count);
+            part.first_triangle = kept_before(part.first_triangle);
+            part.triangle_count = kept_before(end) - part.first_triangle;
         }
         retain_by(&mut self.indices, &sound);
         if !self.materials.is_empty() {
@@ -156,6 +174,25 @@ impl Mesh {
         if self.vertices.len() > u32::MAX as usize {
             return Err(MeshError::TooManyVertices {
                 vertex_count: self.vertices.len(),
+            });
+        }
+        let mut end = 0;
+        for part in &self.parts {
+            if part.first_triangle as usize != end {
+                return Err(MeshError::PartOutOfPlace {
+                    part: excerpt(&part.name),
+                    first_triangle: part.first_triangle,
+                    expected: end,
+                });
+            }
+            end += part.triangle_count as usize;
+        }
+        if !self.parts.is_empty() && end != self.indices.len() {
+            return Err(MeshError::LengthMismatch {
+                what: "triangles in parts",
+                count: end,
+                expected: self.indices.len(),
+                of: "triangles",
             });
         }
         if !self.normals.is_empty() && self.normals.len() != self.vertices.len() {
@@ -297,6 +334,21 @@ mod tests {
         );
         assert_eq!(mesh.validate(), Ok(()));
         assert_eq!(mesh.drop_unsound_faces(), 0);
+    }
+
+    #[test]
+    fn parts_out_of_place_are_refused() {
+        let mut mesh = two_parts();
+        mesh.parts[1].first_triangle = 2;
+        assert_eq!(
+            mesh.validate().unwrap_err().to_string(),
+            "mesh \"b\" begins at triangle 2, but the one before it ends at 1"
+        );
+        // What is out of place does not make dropping panic.
+        mesh.parts[0].triangle_count = u32::MAX;
+        mesh.indices[0][0] = 99;
+        assert_eq!(mesh.drop_unsound_faces(), 1);
+        assert_eq!(mesh.parts[0].triangle_count, 2);
     }
 
     #[test]

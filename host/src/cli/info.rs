@@ -200,7 +200,15 @@ fn describe_component(component: &Component) -> String {
 /// `1 x 2 x 3 from (0, 0, 0) to (1, 2, 3)`.
 fn extent(bounds: &Aabb) -> String {
     let [a, b] = [bounds.min, bounds.max];
-    let size = b - a;
+    // In f64: the difference of two numbers may be too large for `f32`.
+    let size: [f64; 3] = std::array::from_fn(|i| f64::from(b[i]) - f64::from(a[i]));
+    let size = size.map(|x| {
+        if x < f64::from(f32::MAX) {
+            f64::from(x as f32)
+        } else {
+            x
+        }
+    });
     format!(
         "{} x {} x {} from ({}, {}, {}) to ({}, {}, {})",
         size[0], size[1], size[2], a[0], a[1], a[2], b[0], b[1], b[2]

@@ -80,7 +80,7 @@ impl ThreadArguments {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
-            .with_context(|| format!("cannot start {threads} threads"))?;
+            .context("cannot start the threads")?;
         Ok(pool.install(work))
     }
 }

@@ -37,6 +37,9 @@ pub fn check_place(path: &Path, taken: &[&Path]) -> Result<()> {
     if taken.iter().any(|other| is_same(path, other)) {
         bail!("{shown:?} has another use already; name another file");
     }
+    if is_special(path) {
+        return Ok(());
+    }
     // Try it, as only that tells.
     let part = part(path);
     std::fs::write(&part, [])
@@ -45,10 +48,23 @@ pub fn check_place(path: &Path, taken: &[&Path]) -> Result<()> {
 }
 
 fn is_same(a: &Path, b: &Path) -> bool {
-    match (a.canonicalize(), b.canonicalize()) {
-        (Ok(a), Ok(b)) => a == b,
-        _ => a == b,
-    }
+    resolved(a) == resolved(b)
+}
+
+/// A path without links and detours, also of a file that is not there yet.
+fn resolved(path: &Path) -> PathBuf {
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let beside = || Some(folder.canonicalize().ok()?.join(path.file_name()?));
+    let whole = path.canonicalize().ok();
+    whole.or_else(beside).unwrap_or_else(|| path.into())
+}
+
+/// Whether a path names a device or a pipe, which is written to and never replaced.
+fn is_special(path: &Path) -> bool {
+    std::fs::metadata(path).is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
 /// Where a file is written before it is moved to its place.
@@ -82,6 +98,10 @@ pub fn write_png(path: &Path, picture: &Picture) -> Result<()> {
 
 /// Writes a file so that it is there whole or not at all: beside its place first, then moved.
 fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
+    if is_special(path) {
+        return std::fs::write(path, bytes)
+            .with_context(|| format!("cannot write {:?}", path.display().to_string()));
+    }
     let part = part(path);
     let written = std::fs::write(&part, bytes).and_then(|()| std::fs::rename(&part, path));
     written

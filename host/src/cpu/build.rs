@@ -204,7 +204,7 @@ impl Builder {
         }
     }
 
-    /// Bytes of all buffers that the builder keeps between builds.
+    /// Bytes of the buffers that the last build used; they are kept for the next.
     #[must_use]
     pub fn scratch_bytes(&self) -> usize {
         self.sorter_30.bytes()

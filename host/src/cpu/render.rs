@@ -54,7 +54,7 @@ impl Renderer {
     /// without one. `progress` is told the share done, 0 to 1.
     ///
     /// # Errors
-    /// For cameras and lights that make no picture.
+    /// For cameras and lights that make no picture, and a mesh with another number of triangles than the tree.
     pub fn render(
         &mut self,
         scene: &Scene,
@@ -105,7 +105,7 @@ impl Renderer {
         Ok(report)
     }
 
-    /// Bytes of all buffers that the renderer keeps between pictures.
+    /// Bytes of the buffers that the last picture used; they are kept for the next.
     #[must_use]
     pub fn scratch_bytes(&self) -> usize {
         size_of_val(self.paths.as_slice())
@@ -283,6 +283,12 @@ impl Renderer {
 impl<'a> Stage<'a> {
     fn new(scene: &'a Scene, bvh: &'a Bvh, settings: &RenderSettings) -> Result<Self, ViewError> {
         let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
+        if scene.mesh.indices.len() != bvh.triangle_count() {
+            return Err(ViewError::OtherMesh {
+                triangle_count: scene.mesh.indices.len(),
+                expected: bvh.triangle_count(),
+            });
+        }
         let exponent = bvh.scene_exponent();
         let core_camera = camera.to_core(exponent, settings.size, settings.sample_count)?;
         let lights = scene.lights.iter().enumerate();
@@ -303,7 +309,8 @@ impl<'a> Stage<'a> {
     fn surface(&self, path: &Path, hit: &Hit) -> (Surface, CoreMaterial) {
         let mesh = &self.scene.mesh;
         let triangle = leaf_triangle(hit.primitive, &mesh.triangles(), &self.scale).triangle();
-        let corners = mesh.indices[hit.primitive as usize];
+        let corners = mesh.indices.get(hit.primitive as usize);
+        let corners = corners.copied().unwrap_or_default();
         let normals = corners.map(|corner| {
             mesh.normals
                 .get(corner as usize)

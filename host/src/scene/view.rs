@@ -31,6 +31,28 @@ pub enum ViewError {
         /// Asked for.
         sample_count: u32,
     },
+    /// No samples, or more than are of use.
+    #[error("{sample_count} samples a pixel are asked for; it must be from 1 to 65536")]
+    SampleCount {
+        /// Asked for.
+        sample_count: u32,
+    },
+    /// The scene's mesh is not the one that the tree was built over.
+    #[error(
+        "the mesh has {triangle_count} triangles, the hierarchy {expected}; build it over this mesh"
+    )]
+    OtherMesh {
+        /// Triangles of the mesh.
+        triangle_count: usize,
+        /// Triangles of the hierarchy.
+        expected: usize,
+    },
+    /// The camera is out of all proportion to the scene.
+    #[error("the camera at ({}, {}, {}) is too far away to see a scene this small", .eye[0], .eye[1], .eye[2])]
+    TooFar {
+        /// Where it is.
+        eye: [f32; 3],
+    },
     /// The scene has none.
     #[error("the scene has no camera")]
     NoCamera,
@@ -105,7 +127,11 @@ impl Camera {
             .max(largest * 1e-4)
             .max(f64::from(f32::MIN_POSITIVE));
         Self {
-            eye: std::array::from_fn(|i| (center[i] + toward_eye[i] * distance) as f32),
+            // A box of all of `f32` is seen from within it.
+            eye: std::array::from_fn(|i| {
+                let eye = (center[i] + toward_eye[i] * distance) as f32;
+                eye.clamp(-f32::MAX, f32::MAX)
+            }),
             target: center.map(|x| x as f32),
             up: [0.0, 1.0, 0.0],
             projection: Projection::Perspective {
@@ -124,8 +150,11 @@ impl Camera {
         [width, height]: [u32; 2],
         sample_count: u32,
     ) -> Result<slimbvh_core::camera::Camera, ViewError> {
-        if width == 0 || height == 0 || sample_count == 0 {
+        if width == 0 || height == 0 {
             return Err(ViewError::EmptyPicture { width, height });
+        }
+        if !(1..=1 << 16).contains(&sample_count) {
+            return Err(ViewError::SampleCount { sample_count });
         }
         let samples = u128::from(width) * u128::from(height) * u128::from(sample_count);
         if samples > u128::from(u32::MAX) {
@@ -143,9 +172,12 @@ impl Camera {
         // At magnitude 1 neither differences nor squares overflow.
         let scale =
             |p: [f32; 3]| Vec3::from_array(p.map(|x| scale_by_power_of_two(x, scene_exponent)));
-        let eye = scale(self.eye);
-        let toward = unit((scale(self.target) - eye).to_array())
-            .ok_or(ViewError::NoDirection { eye: self.eye })?;
+        let (eye, target) = (scale(self.eye), scale(self.target));
+        if !(eye.is_finite() && target.is_finite()) {
+            return Err(ViewError::TooFar { eye: self.eye });
+        }
+        let toward =
+            unit((target - eye).to_array()).ok_or(ViewError::NoDirection { eye: self.eye })?;
         let right = unit(toward.cross(unit(self.up).unwrap_or(Vec3::Y)).to_array())
             .unwrap_or_else(|| toward.any_orthonormal_vector());
         let up = right.cross(toward);
@@ -288,6 +320,13 @@ impl Scene {
 /// The unit vector along three finite numbers, unless all are zero.
 fn unit(v: [f32; 3]) -> Option<Vec3> {
     let finite = v.iter().all(|x| x.is_finite());
-    let unit = slimbvh_core::surface::normalize(Vec3::from_array(v));
+    let v = Vec3::from_array(v);
+    // Tiny vectors are lengthened first: their directions count as well.
+    let v = if v.abs().max_element() < 1e-20 {
+        v * slimbvh_core::float::power_of_two(100)
+    } else {
+        v
+    };
+    let unit = slimbvh_core::surface::normalize(v);
     (finite && unit != Vec3::ZERO).then_some(unit)
 }

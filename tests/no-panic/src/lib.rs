@@ -1,4 +1,4 @@
-//! Every kernel of core, instantiated in a library that has no std, no allocator and a panic handler that does not
+//! The kernels of core, instantiated in a library that has no std, no allocator and a panic handler that does not
 //! link. If it links, core needs none of them.
 #![no_std]
 

@@ -116,3 +116,39 @@ fn standard_output_that_is_full() {
         assert_eq!(stderr.lines().count(), 1, "{stderr}");
     }
 }
+
+#[test]
+fn one_file_under_two_names() {
+    let folder = folder();
+    let arguments = [
+        "render",
+        "sound.obj",
+        "-o",
+        "new.png",
+        "--json",
+        "./new.png",
+    ];
+    refuses(&folder, &arguments, &["\"./new.png\" has another use"]);
+}
+
+/// A pipe is written to. It is not replaced by a file.
+#[cfg(unix)]
+#[test]
+fn pipes_stay_pipes() {
+    use std::os::unix::fs::FileTypeExt;
+    use std::process::{Command, Stdio};
+
+    let folder = folder();
+    let pipe = folder.path().join("pipe");
+    let made = Command::new("mkfifo").arg(&pipe).status().unwrap();
+    assert!(made.success());
+    let reader = Command::new("cat")
+        .arg(&pipe)
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    folder.succeed(["info", "sound.obj", "--json", "pipe"]);
+    let read = reader.wait_with_output().unwrap().stdout;
+    assert!(serde_json::from_slice::<serde_json::Value>(&read).is_ok());
+    assert!(std::fs::metadata(&pipe).unwrap().file_type().is_fifo());
+}
