@@ -82,973 +82,973 @@ var<storage, read_write> global_5: type_21;
 fn function_() {
     var local: array<u32, 128>;
     var local_1: array<f32, 128>;
-    var phi_261_: i32;
     var phi_262_: i32;
-    var phi_272_: bool;
-    var phi_282_: u32;
+    var phi_263_: i32;
+    var phi_273_: bool;
     var phi_283_: u32;
-    var phi_285_: bool;
-    var phi_290_: u32;
-    var phi_334_: f32;
-    var phi_340_: f32;
-    var phi_351_: f32;
-    var phi_357_: f32;
-    var phi_380_: f32;
-    var phi_395_: f32;
-    var phi_404_: f32;
-    var phi_410_: f32;
-    var phi_421_: f32;
-    var phi_427_: f32;
-    var phi_450_: f32;
-    var phi_465_: f32;
-    var phi_474_: f32;
-    var phi_480_: f32;
-    var phi_491_: f32;
-    var phi_497_: f32;
-    var phi_520_: f32;
-    var phi_535_: f32;
-    var phi_635_: f32;
-    var phi_636_: f32;
-    var phi_1965_: bool;
-    var phi_648_: type_48;
-    var phi_651_: u32;
-    var phi_653_: u32;
-    var phi_655_: bool;
-    var phi_657_: u32;
-    var phi_668_: bool;
-    var phi_698_: u32;
-    var phi_699_: bool;
-    var phi_700_: u32;
-    var phi_1527_: type_43;
-    var phi_1871_: u32;
-    var phi_1897_: u32;
-    var phi_1898_: u32;
-    var phi_1899_: u32;
+    var phi_284_: u32;
+    var phi_286_: bool;
+    var phi_291_: u32;
+    var phi_335_: f32;
+    var phi_341_: f32;
+    var phi_352_: f32;
+    var phi_358_: f32;
+    var phi_381_: f32;
+    var phi_392_: f32;
+    var phi_401_: f32;
+    var phi_407_: f32;
+    var phi_418_: f32;
+    var phi_424_: f32;
+    var phi_447_: f32;
+    var phi_458_: f32;
+    var phi_467_: f32;
+    var phi_473_: f32;
+    var phi_484_: f32;
+    var phi_490_: f32;
+    var phi_513_: f32;
+    var phi_524_: f32;
+    var phi_624_: f32;
+    var phi_625_: f32;
+    var phi_1954_: bool;
+    var phi_637_: type_48;
+    var phi_640_: u32;
+    var phi_642_: u32;
+    var phi_644_: bool;
+    var phi_646_: u32;
+    var phi_657_: bool;
+    var phi_687_: u32;
+    var phi_688_: bool;
+    var phi_689_: u32;
+    var phi_1516_: type_43;
+    var phi_1860_: u32;
+    var phi_1886_: u32;
+    var phi_1887_: u32;
+    var phi_1888_: u32;
+    var phi_1890_: u32;
+    var phi_1891_: u32;
+    var phi_1892_: bool;
     var phi_1901_: u32;
-    var phi_1902_: u32;
-    var phi_1903_: bool;
-    var phi_1912_: u32;
-    var phi_1917_: u32;
-    var phi_1918_: bool;
-    var phi_716_: type_48;
-    var phi_719_: type_4;
-    var phi_720_: type_4;
-    var phi_742_: type_4;
-    var phi_765_: u32;
-    var phi_853_: array<array<f32, 3>, 3>;
-    var phi_1324_: vec3<f32>;
-    var phi_1325_: vec3<f32>;
-    var phi_1356_: bool;
-    var phi_1365_: vec3<f32>;
-    var phi_1405_: type_24;
-    var phi_1407_: type_24;
-    var phi_1408_: bool;
-    var phi_1412_: type_24;
+    var phi_1906_: u32;
+    var phi_1907_: bool;
+    var phi_705_: type_48;
+    var phi_708_: type_4;
+    var phi_709_: type_4;
+    var phi_731_: type_4;
+    var phi_754_: u32;
+    var phi_842_: array<array<f32, 3>, 3>;
+    var phi_1313_: vec3<f32>;
+    var phi_1314_: vec3<f32>;
+    var phi_1345_: bool;
+    var phi_1354_: vec3<f32>;
+    var phi_1394_: type_24;
+    var phi_1396_: type_24;
+    var phi_1397_: bool;
+    var phi_1401_: type_24;
+    var phi_1402_: type_24;
+    var phi_1403_: type_24;
+    var phi_1404_: bool;
+    var phi_1408_: type_24;
+    var phi_1409_: bool;
     var phi_1413_: type_24;
-    var phi_1414_: type_24;
-    var phi_1415_: bool;
-    var phi_1419_: type_24;
-    var phi_1420_: bool;
-    var phi_1424_: type_24;
-    var phi_1425_: bool;
-    var phi_1429_: type_24;
-    var phi_1454_: bool;
-    var phi_1455_: bool;
-    var phi_1462_: type_48;
-    var phi_1463_: type_48;
-    var phi_1464_: type_48;
-    var phi_717_: type_48;
-    var phi_1959_: bool;
-    var phi_2073_: bool;
-    var phi_1920_: type_48;
-    var phi_1921_: u32;
-    var phi_1922_: bool;
-    var phi_1923_: u32;
-    var phi_2072_: bool;
-    var phi_1924_: type_48;
-    var phi_1925_: u32;
-    var phi_1926_: u32;
-    var phi_1927_: bool;
-    var phi_1928_: u32;
-    var phi_2071_: bool;
-    var phi_1929_: type_48;
-    var phi_1930_: u32;
-    var phi_1931_: u32;
-    var phi_1932_: bool;
-    var phi_1933_: u32;
-    var phi_2070_: bool;
-    var phi_649_: type_48;
-    var phi_652_: u32;
-    var phi_654_: u32;
-    var phi_656_: bool;
-    var phi_658_: u32;
-    var phi_1934_: bool;
-    var phi_2069_: bool;
+    var phi_1414_: bool;
+    var phi_1418_: type_24;
+    var phi_1443_: bool;
+    var phi_1444_: bool;
+    var phi_1451_: type_48;
+    var phi_1452_: type_48;
+    var phi_1453_: type_48;
+    var phi_706_: type_48;
+    var phi_1948_: bool;
+    var phi_2062_: bool;
+    var phi_1909_: type_48;
+    var phi_1910_: u32;
+    var phi_1911_: bool;
+    var phi_1912_: u32;
+    var phi_2061_: bool;
+    var phi_1913_: type_48;
+    var phi_1914_: u32;
+    var phi_1915_: u32;
+    var phi_1916_: bool;
+    var phi_1917_: u32;
+    var phi_2060_: bool;
+    var phi_1918_: type_48;
+    var phi_1919_: u32;
+    var phi_1920_: u32;
+    var phi_1921_: bool;
+    var phi_1922_: u32;
+    var phi_2059_: bool;
+    var phi_638_: type_48;
+    var phi_641_: u32;
+    var phi_643_: u32;
+    var phi_645_: bool;
+    var phi_647_: u32;
+    var phi_1923_: bool;
+    var phi_2058_: bool;
     var local_2: type_48;
     var local_3: type_48;
     var local_4: type_48;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e60 = global;
-            let _e62 = arrayLength((&global_2.member));
-            let _e64 = arrayLength((&global_3.member));
-            let _e72 = (_e60.x + (_e60.y * 2097152u));
-            let _e73 = (_e72 < arrayLength((&global_4.member)));
-            if _e73 {
-                let _e74 = (_e72 < arrayLength((&global_5.member)));
-                if _e74 {
-                    if _e73 {
-                    } else {
-                        break;
-                    }
-                    let _e77 = global_1.member[0u];
-                    let _e78 = bitcast<i32>(_e77);
-                    let _e86 = global_4.member[_e72].member_2[0u];
-                    let _e88 = (bitcast<u32>(_e86) & 2147483647u);
-                    let _e93 = global_4.member[_e72].member_2[1u];
-                    let _e95 = (bitcast<u32>(_e93) & 2147483647u);
-                    let _e100 = global_4.member[_e72].member_2[2u];
-                    let _e102 = (bitcast<u32>(_e100) & 2147483647u);
-                    let _e107 = global_4.member[_e72].member[0u];
-                    let _e109 = (bitcast<u32>(_e107) & 2147483647u);
-                    let _e114 = global_4.member[_e72].member[1u];
-                    let _e116 = (bitcast<u32>(_e114) & 2147483647u);
-                    let _e121 = global_4.member[_e72].member[2u];
-                    let _e123 = (bitcast<u32>(_e121) & 2147483647u);
-                    let _e125 = select(_e95, _e88, (_e95 < _e88));
-                    let _e127 = select(_e102, _e125, (_e102 < _e125));
-                    let _e129 = select(_e109, _e127, (_e109 < _e127));
-                    let _e131 = select(_e116, _e129, (_e116 < _e129));
-                    let _e133 = select(_e123, _e131, (_e123 < _e131));
-                    let _e137 = global_4.member[_e72].member_1;
-                    let _e139 = (bitcast<u32>(_e137) & 2147483647u);
-                    let _e146 = global_4.member[_e72].member_3;
-                    let _e152 = (((select(_e139, _e133, (_e139 < _e133)) < 2139095040u) && ((bitcast<u32>(_e146) & 2147483647u) <= 2139095040u)) && (_e127 > 0u));
-                    if _e152 {
-                        let _e155 = (bitcast<u32>(bitcast<f32>(_e127)) & 2147483647u);
-                        if (_e155 >= 8388608u) {
-                            phi_261_ = (bitcast<i32>((_e155 >> bitcast<u32>(23i))) - 127i);
-                        } else {
-                            phi_261_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e155)), 32u, (_e155 == 0u))));
-                        }
-                        let _e169 = phi_261_;
-                        phi_262_ = _e169;
-                    } else {
-                        phi_262_ = 0i;
-                    }
-                    let _e171 = phi_262_;
-                    let _e172 = (_e88 == _e127);
-                    if _e172 {
-                        phi_272_ = true;
-                    } else {
-                        phi_272_ = (_e95 == _e127);
-                    }
-                    let _e175 = phi_272_;
-                    let _e176 = select(1u, 0u, _e172);
-                    if _e175 {
-                        let _e177 = (_e176 + 1u);
-                        phi_282_ = _e177;
-                        phi_283_ = _e177;
-                        phi_285_ = select(true, false, (_e177 == 2u));
-                    } else {
-                        phi_282_ = u32();
-                        phi_283_ = 0u;
-                        phi_285_ = true;
-                    }
-                    let _e181 = phi_282_;
-                    let _e183 = phi_283_;
-                    let _e185 = phi_285_;
-                    if _e185 {
-                        phi_290_ = (_e183 + 1u);
-                    } else {
-                        phi_290_ = 0u;
-                    }
-                    let _e189 = phi_290_;
-                    let _e190 = select(_e181, _e183, _e185);
-                    let _e191 = select(_e176, select(2u, _e176, _e175), _e185);
-                    let _e192 = (_e78 / 2i);
-                    let _e197 = bitcast<f32>((bitcast<u32>((_e192 + 127i)) << bitcast<u32>(23i)));
-                    let _e203 = bitcast<f32>((bitcast<u32>(((_e78 - _e192) + 127i)) << bitcast<u32>(23i)));
-                    let _e204 = -(_e171);
-                    let _e205 = (_e204 / 2i);
-                    let _e210 = bitcast<f32>((bitcast<u32>((_e205 + 127i)) << bitcast<u32>(23i)));
-                    let _e216 = bitcast<f32>((bitcast<u32>(((_e204 - _e205) + 127i)) << bitcast<u32>(23i)));
-                    let _e220 = global_4.member[_e72].member;
-                    let _e221 = (_e190 == 0u);
-                    if _e221 {
-                        phi_334_ = _e220[0];
-                    } else {
-                        phi_334_ = _e220[1];
-                    }
-                    let _e225 = phi_334_;
-                    let _e226 = (_e190 == 2u);
-                    if _e226 {
-                        phi_340_ = _e220[2];
-                    } else {
-                        phi_340_ = _e225;
-                    }
-                    let _e229 = phi_340_;
-                    let _e231 = ((_e229 * _e197) * _e203);
-                    let _e232 = global_4.member[_e72].member_2;
-                    if _e221 {
-                        phi_351_ = _e232[0];
-                    } else {
-                        phi_351_ = _e232[1];
-                    }
-                    let _e236 = phi_351_;
-                    if _e226 {
-                        phi_357_ = _e232[2];
-                    } else {
-                        phi_357_ = _e236;
-                    }
-                    let _e239 = phi_357_;
-                    let _e241 = ((_e239 * _e210) * _e216);
-                    let _e245 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e245 {
-                        let _e249 = (bitcast<f32>((bitcast<u32>(_e231) & 2147483647u)) * 0.00000011920929f);
-                        phi_380_ = select(0.00000000000000000086736174f, _e249, (_e249 > 0.00000000000000000086736174f));
-                    } else {
-                        phi_380_ = 0f;
-                    }
-                    let _e253 = phi_380_;
-                    let _e254 = (_e231 + _e253);
-                    let _e255 = (_e231 - _e253);
-                    let _e256 = select(_e241, 0f, _e245);
-                    if _e245 {
-                        phi_395_ = 1267650600000000000000000000000f;
-                    } else {
-                        phi_395_ = (1f / _e241);
-                    }
-                    let _e259 = phi_395_;
-                    let _e260 = (_e189 == 0u);
-                    if _e260 {
-                        phi_404_ = _e220[0];
-                    } else {
-                        phi_404_ = _e220[1];
-                    }
-                    let _e264 = phi_404_;
-                    let _e265 = (_e189 == 2u);
-                    if _e265 {
-                        phi_410_ = _e220[2];
-                    } else {
-                        phi_410_ = _e264;
-                    }
-                    let _e268 = phi_410_;
-                    let _e270 = ((_e268 * _e197) * _e203);
-                    if _e260 {
-                        phi_421_ = _e232[0];
-                    } else {
-                        phi_421_ = _e232[1];
-                    }
-                    let _e274 = phi_421_;
-                    if _e265 {
-                        phi_427_ = _e232[2];
-                    } else {
-                        phi_427_ = _e274;
-                    }
-                    let _e277 = phi_427_;
-                    let _e279 = ((_e277 * _e210) * _e216);
-                    let _e283 = (bitcast<f32>((bitcast<u32>(_e279) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e283 {
-                        let _e287 = (bitcast<f32>((bitcast<u32>(_e270) & 2147483647u)) * 0.00000011920929f);
-                        phi_450_ = select(0.00000000000000000086736174f, _e287, (_e287 > 0.00000000000000000086736174f));
-                    } else {
-                        phi_450_ = 0f;
-                    }
-                    let _e291 = phi_450_;
-                    let _e292 = (_e270 + _e291);
-                    let _e293 = (_e270 - _e291);
-                    let _e294 = select(_e279, 0f, _e283);
-                    if _e283 {
-                        phi_465_ = 1267650600000000000000000000000f;
-                    } else {
-                        phi_465_ = (1f / _e279);
-                    }
-                    let _e297 = phi_465_;
-                    let _e298 = (_e191 == 0u);
-                    if _e298 {
-                        phi_474_ = _e220[0];
-                    } else {
-                        phi_474_ = _e220[1];
-                    }
-                    let _e302 = phi_474_;
-                    let _e303 = (_e191 == 2u);
-                    if _e303 {
-                        phi_480_ = _e220[2];
-                    } else {
-                        phi_480_ = _e302;
-                    }
-                    let _e306 = phi_480_;
-                    let _e308 = ((_e306 * _e197) * _e203);
-                    if _e298 {
-                        phi_491_ = _e232[0];
-                    } else {
-                        phi_491_ = _e232[1];
-                    }
-                    let _e312 = phi_491_;
-                    if _e303 {
-                        phi_497_ = _e232[2];
-                    } else {
-                        phi_497_ = _e312;
-                    }
-                    let _e315 = phi_497_;
-                    let _e317 = ((_e315 * _e210) * _e216);
-                    let _e321 = (bitcast<f32>((bitcast<u32>(_e317) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e321 {
-                        let _e325 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) * 0.00000011920929f);
-                        phi_520_ = select(0.00000000000000000086736174f, _e325, (_e325 > 0.00000000000000000086736174f));
-                    } else {
-                        phi_520_ = 0f;
-                    }
-                    let _e329 = phi_520_;
-                    let _e330 = (_e308 + _e329);
-                    let _e331 = (_e308 - _e329);
-                    let _e332 = select(_e317, 0f, _e321);
-                    if _e321 {
-                        phi_535_ = 1267650600000000000000000000000f;
-                    } else {
-                        phi_535_ = (1f / _e317);
-                    }
-                    let _e335 = phi_535_;
-                    let _e338 = bitcast<f32>((bitcast<u32>(_e231) & 2147483647u));
-                    let _e341 = bitcast<f32>((bitcast<u32>(_e270) & 2147483647u));
-                    let _e343 = select(_e341, _e338, (_e338 > _e341));
-                    let _e346 = bitcast<f32>((bitcast<u32>(_e308) & 2147483647u));
-                    let _e349 = (_e78 + _e171);
-                    if (_e152 && (select(_e346, _e343, (_e343 > _e346)) <= 1099511600000f)) {
-                        let _e352 = (_e349 / 3i);
-                        let _e359 = bitcast<f32>((bitcast<u32>((_e352 + 127i)) << bitcast<u32>(23i)));
-                        let _e366 = bitcast<f32>((bitcast<u32>(((_e349 - (2i * _e352)) + 127i)) << bitcast<u32>(23i)));
-                        let _e367 = (((_e137 * _e359) * _e359) * _e366);
-                        let _e369 = select(340282350000000000000000000000000000000f, _e367, (_e367 < 340282350000000000000000000000000000000f));
-                        let _e374 = (((_e146 * _e359) * _e359) * _e366);
-                        let _e376 = select(340282350000000000000000000000000000000f, _e374, (_e374 < 340282350000000000000000000000000000000f));
-                        phi_635_ = select(-340282350000000000000000000000000000000f, _e376, (_e376 > -340282350000000000000000000000000000000f));
-                        phi_636_ = select(-340282350000000000000000000000000000000f, _e369, (_e369 > -340282350000000000000000000000000000000f));
-                    } else {
-                        phi_635_ = 0f;
-                        phi_636_ = 1f;
-                    }
-                    let _e380 = phi_635_;
-                    let _e382 = phi_636_;
-                    local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_1965_ = false;
-                    phi_648_ = type_48(type_40(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e380), 0u, 0u);
-                    phi_651_ = select(0u, 2147483648u, (_e62 == 0u));
-                    phi_653_ = ((3u * _e62) + 1u);
-                    phi_655_ = (_e382 <= _e380);
-                    phi_657_ = 0u;
-                    loop {
-                        let _e391 = phi_1965_;
-                        let _e393 = phi_648_;
-                        let _e395 = phi_651_;
-                        let _e397 = phi_653_;
-                        let _e399 = phi_655_;
-                        let _e401 = phi_657_;
-                        local_2 = _e393;
-                        local_3 = _e393;
-                        if _e399 {
-                            phi_668_ = true;
-                        } else {
-                            phi_668_ = (_e401 > 0u);
-                        }
-                        let _e404 = phi_668_;
-                        if _e404 {
-                            let _e405 = (_e397 > 0u);
-                            if _e405 {
-                                if _e399 {
-                                    phi_698_ = _e395;
-                                    phi_699_ = _e399;
-                                    phi_700_ = _e401;
-                                } else {
-                                    let _e406 = (_e401 - 1u);
-                                    let _e407 = (_e406 % 128u);
-                                    let _e408 = (_e407 < 128u);
-                                    if _e408 {
-                                    } else {
-                                        phi_2069_ = true;
-                                        break;
-                                    }
-                                    let _e410 = local[_e407];
-                                    if _e408 {
-                                    } else {
-                                        phi_2069_ = true;
-                                        break;
-                                    }
-                                    let _e412 = local_1[_e407];
-                                    phi_698_ = _e410;
-                                    phi_699_ = (_e412 <= _e393.member.member_1);
-                                    phi_700_ = _e406;
-                                }
-                                let _e417 = phi_698_;
-                                let _e419 = phi_699_;
-                                let _e421 = phi_700_;
-                                if _e419 {
-                                    let _e425 = (_e417 & 268435455u);
-                                    if ((_e417 & 2147483648u) != 0u) {
-                                        phi_716_ = _e393;
-                                        phi_719_ = type_4(_e425, (_e425 + ((_e417 >> bitcast<u32>(28u)) & 7u)));
-                                        loop {
-                                            let _e627 = phi_716_;
-                                            let _e629 = phi_719_;
-                                            local_4 = _e627;
-                                            if (_e629.member < _e629.member_1) {
-                                                phi_720_ = type_4((_e629.member + 1u), _e629.member_1);
-                                                phi_742_ = type_4(1u, _e629.member);
-                                            } else {
-                                                phi_720_ = _e629;
-                                                phi_742_ = type_4(0u, type_4().member_1);
-                                            }
-                                            let _e642 = phi_720_;
-                                            let _e644 = phi_742_;
-                                            let _e648 = (bitcast<i32>(_e644.member) != 0i);
-                                            if _e648 {
-                                                let _e654 = type_48(_e627.member, _e627.member_1, (_e627.member_2 + 1u));
-                                                let _e655 = (_e644.member_1 < _e64);
-                                                if _e655 {
-                                                    if _e655 {
-                                                    } else {
-                                                        phi_1959_ = true;
-                                                        break;
-                                                    }
-                                                    let _e659 = global_3.member[_e644.member_1].member_1;
-                                                    phi_765_ = _e659;
-                                                } else {
-                                                    phi_765_ = 4294967295u;
-                                                }
-                                                let _e661 = phi_765_;
-                                                if (_e644.member_1 >= _e64) {
-                                                    phi_853_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
-                                                } else {
-                                                    if _e655 {
-                                                    } else {
-                                                        phi_1959_ = true;
-                                                        break;
-                                                    }
-                                                    let _e663 = (_e190 % 3u);
-                                                    let _e664 = (_e189 % 3u);
-                                                    let _e665 = (_e191 % 3u);
-                                                    if (_e663 < 9u) {
-                                                    } else {
-                                                        phi_1959_ = true;
-                                                        break;
-                                                    }
-                                                    let _e671 = global_3.member[_e644.member_1].member[_e663];
-                                                    if (_e664 < 9u) {
-                                                    } else {
-                                                        phi_1959_ = true;
-                                                        break;
-                                                    }
-                                                    let _e677 = global_3.member[_e644.member_1].member[_e664];
-                                                    if (_e665 < 9u) {
-                                                    } else {
-                                                        phi_1959_ = true;
-                                                        break;
-                                                    }
-                                                    let _e683 = global_3.member[_e644.member_1].member[_e665];
-                                                    let _e685 = (3u + _e663);
-                                                    if (_e685 < 9u) {
-                                                    } else {
-                                                        phi_1959_ = true;
-                                                        break;
-                                                    }
-                                                    let _e691 = global_3.member[_e644.member_1].member[_e685];
-                                                    let _e692 = (3u + _e664);
-                                                    if (_e692 < 9u) {
-                                                    } else {
-                                                        phi_1959_ = true;
-                                                        break;
-                                                    }
-                                                    let _e698 = global_3.member[_e644.member_1].member[_e692];
-                                                    let _e699 = (3u + _e665);
-                                                    if (_e699 < 9u) {
-                                                    } else {
-                                                        phi_1959_ = true;
-                                                        break;
-                                                    }
-                                                    let _e705 = global_3.member[_e644.member_1].member[_e699];
-                                                    let _e707 = (6u + _e663);
-                                                    if (_e707 < 9u) {
-                                                    } else {
-                                                        phi_1959_ = true;
-                                                        break;
-                                                    }
-                                                    let _e713 = global_3.member[_e644.member_1].member[_e707];
-                                                    let _e714 = (6u + _e664);
-                                                    if (_e714 < 9u) {
-                                                    } else {
-                                                        phi_1959_ = true;
-                                                        break;
-                                                    }
-                                                    let _e720 = global_3.member[_e644.member_1].member[_e714];
-                                                    let _e721 = (6u + _e665);
-                                                    if (_e721 < 9u) {
-                                                    } else {
-                                                        phi_1959_ = true;
-                                                        break;
-                                                    }
-                                                    let _e727 = global_3.member[_e644.member_1].member[_e721];
-                                                    phi_853_ = array<array<f32, 3>, 3>(array<f32, 3>(_e671, _e677, _e683), array<f32, 3>(_e691, _e698, _e705), array<f32, 3>(_e713, _e720, _e727));
-                                                }
-                                                let _e731 = phi_853_;
-                                                let _e740 = (_e731[0][2] - _e308);
-                                                let _e743 = (((_e731[0][0] - _e231) * _e332) - (_e740 * _e256));
-                                                let _e746 = (((_e731[0][1] - _e270) * _e332) - (_e740 * _e294));
-                                                let _e753 = (_e731[1][2] - _e308);
-                                                let _e756 = (((_e731[1][0] - _e231) * _e332) - (_e753 * _e256));
-                                                let _e759 = (((_e731[1][1] - _e270) * _e332) - (_e753 * _e294));
-                                                let _e766 = (_e731[2][2] - _e308);
-                                                let _e769 = (((_e731[2][0] - _e231) * _e332) - (_e766 * _e256));
-                                                let _e772 = (((_e731[2][1] - _e270) * _e332) - (_e766 * _e294));
-                                                let _e773 = (_e769 * _e759);
-                                                let _e774 = (_e772 * _e756);
-                                                let _e775 = (_e743 * _e772);
-                                                let _e776 = (_e746 * _e769);
-                                                let _e777 = (_e756 * _e746);
-                                                let _e778 = (_e759 * _e743);
-                                                let _e783 = (((_e773 >= _e774) && (_e775 >= _e776)) && (_e777 >= _e778));
-                                                if (_e783 || (((_e773 <= _e774) && (_e775 <= _e776)) && (_e777 <= _e778))) {
-                                                    let _e790 = select(-1f, 1f, _e783);
-                                                    let _e792 = ((_e773 - _e774) * _e790);
-                                                    let _e794 = select(0f, _e792, (_e792 > 0f));
-                                                    let _e796 = ((_e775 - _e776) * _e790);
-                                                    let _e798 = select(0f, _e796, (_e796 > 0f));
-                                                    let _e800 = ((_e777 - _e778) * _e790);
-                                                    let _e802 = select(0f, _e800, (_e800 > 0f));
-                                                    let _e804 = ((_e794 + _e798) + _e802);
-                                                    if (_e804 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1419_ = type_24();
-                                                        phi_1420_ = true;
-                                                    } else {
-                                                        let _e807 = select(_e731[1][0], _e731[0][0], (_e731[0][0] < _e731[1][0]));
-                                                        let _e811 = select(_e731[1][0], _e731[0][0], (_e731[0][0] > _e731[1][0]));
-                                                        let _e815 = select(_e731[1][1], _e731[0][1], (_e731[0][1] < _e731[1][1]));
-                                                        let _e819 = select(_e731[1][1], _e731[0][1], (_e731[0][1] > _e731[1][1]));
-                                                        let _e823 = select(_e731[1][2], _e731[0][2], (_e731[0][2] < _e731[1][2]));
-                                                        let _e827 = select(_e731[1][2], _e731[0][2], (_e731[0][2] > _e731[1][2]));
-                                                        let _e832 = ((select(_e731[2][0], _e807, (_e807 < _e731[2][0])) - _e254) * _e259);
-                                                        let _e833 = ((select(_e731[2][0], _e811, (_e811 > _e731[2][0])) - _e255) * _e259);
-                                                        let _e836 = ((select(_e731[2][1], _e815, (_e815 < _e731[2][1])) - _e292) * _e297);
-                                                        let _e837 = ((select(_e731[2][1], _e819, (_e819 > _e731[2][1])) - _e293) * _e297);
-                                                        let _e840 = ((select(_e731[2][2], _e823, (_e823 < _e731[2][2])) - _e330) * _e335);
-                                                        let _e841 = ((select(_e731[2][2], _e827, (_e827 > _e731[2][2])) - _e331) * _e335);
-                                                        let _e843 = select(_e841, _e840, (_e840 < _e841));
-                                                        let _e845 = select(_e841, _e840, (_e840 > _e841));
-                                                        let _e847 = select(_e833, _e832, (_e832 < _e833));
-                                                        let _e849 = select(_e837, _e836, (_e836 < _e837));
-                                                        let _e851 = select(_e849, _e847, (_e847 > _e849));
-                                                        let _e853 = select(_e843, _e851, (_e851 > _e843));
-                                                        let _e855 = select(_e833, _e832, (_e832 > _e833));
-                                                        let _e857 = select(_e837, _e836, (_e836 > _e837));
-                                                        let _e859 = select(_e857, _e855, (_e855 < _e857));
-                                                        let _e861 = select(_e845, _e859, (_e859 < _e845));
-                                                        let _e862 = -(_e843);
-                                                        let _e868 = select(_e382, _e853, (_e853 > _e382));
-                                                        if (_e868 > (_e861 + (select(_e862, _e845, (_e845 > _e862)) * 0.0000019073523f))) {
-                                                            phi_1414_ = type_24();
-                                                            phi_1415_ = true;
-                                                        } else {
-                                                            let _e870 = (_e868 > _e627.member.member_1);
-                                                            if _e870 {
-                                                                phi_1413_ = type_24();
-                                                            } else {
-                                                                let _e874 = (_e731[1][0] - _e731[0][0]);
-                                                                let _e875 = (_e731[1][1] - _e731[0][1]);
-                                                                let _e876 = (_e731[1][2] - _e731[0][2]);
-                                                                let _e877 = vec3<f32>(_e874, _e875, _e876);
-                                                                let _e878 = (_e731[2][0] - _e731[1][0]);
-                                                                let _e879 = (_e731[2][1] - _e731[1][1]);
-                                                                let _e880 = (_e731[2][2] - _e731[1][2]);
-                                                                let _e881 = vec3<f32>(_e878, _e879, _e880);
-                                                                let _e882 = (_e731[0][0] - _e731[2][0]);
-                                                                let _e883 = (_e731[0][1] - _e731[2][1]);
-                                                                let _e884 = (_e731[0][2] - _e731[2][2]);
-                                                                let _e885 = vec3<f32>(_e882, _e883, _e884);
-                                                                let _e888 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
-                                                                let _e891 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
-                                                                let _e893 = select(_e891, _e888, (_e888 > _e891));
-                                                                let _e896 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
-                                                                let _e898 = select(_e896, _e893, (_e893 > _e896));
-                                                                let _e901 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
-                                                                let _e904 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
-                                                                let _e906 = select(_e904, _e901, (_e901 > _e904));
-                                                                let _e909 = bitcast<f32>((bitcast<u32>(_e880) & 2147483647u));
-                                                                let _e911 = select(_e909, _e906, (_e906 > _e909));
-                                                                let _e914 = bitcast<f32>((bitcast<u32>(_e882) & 2147483647u));
-                                                                let _e917 = bitcast<f32>((bitcast<u32>(_e883) & 2147483647u));
-                                                                let _e919 = select(_e917, _e914, (_e914 > _e917));
-                                                                let _e922 = bitcast<f32>((bitcast<u32>(_e884) & 2147483647u));
-                                                                let _e924 = select(_e922, _e919, (_e919 > _e922));
-                                                                let _e926 = select(_e911, _e898, (_e898 > _e911));
-                                                                let _e928 = select(_e924, _e926, (_e926 > _e924));
-                                                                if (_e898 == _e928) {
-                                                                    phi_1324_ = _e881;
-                                                                    phi_1325_ = _e885;
-                                                                } else {
-                                                                    let _e931 = vec3((_e911 == _e928));
-                                                                    phi_1324_ = select(_e877, _e885, _e931);
-                                                                    phi_1325_ = select(_e881, _e877, _e931);
-                                                                }
-                                                                let _e935 = phi_1324_;
-                                                                let _e937 = phi_1325_;
-                                                                let _e944 = ((_e935.y * _e937.z) - (_e937.y * _e935.z));
-                                                                let _e949 = ((_e935.z * _e937.x) - (_e937.z * _e935.x));
-                                                                let _e952 = ((_e935.x * _e937.y) - (_e937.x * _e935.y));
-                                                                if (_e794 >= _e798) {
-                                                                    phi_1356_ = select(true, false, (_e794 >= _e802));
-                                                                } else {
-                                                                    phi_1356_ = true;
-                                                                }
-                                                                let _e957 = phi_1356_;
-                                                                if _e957 {
-                                                                    phi_1365_ = select(vec3<f32>(_e731[2][0], _e731[2][1], _e731[2][2]), vec3<f32>(_e731[1][0], _e731[1][1], _e731[1][2]), vec3((_e798 >= _e802)));
-                                                                } else {
-                                                                    phi_1365_ = vec3<f32>(_e731[0][0], _e731[0][1], _e731[0][2]);
-                                                                }
-                                                                let _e962 = phi_1365_;
-                                                                let _e979 = ((((_e944 * (_e962.x - _e231)) + (_e949 * (_e962.y - _e270))) + (_e952 * (_e962.z - _e308))) / (((_e944 * _e256) + (_e949 * _e294)) + (_e952 * _e332)));
-                                                                let _e981 = select(_e861, _e979, (_e979 < _e861));
-                                                                let _e983 = select(_e853, _e981, (_e981 > _e853));
-                                                                if (_e983 >= _e382) {
-                                                                    let _e985 = (_e983 <= _e627.member.member_1);
-                                                                    if _e985 {
-                                                                        let _e986 = (1f / _e804);
-                                                                        phi_1405_ = type_24(_e983, (_e798 * _e986), (_e802 * _e986), _e661);
-                                                                    } else {
-                                                                        phi_1405_ = type_24();
-                                                                    }
-                                                                    let _e991 = phi_1405_;
-                                                                    phi_1407_ = _e991;
-                                                                    phi_1408_ = select(true, false, _e985);
-                                                                } else {
-                                                                    phi_1407_ = type_24();
-                                                                    phi_1408_ = true;
-                                                                }
-                                                                let _e994 = phi_1407_;
-                                                                let _e996 = phi_1408_;
-                                                                if _e996 {
-                                                                    phi_1412_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1412_ = _e994;
-                                                                }
-                                                                let _e998 = phi_1412_;
-                                                                phi_1413_ = _e998;
-                                                            }
-                                                            let _e1000 = phi_1413_;
-                                                            phi_1414_ = _e1000;
-                                                            phi_1415_ = _e870;
-                                                        }
-                                                        let _e1002 = phi_1414_;
-                                                        let _e1004 = phi_1415_;
-                                                        phi_1419_ = _e1002;
-                                                        phi_1420_ = _e1004;
-                                                    }
-                                                    let _e1006 = phi_1419_;
-                                                    let _e1008 = phi_1420_;
-                                                    phi_1424_ = _e1006;
-                                                    phi_1425_ = _e1008;
-                                                } else {
-                                                    phi_1424_ = type_24();
-                                                    phi_1425_ = true;
-                                                }
-                                                let _e1010 = phi_1424_;
-                                                let _e1012 = phi_1425_;
-                                                if _e1012 {
-                                                    phi_1429_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_1429_ = _e1010;
-                                                }
-                                                let _e1014 = phi_1429_;
-                                                if (_e1014.member_3 != 4294967295u) {
-                                                    if (_e661 != 4294967295u) {
-                                                        if (_e1014.member < _e627.member.member.member) {
-                                                            phi_1455_ = true;
-                                                        } else {
-                                                            if (_e1014.member == _e627.member.member.member) {
-                                                                phi_1454_ = (_e1014.member_3 < _e627.member.member.member_3);
-                                                            } else {
-                                                                phi_1454_ = false;
-                                                            }
-                                                            let _e1029 = phi_1454_;
-                                                            phi_1455_ = _e1029;
-                                                        }
-                                                        let _e1031 = phi_1455_;
-                                                        if _e1031 {
-                                                            phi_1462_ = type_48(type_40(_e1014, _e1014.member), _e654.member_1, _e654.member_2);
-                                                        } else {
-                                                            phi_1462_ = _e654;
-                                                        }
-                                                        let _e1038 = phi_1462_;
-                                                        phi_1463_ = _e1038;
-                                                    } else {
-                                                        phi_1463_ = _e654;
-                                                    }
-                                                    let _e1040 = phi_1463_;
-                                                    phi_1464_ = _e1040;
-                                                } else {
-                                                    phi_1464_ = _e654;
-                                                }
-                                                let _e1042 = phi_1464_;
-                                                phi_717_ = _e1042;
-                                            } else {
-                                                phi_717_ = type_48();
-                                            }
-                                            let _e1044 = phi_717_;
-                                            continue;
-                                            continuing {
-                                                phi_716_ = _e1044;
-                                                phi_719_ = _e642;
-                                                phi_1959_ = _e391;
-                                                break if !(_e648);
-                                            }
-                                        }
-                                        let _e1047 = phi_1959_;
-                                        phi_2069_ = _e1047;
-                                        if _e1047 {
-                                            break;
-                                        }
-                                        phi_2073_ = _e1047;
-                                        let _e1191 = local_4;
-                                        phi_1920_ = _e1191;
-                                        phi_1921_ = _e417;
-                                        phi_1922_ = false;
-                                        phi_1923_ = _e421;
-                                    } else {
-                                        if (_e417 >= _e62) {
-                                            phi_1527_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
-                                        } else {
-                                            if (_e417 < _e62) {
-                                            } else {
-                                                phi_2069_ = true;
-                                                break;
-                                            }
-                                            let _e437 = (_e190 % 3u);
-                                            if (_e437 < 3u) {
-                                            } else {
-                                                phi_2069_ = true;
-                                                break;
-                                            }
-                                            let _e443 = global_2.member[_e417].member[_e437];
-                                            let _e449 = (_e189 % 3u);
-                                            if (_e449 < 3u) {
-                                            } else {
-                                                phi_2069_ = true;
-                                                break;
-                                            }
-                                            let _e455 = global_2.member[_e417].member[_e449];
-                                            let _e461 = (_e191 % 3u);
-                                            if (_e461 < 3u) {
-                                            } else {
-                                                phi_2069_ = true;
-                                                break;
-                                            }
-                                            let _e467 = global_2.member[_e417].member[_e461];
-                                            let _e477 = global_2.member[_e417].member_1;
-                                            let _e481 = global_2.member[_e417].member_2;
-                                            phi_1527_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e443[0], _e443[1], _e443[2], _e443[3]), vec4<f32>(_e455[0], _e455[1], _e455[2], _e455[3]), vec4<f32>(_e467[0], _e467[1], _e467[2], _e467[3])), _e477, _e481);
-                                        }
-                                        let _e484 = phi_1527_;
-                                        let _e497 = ((_e484.member[0].x - _e254) * _e259);
-                                        let _e498 = ((_e484.member[0].y - _e254) * _e259);
-                                        let _e499 = ((_e484.member[0].z - _e255) * _e259);
-                                        let _e500 = ((_e484.member[0].w - _e255) * _e259);
-                                        let _e510 = ((_e484.member[1].x - _e292) * _e297);
-                                        let _e511 = ((_e484.member[1].y - _e292) * _e297);
-                                        let _e512 = ((_e484.member[1].z - _e293) * _e297);
-                                        let _e513 = ((_e484.member[1].w - _e293) * _e297);
-                                        let _e523 = ((_e484.member[2].x - _e330) * _e335);
-                                        let _e524 = ((_e484.member[2].y - _e330) * _e335);
-                                        let _e525 = ((_e484.member[2].z - _e331) * _e335);
-                                        let _e526 = ((_e484.member[2].w - _e331) * _e335);
-                                        let _e528 = select(_e525, _e523, (_e523 < _e525));
-                                        let _e530 = select(_e526, _e524, (_e524 < _e526));
-                                        let _e532 = select(_e525, _e523, (_e523 > _e525));
-                                        let _e534 = select(_e526, _e524, (_e524 > _e526));
-                                        let _e536 = select(_e499, _e497, (_e497 < _e499));
-                                        let _e538 = select(_e500, _e498, (_e498 < _e500));
-                                        let _e540 = select(_e512, _e510, (_e510 < _e512));
-                                        let _e542 = select(_e513, _e511, (_e511 < _e513));
-                                        let _e544 = select(_e540, _e536, (_e536 > _e540));
-                                        let _e546 = select(_e542, _e538, (_e538 > _e542));
-                                        let _e548 = select(_e528, _e544, (_e544 > _e528));
-                                        let _e550 = select(_e530, _e546, (_e546 > _e530));
-                                        let _e552 = select(_e499, _e497, (_e497 > _e499));
-                                        let _e554 = select(_e500, _e498, (_e498 > _e500));
-                                        let _e556 = select(_e512, _e510, (_e510 > _e512));
-                                        let _e558 = select(_e513, _e511, (_e511 > _e513));
-                                        let _e560 = select(_e556, _e552, (_e552 < _e556));
-                                        let _e562 = select(_e558, _e554, (_e554 < _e558));
-                                        let _e567 = -(_e528);
-                                        let _e568 = -(_e530);
-                                        let _e575 = (select(_e532, _e560, (_e560 < _e532)) + (select(_e567, _e532, (_e532 > _e567)) * 0.0000019073523f));
-                                        let _e576 = (select(_e534, _e562, (_e562 < _e534)) + (select(_e568, _e534, (_e534 > _e568)) * 0.0000019073523f));
-                                        let _e578 = select(_e382, _e548, (_e548 > _e382));
-                                        let _e580 = select(_e382, _e550, (_e550 > _e382));
-                                        let _e585 = (_e578 <= select(_e393.member.member_1, _e575, (_e575 < _e393.member.member_1)));
-                                        let _e586 = (_e580 <= select(_e393.member.member_1, _e576, (_e576 < _e393.member.member_1)));
-                                        let _e587 = (_e578 <= _e580);
-                                        if _e585 {
-                                            if _e586 {
-                                                if _e587 {
-                                                    phi_1871_ = _e484.member_2;
-                                                } else {
-                                                    phi_1871_ = _e484.member_1;
-                                                }
-                                                let _e591 = phi_1871_;
-                                                let _e592 = (_e421 % 128u);
-                                                let _e593 = (_e592 < 128u);
-                                                if _e593 {
-                                                } else {
-                                                    phi_2069_ = true;
-                                                    break;
-                                                }
-                                                local[_e592] = _e591;
-                                                if _e593 {
-                                                } else {
-                                                    phi_2069_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e592] = select(_e580, _e578, (_e578 > _e580));
-                                                if _e587 {
-                                                    phi_1897_ = _e484.member_1;
-                                                } else {
-                                                    phi_1897_ = _e484.member_2;
-                                                }
-                                                let _e602 = phi_1897_;
-                                                phi_1898_ = _e602;
-                                                phi_1899_ = (_e421 + 1u);
-                                            } else {
-                                                phi_1898_ = u32();
-                                                phi_1899_ = u32();
-                                            }
-                                            let _e604 = phi_1898_;
-                                            let _e606 = phi_1899_;
-                                            phi_1901_ = _e604;
-                                            phi_1902_ = _e606;
-                                            phi_1903_ = select(true, false, _e586);
-                                        } else {
-                                            phi_1901_ = u32();
-                                            phi_1902_ = u32();
-                                            phi_1903_ = true;
-                                        }
-                                        let _e609 = phi_1901_;
-                                        let _e611 = phi_1902_;
-                                        let _e613 = phi_1903_;
-                                        if _e613 {
-                                            if _e585 {
-                                                phi_1912_ = _e484.member_1;
-                                            } else {
-                                                phi_1912_ = _e484.member_2;
-                                            }
-                                            let _e617 = phi_1912_;
-                                            phi_1917_ = _e617;
-                                            phi_1918_ = select(_e586, true, _e585);
-                                        } else {
-                                            phi_1917_ = _e609;
-                                            phi_1918_ = _e419;
-                                        }
-                                        let _e620 = phi_1917_;
-                                        let _e622 = phi_1918_;
-                                        phi_2073_ = _e391;
-                                        phi_1920_ = type_48(_e393.member, (_e393.member_1 + 1u), _e393.member_2);
-                                        phi_1921_ = _e620;
-                                        phi_1922_ = _e622;
-                                        phi_1923_ = select(_e611, _e421, _e613);
-                                    }
-                                    let _e1049 = phi_2073_;
-                                    let _e1051 = phi_1920_;
-                                    let _e1053 = phi_1921_;
-                                    let _e1055 = phi_1922_;
-                                    let _e1057 = phi_1923_;
-                                    phi_2072_ = _e1049;
-                                    phi_1924_ = _e1051;
-                                    phi_1925_ = _e1053;
-                                    phi_1926_ = (_e397 - 1u);
-                                    phi_1927_ = _e1055;
-                                    phi_1928_ = _e1057;
-                                } else {
-                                    phi_2072_ = _e391;
-                                    phi_1924_ = _e393;
-                                    phi_1925_ = _e417;
-                                    phi_1926_ = _e397;
-                                    phi_1927_ = _e419;
-                                    phi_1928_ = _e421;
-                                }
-                                let _e1059 = phi_2072_;
-                                let _e1061 = phi_1924_;
-                                let _e1063 = phi_1925_;
-                                let _e1065 = phi_1926_;
-                                let _e1067 = phi_1927_;
-                                let _e1069 = phi_1928_;
-                                phi_2071_ = _e1059;
-                                phi_1929_ = _e1061;
-                                phi_1930_ = _e1063;
-                                phi_1931_ = _e1065;
-                                phi_1932_ = _e1067;
-                                phi_1933_ = _e1069;
-                            } else {
-                                phi_2071_ = _e391;
-                                phi_1929_ = type_48();
-                                phi_1930_ = u32();
-                                phi_1931_ = u32();
-                                phi_1932_ = bool();
-                                phi_1933_ = u32();
-                            }
-                            let _e1071 = phi_2071_;
-                            let _e1073 = phi_1929_;
-                            let _e1075 = phi_1930_;
-                            let _e1077 = phi_1931_;
-                            let _e1079 = phi_1932_;
-                            let _e1081 = phi_1933_;
-                            phi_2070_ = _e1071;
-                            phi_649_ = _e1073;
-                            phi_652_ = _e1075;
-                            phi_654_ = _e1077;
-                            phi_656_ = _e1079;
-                            phi_658_ = _e1081;
-                            phi_1934_ = _e405;
-                        } else {
-                            phi_2070_ = _e391;
-                            phi_649_ = type_48();
-                            phi_652_ = u32();
-                            phi_654_ = u32();
-                            phi_656_ = bool();
-                            phi_658_ = u32();
-                            phi_1934_ = false;
-                        }
-                        let _e1083 = phi_2070_;
-                        let _e1085 = phi_649_;
-                        let _e1087 = phi_652_;
-                        let _e1089 = phi_654_;
-                        let _e1091 = phi_656_;
-                        let _e1093 = phi_658_;
-                        let _e1095 = phi_1934_;
-                        continue;
-                        continuing {
-                            phi_1965_ = _e1083;
-                            phi_648_ = _e1085;
-                            phi_651_ = _e1087;
-                            phi_653_ = _e1089;
-                            phi_655_ = _e1091;
-                            phi_657_ = _e1093;
-                            phi_2069_ = _e1083;
-                            break if !(_e1095);
-                        }
-                    }
-                    let _e1098 = phi_2069_;
-                    if _e1098 {
-                        break;
-                    }
-                    let _e1100 = local_2;
-                    let _e1103 = local_3;
+            let _e61 = global;
+            let _e63 = arrayLength((&global_2.member));
+            let _e65 = arrayLength((&global_3.member));
+            let _e73 = (_e61.x + (_e61.y * 2097152u));
+            let _e74 = (_e73 < arrayLength((&global_4.member)));
+            if _e74 {
+                let _e75 = (_e73 < arrayLength((&global_5.member)));
+                if _e75 {
                     if _e74 {
                     } else {
                         break;
                     }
-                    global_5.member[_e72][0u] = _e1100.member_1;
-                    global_5.member[_e72][1u] = _e1103.member_2;
+                    let _e78 = global_1.member[0u];
+                    let _e79 = bitcast<i32>(_e78);
+                    let _e87 = global_4.member[_e73].member_2[0u];
+                    let _e89 = (bitcast<u32>(_e87) & 2147483647u);
+                    let _e94 = global_4.member[_e73].member_2[1u];
+                    let _e96 = (bitcast<u32>(_e94) & 2147483647u);
+                    let _e101 = global_4.member[_e73].member_2[2u];
+                    let _e103 = (bitcast<u32>(_e101) & 2147483647u);
+                    let _e108 = global_4.member[_e73].member[0u];
+                    let _e110 = (bitcast<u32>(_e108) & 2147483647u);
+                    let _e115 = global_4.member[_e73].member[1u];
+                    let _e117 = (bitcast<u32>(_e115) & 2147483647u);
+                    let _e122 = global_4.member[_e73].member[2u];
+                    let _e124 = (bitcast<u32>(_e122) & 2147483647u);
+                    let _e126 = select(_e96, _e89, (_e96 < _e89));
+                    let _e128 = select(_e103, _e126, (_e103 < _e126));
+                    let _e130 = select(_e110, _e128, (_e110 < _e128));
+                    let _e132 = select(_e117, _e130, (_e117 < _e130));
+                    let _e134 = select(_e124, _e132, (_e124 < _e132));
+                    let _e138 = global_4.member[_e73].member_1;
+                    let _e140 = (bitcast<u32>(_e138) & 2147483647u);
+                    let _e147 = global_4.member[_e73].member_3;
+                    let _e153 = (((select(_e140, _e134, (_e140 < _e134)) < 2139095040u) && ((bitcast<u32>(_e147) & 2147483647u) <= 2139095040u)) && (_e128 > 0u));
+                    if _e153 {
+                        let _e156 = (bitcast<u32>(bitcast<f32>(_e128)) & 2147483647u);
+                        if (_e156 >= 8388608u) {
+                            phi_262_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
+                        } else {
+                            phi_262_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
+                        }
+                        let _e170 = phi_262_;
+                        phi_263_ = _e170;
+                    } else {
+                        phi_263_ = 0i;
+                    }
+                    let _e172 = phi_263_;
+                    let _e173 = (_e89 == _e128);
+                    if _e173 {
+                        phi_273_ = true;
+                    } else {
+                        phi_273_ = (_e96 == _e128);
+                    }
+                    let _e176 = phi_273_;
+                    let _e177 = select(1u, 0u, _e173);
+                    if _e176 {
+                        let _e178 = (_e177 + 1u);
+                        phi_283_ = _e178;
+                        phi_284_ = _e178;
+                        phi_286_ = select(true, false, (_e178 == 2u));
+                    } else {
+                        phi_283_ = u32();
+                        phi_284_ = 0u;
+                        phi_286_ = true;
+                    }
+                    let _e182 = phi_283_;
+                    let _e184 = phi_284_;
+                    let _e186 = phi_286_;
+                    if _e186 {
+                        phi_291_ = (_e184 + 1u);
+                    } else {
+                        phi_291_ = 0u;
+                    }
+                    let _e190 = phi_291_;
+                    let _e191 = select(_e182, _e184, _e186);
+                    let _e192 = select(_e177, select(2u, _e177, _e176), _e186);
+                    let _e193 = (_e79 / 2i);
+                    let _e198 = bitcast<f32>((bitcast<u32>((_e193 + 127i)) << bitcast<u32>(23i)));
+                    let _e204 = bitcast<f32>((bitcast<u32>(((_e79 - _e193) + 127i)) << bitcast<u32>(23i)));
+                    let _e205 = -(_e172);
+                    let _e206 = (_e205 / 2i);
+                    let _e211 = bitcast<f32>((bitcast<u32>((_e206 + 127i)) << bitcast<u32>(23i)));
+                    let _e217 = bitcast<f32>((bitcast<u32>(((_e205 - _e206) + 127i)) << bitcast<u32>(23i)));
+                    let _e221 = global_4.member[_e73].member;
+                    let _e222 = (_e191 == 0u);
+                    if _e222 {
+                        phi_335_ = _e221[0];
+                    } else {
+                        phi_335_ = _e221[1];
+                    }
+                    let _e226 = phi_335_;
+                    let _e227 = (_e191 == 2u);
+                    if _e227 {
+                        phi_341_ = _e221[2];
+                    } else {
+                        phi_341_ = _e226;
+                    }
+                    let _e230 = phi_341_;
+                    let _e232 = ((_e230 * _e198) * _e204);
+                    let _e233 = global_4.member[_e73].member_2;
+                    if _e222 {
+                        phi_352_ = _e233[0];
+                    } else {
+                        phi_352_ = _e233[1];
+                    }
+                    let _e237 = phi_352_;
+                    if _e227 {
+                        phi_358_ = _e233[2];
+                    } else {
+                        phi_358_ = _e237;
+                    }
+                    let _e240 = phi_358_;
+                    let _e242 = ((_e240 * _e211) * _e217);
+                    let _e246 = (bitcast<f32>((bitcast<u32>(_e242) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e246 {
+                        let _e250 = (bitcast<f32>((bitcast<u32>(_e232) & 2147483647u)) * 0.00000011920929f);
+                        phi_381_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
+                    } else {
+                        phi_381_ = 0f;
+                    }
+                    let _e254 = phi_381_;
+                    let _e255 = (_e232 + _e254);
+                    let _e256 = (_e232 - _e254);
+                    let _e257 = select(_e242, 0f, _e246);
+                    if _e246 {
+                        phi_392_ = 38685626000000000000000000f;
+                    } else {
+                        phi_392_ = (1f / _e242);
+                    }
+                    let _e260 = phi_392_;
+                    let _e261 = (_e190 == 0u);
+                    if _e261 {
+                        phi_401_ = _e221[0];
+                    } else {
+                        phi_401_ = _e221[1];
+                    }
+                    let _e265 = phi_401_;
+                    let _e266 = (_e190 == 2u);
+                    if _e266 {
+                        phi_407_ = _e221[2];
+                    } else {
+                        phi_407_ = _e265;
+                    }
+                    let _e269 = phi_407_;
+                    let _e271 = ((_e269 * _e198) * _e204);
+                    if _e261 {
+                        phi_418_ = _e233[0];
+                    } else {
+                        phi_418_ = _e233[1];
+                    }
+                    let _e275 = phi_418_;
+                    if _e266 {
+                        phi_424_ = _e233[2];
+                    } else {
+                        phi_424_ = _e275;
+                    }
+                    let _e278 = phi_424_;
+                    let _e280 = ((_e278 * _e211) * _e217);
+                    let _e284 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e284 {
+                        let _e288 = (bitcast<f32>((bitcast<u32>(_e271) & 2147483647u)) * 0.00000011920929f);
+                        phi_447_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
+                    } else {
+                        phi_447_ = 0f;
+                    }
+                    let _e292 = phi_447_;
+                    let _e293 = (_e271 + _e292);
+                    let _e294 = (_e271 - _e292);
+                    let _e295 = select(_e280, 0f, _e284);
+                    if _e284 {
+                        phi_458_ = 38685626000000000000000000f;
+                    } else {
+                        phi_458_ = (1f / _e280);
+                    }
+                    let _e298 = phi_458_;
+                    let _e299 = (_e192 == 0u);
+                    if _e299 {
+                        phi_467_ = _e221[0];
+                    } else {
+                        phi_467_ = _e221[1];
+                    }
+                    let _e303 = phi_467_;
+                    let _e304 = (_e192 == 2u);
+                    if _e304 {
+                        phi_473_ = _e221[2];
+                    } else {
+                        phi_473_ = _e303;
+                    }
+                    let _e307 = phi_473_;
+                    let _e309 = ((_e307 * _e198) * _e204);
+                    if _e299 {
+                        phi_484_ = _e233[0];
+                    } else {
+                        phi_484_ = _e233[1];
+                    }
+                    let _e313 = phi_484_;
+                    if _e304 {
+                        phi_490_ = _e233[2];
+                    } else {
+                        phi_490_ = _e313;
+                    }
+                    let _e316 = phi_490_;
+                    let _e318 = ((_e316 * _e211) * _e217);
+                    let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e322 {
+                        let _e326 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
+                        phi_513_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
+                    } else {
+                        phi_513_ = 0f;
+                    }
+                    let _e330 = phi_513_;
+                    let _e331 = (_e309 + _e330);
+                    let _e332 = (_e309 - _e330);
+                    let _e333 = select(_e318, 0f, _e322);
+                    if _e322 {
+                        phi_524_ = 38685626000000000000000000f;
+                    } else {
+                        phi_524_ = (1f / _e318);
+                    }
+                    let _e336 = phi_524_;
+                    let _e339 = bitcast<f32>((bitcast<u32>(_e232) & 2147483647u));
+                    let _e342 = bitcast<f32>((bitcast<u32>(_e271) & 2147483647u));
+                    let _e344 = select(_e342, _e339, (_e339 > _e342));
+                    let _e347 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
+                    let _e350 = (_e79 + _e172);
+                    if (_e153 && (select(_e347, _e344, (_e344 > _e347)) <= 1099511600000f)) {
+                        let _e353 = (_e350 / 3i);
+                        let _e360 = bitcast<f32>((bitcast<u32>((_e353 + 127i)) << bitcast<u32>(23i)));
+                        let _e367 = bitcast<f32>((bitcast<u32>(((_e350 - (2i * _e353)) + 127i)) << bitcast<u32>(23i)));
+                        let _e368 = (((_e138 * _e360) * _e360) * _e367);
+                        let _e370 = select(340282350000000000000000000000000000000f, _e368, (_e368 < 340282350000000000000000000000000000000f));
+                        let _e375 = (((_e147 * _e360) * _e360) * _e367);
+                        let _e377 = select(340282350000000000000000000000000000000f, _e375, (_e375 < 340282350000000000000000000000000000000f));
+                        phi_624_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
+                        phi_625_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
+                    } else {
+                        phi_624_ = 0f;
+                        phi_625_ = 1f;
+                    }
+                    let _e381 = phi_624_;
+                    let _e383 = phi_625_;
+                    local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_1954_ = false;
+                    phi_637_ = type_48(type_40(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e381), 0u, 0u);
+                    phi_640_ = select(0u, 2147483648u, (_e63 == 0u));
+                    phi_642_ = ((3u * _e63) + 1u);
+                    phi_644_ = (_e383 <= _e381);
+                    phi_646_ = 0u;
+                    loop {
+                        let _e392 = phi_1954_;
+                        let _e394 = phi_637_;
+                        let _e396 = phi_640_;
+                        let _e398 = phi_642_;
+                        let _e400 = phi_644_;
+                        let _e402 = phi_646_;
+                        local_2 = _e394;
+                        local_3 = _e394;
+                        if _e400 {
+                            phi_657_ = true;
+                        } else {
+                            phi_657_ = (_e402 > 0u);
+                        }
+                        let _e405 = phi_657_;
+                        if _e405 {
+                            let _e406 = (_e398 > 0u);
+                            if _e406 {
+                                if _e400 {
+                                    phi_687_ = _e396;
+                                    phi_688_ = _e400;
+                                    phi_689_ = _e402;
+                                } else {
+                                    let _e407 = (_e402 - 1u);
+                                    let _e408 = (_e407 % 128u);
+                                    let _e409 = (_e408 < 128u);
+                                    if _e409 {
+                                    } else {
+                                        phi_2058_ = true;
+                                        break;
+                                    }
+                                    let _e411 = local[_e408];
+                                    if _e409 {
+                                    } else {
+                                        phi_2058_ = true;
+                                        break;
+                                    }
+                                    let _e413 = local_1[_e408];
+                                    phi_687_ = _e411;
+                                    phi_688_ = (_e413 <= _e394.member.member_1);
+                                    phi_689_ = _e407;
+                                }
+                                let _e418 = phi_687_;
+                                let _e420 = phi_688_;
+                                let _e422 = phi_689_;
+                                if _e420 {
+                                    let _e426 = (_e418 & 268435455u);
+                                    if ((_e418 & 2147483648u) != 0u) {
+                                        phi_705_ = _e394;
+                                        phi_708_ = type_4(_e426, (_e426 + ((_e418 >> bitcast<u32>(28u)) & 7u)));
+                                        loop {
+                                            let _e628 = phi_705_;
+                                            let _e630 = phi_708_;
+                                            local_4 = _e628;
+                                            if (_e630.member < _e630.member_1) {
+                                                phi_709_ = type_4((_e630.member + 1u), _e630.member_1);
+                                                phi_731_ = type_4(1u, _e630.member);
+                                            } else {
+                                                phi_709_ = _e630;
+                                                phi_731_ = type_4(0u, type_4().member_1);
+                                            }
+                                            let _e643 = phi_709_;
+                                            let _e645 = phi_731_;
+                                            let _e649 = (bitcast<i32>(_e645.member) != 0i);
+                                            if _e649 {
+                                                let _e655 = type_48(_e628.member, _e628.member_1, (_e628.member_2 + 1u));
+                                                let _e656 = (_e645.member_1 < _e65);
+                                                if _e656 {
+                                                    if _e656 {
+                                                    } else {
+                                                        phi_1948_ = true;
+                                                        break;
+                                                    }
+                                                    let _e660 = global_3.member[_e645.member_1].member_1;
+                                                    phi_754_ = _e660;
+                                                } else {
+                                                    phi_754_ = 4294967295u;
+                                                }
+                                                let _e662 = phi_754_;
+                                                if (_e645.member_1 >= _e65) {
+                                                    phi_842_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                } else {
+                                                    if _e656 {
+                                                    } else {
+                                                        phi_1948_ = true;
+                                                        break;
+                                                    }
+                                                    let _e664 = (_e191 % 3u);
+                                                    let _e665 = (_e190 % 3u);
+                                                    let _e666 = (_e192 % 3u);
+                                                    if (_e664 < 9u) {
+                                                    } else {
+                                                        phi_1948_ = true;
+                                                        break;
+                                                    }
+                                                    let _e672 = global_3.member[_e645.member_1].member[_e664];
+                                                    if (_e665 < 9u) {
+                                                    } else {
+                                                        phi_1948_ = true;
+                                                        break;
+                                                    }
+                                                    let _e678 = global_3.member[_e645.member_1].member[_e665];
+                                                    if (_e666 < 9u) {
+                                                    } else {
+                                                        phi_1948_ = true;
+                                                        break;
+                                                    }
+                                                    let _e684 = global_3.member[_e645.member_1].member[_e666];
+                                                    let _e686 = (3u + _e664);
+                                                    if (_e686 < 9u) {
+                                                    } else {
+                                                        phi_1948_ = true;
+                                                        break;
+                                                    }
+                                                    let _e692 = global_3.member[_e645.member_1].member[_e686];
+                                                    let _e693 = (3u + _e665);
+                                                    if (_e693 < 9u) {
+                                                    } else {
+                                                        phi_1948_ = true;
+                                                        break;
+                                                    }
+                                                    let _e699 = global_3.member[_e645.member_1].member[_e693];
+                                                    let _e700 = (3u + _e666);
+                                                    if (_e700 < 9u) {
+                                                    } else {
+                                                        phi_1948_ = true;
+                                                        break;
+                                                    }
+                                                    let _e706 = global_3.member[_e645.member_1].member[_e700];
+                                                    let _e708 = (6u + _e664);
+                                                    if (_e708 < 9u) {
+                                                    } else {
+                                                        phi_1948_ = true;
+                                                        break;
+                                                    }
+                                                    let _e714 = global_3.member[_e645.member_1].member[_e708];
+                                                    let _e715 = (6u + _e665);
+                                                    if (_e715 < 9u) {
+                                                    } else {
+                                                        phi_1948_ = true;
+                                                        break;
+                                                    }
+                                                    let _e721 = global_3.member[_e645.member_1].member[_e715];
+                                                    let _e722 = (6u + _e666);
+                                                    if (_e722 < 9u) {
+                                                    } else {
+                                                        phi_1948_ = true;
+                                                        break;
+                                                    }
+                                                    let _e728 = global_3.member[_e645.member_1].member[_e722];
+                                                    phi_842_ = array<array<f32, 3>, 3>(array<f32, 3>(_e672, _e678, _e684), array<f32, 3>(_e692, _e699, _e706), array<f32, 3>(_e714, _e721, _e728));
+                                                }
+                                                let _e732 = phi_842_;
+                                                let _e741 = (_e732[0][2] - _e309);
+                                                let _e744 = (((_e732[0][0] - _e232) * _e333) - (_e741 * _e257));
+                                                let _e747 = (((_e732[0][1] - _e271) * _e333) - (_e741 * _e295));
+                                                let _e754 = (_e732[1][2] - _e309);
+                                                let _e757 = (((_e732[1][0] - _e232) * _e333) - (_e754 * _e257));
+                                                let _e760 = (((_e732[1][1] - _e271) * _e333) - (_e754 * _e295));
+                                                let _e767 = (_e732[2][2] - _e309);
+                                                let _e770 = (((_e732[2][0] - _e232) * _e333) - (_e767 * _e257));
+                                                let _e773 = (((_e732[2][1] - _e271) * _e333) - (_e767 * _e295));
+                                                let _e774 = (_e770 * _e760);
+                                                let _e775 = (_e773 * _e757);
+                                                let _e776 = (_e744 * _e773);
+                                                let _e777 = (_e747 * _e770);
+                                                let _e778 = (_e757 * _e747);
+                                                let _e779 = (_e760 * _e744);
+                                                let _e784 = (((_e774 >= _e775) && (_e776 >= _e777)) && (_e778 >= _e779));
+                                                if (_e784 || (((_e774 <= _e775) && (_e776 <= _e777)) && (_e778 <= _e779))) {
+                                                    let _e791 = select(-1f, 1f, _e784);
+                                                    let _e793 = ((_e774 - _e775) * _e791);
+                                                    let _e795 = select(0f, _e793, (_e793 > 0f));
+                                                    let _e797 = ((_e776 - _e777) * _e791);
+                                                    let _e799 = select(0f, _e797, (_e797 > 0f));
+                                                    let _e801 = ((_e778 - _e779) * _e791);
+                                                    let _e803 = select(0f, _e801, (_e801 > 0f));
+                                                    let _e805 = ((_e795 + _e799) + _e803);
+                                                    if (_e805 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1408_ = type_24();
+                                                        phi_1409_ = true;
+                                                    } else {
+                                                        let _e808 = select(_e732[1][0], _e732[0][0], (_e732[0][0] < _e732[1][0]));
+                                                        let _e812 = select(_e732[1][0], _e732[0][0], (_e732[0][0] > _e732[1][0]));
+                                                        let _e816 = select(_e732[1][1], _e732[0][1], (_e732[0][1] < _e732[1][1]));
+                                                        let _e820 = select(_e732[1][1], _e732[0][1], (_e732[0][1] > _e732[1][1]));
+                                                        let _e824 = select(_e732[1][2], _e732[0][2], (_e732[0][2] < _e732[1][2]));
+                                                        let _e828 = select(_e732[1][2], _e732[0][2], (_e732[0][2] > _e732[1][2]));
+                                                        let _e833 = ((select(_e732[2][0], _e808, (_e808 < _e732[2][0])) - _e255) * _e260);
+                                                        let _e834 = ((select(_e732[2][0], _e812, (_e812 > _e732[2][0])) - _e256) * _e260);
+                                                        let _e837 = ((select(_e732[2][1], _e816, (_e816 < _e732[2][1])) - _e293) * _e298);
+                                                        let _e838 = ((select(_e732[2][1], _e820, (_e820 > _e732[2][1])) - _e294) * _e298);
+                                                        let _e841 = ((select(_e732[2][2], _e824, (_e824 < _e732[2][2])) - _e331) * _e336);
+                                                        let _e842 = ((select(_e732[2][2], _e828, (_e828 > _e732[2][2])) - _e332) * _e336);
+                                                        let _e844 = select(_e842, _e841, (_e841 < _e842));
+                                                        let _e846 = select(_e842, _e841, (_e841 > _e842));
+                                                        let _e848 = select(_e834, _e833, (_e833 < _e834));
+                                                        let _e850 = select(_e838, _e837, (_e837 < _e838));
+                                                        let _e852 = select(_e850, _e848, (_e848 > _e850));
+                                                        let _e854 = select(_e844, _e852, (_e852 > _e844));
+                                                        let _e856 = select(_e834, _e833, (_e833 > _e834));
+                                                        let _e858 = select(_e838, _e837, (_e837 > _e838));
+                                                        let _e860 = select(_e858, _e856, (_e856 < _e858));
+                                                        let _e862 = select(_e846, _e860, (_e860 < _e846));
+                                                        let _e863 = -(_e844);
+                                                        let _e869 = select(_e383, _e854, (_e854 > _e383));
+                                                        if (_e869 > (_e862 + (select(_e863, _e846, (_e846 > _e863)) * 0.0000019073523f))) {
+                                                            phi_1403_ = type_24();
+                                                            phi_1404_ = true;
+                                                        } else {
+                                                            let _e871 = (_e869 > _e628.member.member_1);
+                                                            if _e871 {
+                                                                phi_1402_ = type_24();
+                                                            } else {
+                                                                let _e875 = (_e732[1][0] - _e732[0][0]);
+                                                                let _e876 = (_e732[1][1] - _e732[0][1]);
+                                                                let _e877 = (_e732[1][2] - _e732[0][2]);
+                                                                let _e878 = vec3<f32>(_e875, _e876, _e877);
+                                                                let _e879 = (_e732[2][0] - _e732[1][0]);
+                                                                let _e880 = (_e732[2][1] - _e732[1][1]);
+                                                                let _e881 = (_e732[2][2] - _e732[1][2]);
+                                                                let _e882 = vec3<f32>(_e879, _e880, _e881);
+                                                                let _e883 = (_e732[0][0] - _e732[2][0]);
+                                                                let _e884 = (_e732[0][1] - _e732[2][1]);
+                                                                let _e885 = (_e732[0][2] - _e732[2][2]);
+                                                                let _e886 = vec3<f32>(_e883, _e884, _e885);
+                                                                let _e889 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
+                                                                let _e892 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
+                                                                let _e894 = select(_e892, _e889, (_e889 > _e892));
+                                                                let _e897 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
+                                                                let _e899 = select(_e897, _e894, (_e894 > _e897));
+                                                                let _e902 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
+                                                                let _e905 = bitcast<f32>((bitcast<u32>(_e880) & 2147483647u));
+                                                                let _e907 = select(_e905, _e902, (_e902 > _e905));
+                                                                let _e910 = bitcast<f32>((bitcast<u32>(_e881) & 2147483647u));
+                                                                let _e912 = select(_e910, _e907, (_e907 > _e910));
+                                                                let _e915 = bitcast<f32>((bitcast<u32>(_e883) & 2147483647u));
+                                                                let _e918 = bitcast<f32>((bitcast<u32>(_e884) & 2147483647u));
+                                                                let _e920 = select(_e918, _e915, (_e915 > _e918));
+                                                                let _e923 = bitcast<f32>((bitcast<u32>(_e885) & 2147483647u));
+                                                                let _e925 = select(_e923, _e920, (_e920 > _e923));
+                                                                let _e927 = select(_e912, _e899, (_e899 > _e912));
+                                                                let _e929 = select(_e925, _e927, (_e927 > _e925));
+                                                                if (_e899 == _e929) {
+                                                                    phi_1313_ = _e882;
+                                                                    phi_1314_ = _e886;
+                                                                } else {
+                                                                    let _e932 = vec3((_e912 == _e929));
+                                                                    phi_1313_ = select(_e878, _e886, _e932);
+                                                                    phi_1314_ = select(_e882, _e878, _e932);
+                                                                }
+                                                                let _e936 = phi_1313_;
+                                                                let _e938 = phi_1314_;
+                                                                let _e945 = ((_e936.y * _e938.z) - (_e938.y * _e936.z));
+                                                                let _e950 = ((_e936.z * _e938.x) - (_e938.z * _e936.x));
+                                                                let _e953 = ((_e936.x * _e938.y) - (_e938.x * _e936.y));
+                                                                if (_e795 >= _e799) {
+                                                                    phi_1345_ = select(true, false, (_e795 >= _e803));
+                                                                } else {
+                                                                    phi_1345_ = true;
+                                                                }
+                                                                let _e958 = phi_1345_;
+                                                                if _e958 {
+                                                                    phi_1354_ = select(vec3<f32>(_e732[2][0], _e732[2][1], _e732[2][2]), vec3<f32>(_e732[1][0], _e732[1][1], _e732[1][2]), vec3((_e799 >= _e803)));
+                                                                } else {
+                                                                    phi_1354_ = vec3<f32>(_e732[0][0], _e732[0][1], _e732[0][2]);
+                                                                }
+                                                                let _e963 = phi_1354_;
+                                                                let _e980 = ((((_e945 * (_e963.x - _e232)) + (_e950 * (_e963.y - _e271))) + (_e953 * (_e963.z - _e309))) / (((_e945 * _e257) + (_e950 * _e295)) + (_e953 * _e333)));
+                                                                let _e982 = select(_e862, _e980, (_e980 < _e862));
+                                                                let _e984 = select(_e854, _e982, (_e982 > _e854));
+                                                                if (_e984 >= _e383) {
+                                                                    let _e986 = (_e984 <= _e628.member.member_1);
+                                                                    if _e986 {
+                                                                        let _e987 = (1f / _e805);
+                                                                        phi_1394_ = type_24(_e984, (_e799 * _e987), (_e803 * _e987), _e662);
+                                                                    } else {
+                                                                        phi_1394_ = type_24();
+                                                                    }
+                                                                    let _e992 = phi_1394_;
+                                                                    phi_1396_ = _e992;
+                                                                    phi_1397_ = select(true, false, _e986);
+                                                                } else {
+                                                                    phi_1396_ = type_24();
+                                                                    phi_1397_ = true;
+                                                                }
+                                                                let _e995 = phi_1396_;
+                                                                let _e997 = phi_1397_;
+                                                                if _e997 {
+                                                                    phi_1401_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                } else {
+                                                                    phi_1401_ = _e995;
+                                                                }
+                                                                let _e999 = phi_1401_;
+                                                                phi_1402_ = _e999;
+                                                            }
+                                                            let _e1001 = phi_1402_;
+                                                            phi_1403_ = _e1001;
+                                                            phi_1404_ = _e871;
+                                                        }
+                                                        let _e1003 = phi_1403_;
+                                                        let _e1005 = phi_1404_;
+                                                        phi_1408_ = _e1003;
+                                                        phi_1409_ = _e1005;
+                                                    }
+                                                    let _e1007 = phi_1408_;
+                                                    let _e1009 = phi_1409_;
+                                                    phi_1413_ = _e1007;
+                                                    phi_1414_ = _e1009;
+                                                } else {
+                                                    phi_1413_ = type_24();
+                                                    phi_1414_ = true;
+                                                }
+                                                let _e1011 = phi_1413_;
+                                                let _e1013 = phi_1414_;
+                                                if _e1013 {
+                                                    phi_1418_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                } else {
+                                                    phi_1418_ = _e1011;
+                                                }
+                                                let _e1015 = phi_1418_;
+                                                if (_e1015.member_3 != 4294967295u) {
+                                                    if (_e662 != 4294967295u) {
+                                                        if (_e1015.member < _e628.member.member.member) {
+                                                            phi_1444_ = true;
+                                                        } else {
+                                                            if (_e1015.member == _e628.member.member.member) {
+                                                                phi_1443_ = (_e1015.member_3 < _e628.member.member.member_3);
+                                                            } else {
+                                                                phi_1443_ = false;
+                                                            }
+                                                            let _e1030 = phi_1443_;
+                                                            phi_1444_ = _e1030;
+                                                        }
+                                                        let _e1032 = phi_1444_;
+                                                        if _e1032 {
+                                                            phi_1451_ = type_48(type_40(_e1015, _e1015.member), _e655.member_1, _e655.member_2);
+                                                        } else {
+                                                            phi_1451_ = _e655;
+                                                        }
+                                                        let _e1039 = phi_1451_;
+                                                        phi_1452_ = _e1039;
+                                                    } else {
+                                                        phi_1452_ = _e655;
+                                                    }
+                                                    let _e1041 = phi_1452_;
+                                                    phi_1453_ = _e1041;
+                                                } else {
+                                                    phi_1453_ = _e655;
+                                                }
+                                                let _e1043 = phi_1453_;
+                                                phi_706_ = _e1043;
+                                            } else {
+                                                phi_706_ = type_48();
+                                            }
+                                            let _e1045 = phi_706_;
+                                            continue;
+                                            continuing {
+                                                phi_705_ = _e1045;
+                                                phi_708_ = _e643;
+                                                phi_1948_ = _e392;
+                                                break if !(_e649);
+                                            }
+                                        }
+                                        let _e1048 = phi_1948_;
+                                        phi_2058_ = _e1048;
+                                        if _e1048 {
+                                            break;
+                                        }
+                                        phi_2062_ = _e1048;
+                                        let _e1192 = local_4;
+                                        phi_1909_ = _e1192;
+                                        phi_1910_ = _e418;
+                                        phi_1911_ = false;
+                                        phi_1912_ = _e422;
+                                    } else {
+                                        if (_e418 >= _e63) {
+                                            phi_1516_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        } else {
+                                            if (_e418 < _e63) {
+                                            } else {
+                                                phi_2058_ = true;
+                                                break;
+                                            }
+                                            let _e438 = (_e191 % 3u);
+                                            if (_e438 < 3u) {
+                                            } else {
+                                                phi_2058_ = true;
+                                                break;
+                                            }
+                                            let _e444 = global_2.member[_e418].member[_e438];
+                                            let _e450 = (_e190 % 3u);
+                                            if (_e450 < 3u) {
+                                            } else {
+                                                phi_2058_ = true;
+                                                break;
+                                            }
+                                            let _e456 = global_2.member[_e418].member[_e450];
+                                            let _e462 = (_e192 % 3u);
+                                            if (_e462 < 3u) {
+                                            } else {
+                                                phi_2058_ = true;
+                                                break;
+                                            }
+                                            let _e468 = global_2.member[_e418].member[_e462];
+                                            let _e478 = global_2.member[_e418].member_1;
+                                            let _e482 = global_2.member[_e418].member_2;
+                                            phi_1516_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e444[0], _e444[1], _e444[2], _e444[3]), vec4<f32>(_e456[0], _e456[1], _e456[2], _e456[3]), vec4<f32>(_e468[0], _e468[1], _e468[2], _e468[3])), _e478, _e482);
+                                        }
+                                        let _e485 = phi_1516_;
+                                        let _e498 = ((_e485.member[0].x - _e255) * _e260);
+                                        let _e499 = ((_e485.member[0].y - _e255) * _e260);
+                                        let _e500 = ((_e485.member[0].z - _e256) * _e260);
+                                        let _e501 = ((_e485.member[0].w - _e256) * _e260);
+                                        let _e511 = ((_e485.member[1].x - _e293) * _e298);
+                                        let _e512 = ((_e485.member[1].y - _e293) * _e298);
+                                        let _e513 = ((_e485.member[1].z - _e294) * _e298);
+                                        let _e514 = ((_e485.member[1].w - _e294) * _e298);
+                                        let _e524 = ((_e485.member[2].x - _e331) * _e336);
+                                        let _e525 = ((_e485.member[2].y - _e331) * _e336);
+                                        let _e526 = ((_e485.member[2].z - _e332) * _e336);
+                                        let _e527 = ((_e485.member[2].w - _e332) * _e336);
+                                        let _e529 = select(_e526, _e524, (_e524 < _e526));
+                                        let _e531 = select(_e527, _e525, (_e525 < _e527));
+                                        let _e533 = select(_e526, _e524, (_e524 > _e526));
+                                        let _e535 = select(_e527, _e525, (_e525 > _e527));
+                                        let _e537 = select(_e500, _e498, (_e498 < _e500));
+                                        let _e539 = select(_e501, _e499, (_e499 < _e501));
+                                        let _e541 = select(_e513, _e511, (_e511 < _e513));
+                                        let _e543 = select(_e514, _e512, (_e512 < _e514));
+                                        let _e545 = select(_e541, _e537, (_e537 > _e541));
+                                        let _e547 = select(_e543, _e539, (_e539 > _e543));
+                                        let _e549 = select(_e529, _e545, (_e545 > _e529));
+                                        let _e551 = select(_e531, _e547, (_e547 > _e531));
+                                        let _e553 = select(_e500, _e498, (_e498 > _e500));
+                                        let _e555 = select(_e501, _e499, (_e499 > _e501));
+                                        let _e557 = select(_e513, _e511, (_e511 > _e513));
+                                        let _e559 = select(_e514, _e512, (_e512 > _e514));
+                                        let _e561 = select(_e557, _e553, (_e553 < _e557));
+                                        let _e563 = select(_e559, _e555, (_e555 < _e559));
+                                        let _e568 = -(_e529);
+                                        let _e569 = -(_e531);
+                                        let _e576 = (select(_e533, _e561, (_e561 < _e533)) + (select(_e568, _e533, (_e533 > _e568)) * 0.0000019073523f));
+                                        let _e577 = (select(_e535, _e563, (_e563 < _e535)) + (select(_e569, _e535, (_e535 > _e569)) * 0.0000019073523f));
+                                        let _e579 = select(_e383, _e549, (_e549 > _e383));
+                                        let _e581 = select(_e383, _e551, (_e551 > _e383));
+                                        let _e586 = (_e579 <= select(_e394.member.member_1, _e576, (_e576 < _e394.member.member_1)));
+                                        let _e587 = (_e581 <= select(_e394.member.member_1, _e577, (_e577 < _e394.member.member_1)));
+                                        let _e588 = (_e579 <= _e581);
+                                        if _e586 {
+                                            if _e587 {
+                                                if _e588 {
+                                                    phi_1860_ = _e485.member_2;
+                                                } else {
+                                                    phi_1860_ = _e485.member_1;
+                                                }
+                                                let _e592 = phi_1860_;
+                                                let _e593 = (_e422 % 128u);
+                                                let _e594 = (_e593 < 128u);
+                                                if _e594 {
+                                                } else {
+                                                    phi_2058_ = true;
+                                                    break;
+                                                }
+                                                local[_e593] = _e592;
+                                                if _e594 {
+                                                } else {
+                                                    phi_2058_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e593] = select(_e581, _e579, (_e579 > _e581));
+                                                if _e588 {
+                                                    phi_1886_ = _e485.member_1;
+                                                } else {
+                                                    phi_1886_ = _e485.member_2;
+                                                }
+                                                let _e603 = phi_1886_;
+                                                phi_1887_ = _e603;
+                                                phi_1888_ = (_e422 + 1u);
+                                            } else {
+                                                phi_1887_ = u32();
+                                                phi_1888_ = u32();
+                                            }
+                                            let _e605 = phi_1887_;
+                                            let _e607 = phi_1888_;
+                                            phi_1890_ = _e605;
+                                            phi_1891_ = _e607;
+                                            phi_1892_ = select(true, false, _e587);
+                                        } else {
+                                            phi_1890_ = u32();
+                                            phi_1891_ = u32();
+                                            phi_1892_ = true;
+                                        }
+                                        let _e610 = phi_1890_;
+                                        let _e612 = phi_1891_;
+                                        let _e614 = phi_1892_;
+                                        if _e614 {
+                                            if _e586 {
+                                                phi_1901_ = _e485.member_1;
+                                            } else {
+                                                phi_1901_ = _e485.member_2;
+                                            }
+                                            let _e618 = phi_1901_;
+                                            phi_1906_ = _e618;
+                                            phi_1907_ = select(_e587, true, _e586);
+                                        } else {
+                                            phi_1906_ = _e610;
+                                            phi_1907_ = _e420;
+                                        }
+                                        let _e621 = phi_1906_;
+                                        let _e623 = phi_1907_;
+                                        phi_2062_ = _e392;
+                                        phi_1909_ = type_48(_e394.member, (_e394.member_1 + 1u), _e394.member_2);
+                                        phi_1910_ = _e621;
+                                        phi_1911_ = _e623;
+                                        phi_1912_ = select(_e612, _e422, _e614);
+                                    }
+                                    let _e1050 = phi_2062_;
+                                    let _e1052 = phi_1909_;
+                                    let _e1054 = phi_1910_;
+                                    let _e1056 = phi_1911_;
+                                    let _e1058 = phi_1912_;
+                                    phi_2061_ = _e1050;
+                                    phi_1913_ = _e1052;
+                                    phi_1914_ = _e1054;
+                                    phi_1915_ = (_e398 - 1u);
+                                    phi_1916_ = _e1056;
+                                    phi_1917_ = _e1058;
+                                } else {
+                                    phi_2061_ = _e392;
+                                    phi_1913_ = _e394;
+                                    phi_1914_ = _e418;
+                                    phi_1915_ = _e398;
+                                    phi_1916_ = _e420;
+                                    phi_1917_ = _e422;
+                                }
+                                let _e1060 = phi_2061_;
+                                let _e1062 = phi_1913_;
+                                let _e1064 = phi_1914_;
+                                let _e1066 = phi_1915_;
+                                let _e1068 = phi_1916_;
+                                let _e1070 = phi_1917_;
+                                phi_2060_ = _e1060;
+                                phi_1918_ = _e1062;
+                                phi_1919_ = _e1064;
+                                phi_1920_ = _e1066;
+                                phi_1921_ = _e1068;
+                                phi_1922_ = _e1070;
+                            } else {
+                                phi_2060_ = _e392;
+                                phi_1918_ = type_48();
+                                phi_1919_ = u32();
+                                phi_1920_ = u32();
+                                phi_1921_ = bool();
+                                phi_1922_ = u32();
+                            }
+                            let _e1072 = phi_2060_;
+                            let _e1074 = phi_1918_;
+                            let _e1076 = phi_1919_;
+                            let _e1078 = phi_1920_;
+                            let _e1080 = phi_1921_;
+                            let _e1082 = phi_1922_;
+                            phi_2059_ = _e1072;
+                            phi_638_ = _e1074;
+                            phi_641_ = _e1076;
+                            phi_643_ = _e1078;
+                            phi_645_ = _e1080;
+                            phi_647_ = _e1082;
+                            phi_1923_ = _e406;
+                        } else {
+                            phi_2059_ = _e392;
+                            phi_638_ = type_48();
+                            phi_641_ = u32();
+                            phi_643_ = u32();
+                            phi_645_ = bool();
+                            phi_647_ = u32();
+                            phi_1923_ = false;
+                        }
+                        let _e1084 = phi_2059_;
+                        let _e1086 = phi_638_;
+                        let _e1088 = phi_641_;
+                        let _e1090 = phi_643_;
+                        let _e1092 = phi_645_;
+                        let _e1094 = phi_647_;
+                        let _e1096 = phi_1923_;
+                        continue;
+                        continuing {
+                            phi_1954_ = _e1084;
+                            phi_637_ = _e1086;
+                            phi_640_ = _e1088;
+                            phi_642_ = _e1090;
+                            phi_644_ = _e1092;
+                            phi_646_ = _e1094;
+                            phi_2058_ = _e1084;
+                            break if !(_e1096);
+                        }
+                    }
+                    let _e1099 = phi_2058_;
+                    if _e1099 {
+                        break;
+                    }
+                    let _e1101 = local_2;
+                    let _e1104 = local_3;
+                    if _e75 {
+                    } else {
+                        break;
+                    }
+                    global_5.member[_e73][0u] = _e1101.member_1;
+                    global_5.member[_e73][1u] = _e1104.member_2;
                 }
             }
             break;

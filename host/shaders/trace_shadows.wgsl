@@ -84,963 +84,963 @@ var<storage, read_write> global_4: type_20;
 fn function_() {
     var local: array<u32, 128>;
     var local_1: array<f32, 128>;
-    var phi_277_: i32;
     var phi_278_: i32;
-    var phi_288_: bool;
-    var phi_298_: u32;
+    var phi_279_: i32;
+    var phi_289_: bool;
     var phi_299_: u32;
-    var phi_301_: bool;
-    var phi_306_: u32;
-    var phi_350_: f32;
-    var phi_356_: f32;
-    var phi_367_: f32;
-    var phi_373_: f32;
-    var phi_396_: f32;
-    var phi_411_: f32;
-    var phi_420_: f32;
-    var phi_426_: f32;
-    var phi_437_: f32;
-    var phi_443_: f32;
-    var phi_466_: f32;
-    var phi_481_: f32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_507_: f32;
-    var phi_513_: f32;
-    var phi_536_: f32;
-    var phi_551_: f32;
-    var phi_651_: f32;
-    var phi_652_: f32;
-    var phi_1990_: bool;
-    var phi_663_: type_45;
-    var phi_666_: u32;
-    var phi_668_: u32;
-    var phi_670_: bool;
-    var phi_672_: u32;
-    var phi_683_: bool;
-    var phi_713_: u32;
-    var phi_714_: bool;
-    var phi_715_: u32;
-    var phi_1514_: type_43;
-    var phi_1858_: u32;
-    var phi_1884_: u32;
-    var phi_1885_: u32;
-    var phi_1886_: u32;
+    var phi_300_: u32;
+    var phi_302_: bool;
+    var phi_307_: u32;
+    var phi_351_: f32;
+    var phi_357_: f32;
+    var phi_368_: f32;
+    var phi_374_: f32;
+    var phi_397_: f32;
+    var phi_408_: f32;
+    var phi_417_: f32;
+    var phi_423_: f32;
+    var phi_434_: f32;
+    var phi_440_: f32;
+    var phi_463_: f32;
+    var phi_474_: f32;
+    var phi_483_: f32;
+    var phi_489_: f32;
+    var phi_500_: f32;
+    var phi_506_: f32;
+    var phi_529_: f32;
+    var phi_540_: f32;
+    var phi_640_: f32;
+    var phi_641_: f32;
+    var phi_1979_: bool;
+    var phi_652_: type_45;
+    var phi_655_: u32;
+    var phi_657_: u32;
+    var phi_659_: bool;
+    var phi_661_: u32;
+    var phi_672_: bool;
+    var phi_702_: u32;
+    var phi_703_: bool;
+    var phi_704_: u32;
+    var phi_1503_: type_43;
+    var phi_1847_: u32;
+    var phi_1873_: u32;
+    var phi_1874_: u32;
+    var phi_1875_: u32;
+    var phi_1877_: u32;
+    var phi_1878_: u32;
+    var phi_1879_: bool;
     var phi_1888_: u32;
-    var phi_1889_: u32;
-    var phi_1890_: bool;
-    var phi_1899_: u32;
-    var phi_1904_: u32;
-    var phi_1905_: bool;
-    var phi_731_: type_45;
-    var phi_734_: type_4;
-    var phi_735_: type_4;
-    var phi_757_: type_4;
-    var phi_777_: u32;
-    var phi_865_: array<array<f32, 3>, 3>;
-    var phi_1336_: vec3<f32>;
-    var phi_1337_: vec3<f32>;
-    var phi_1368_: bool;
-    var phi_1377_: vec3<f32>;
-    var phi_1417_: type_16;
-    var phi_1419_: type_16;
-    var phi_1420_: bool;
-    var phi_1424_: type_16;
+    var phi_1893_: u32;
+    var phi_1894_: bool;
+    var phi_720_: type_45;
+    var phi_723_: type_4;
+    var phi_724_: type_4;
+    var phi_746_: type_4;
+    var phi_766_: u32;
+    var phi_854_: array<array<f32, 3>, 3>;
+    var phi_1325_: vec3<f32>;
+    var phi_1326_: vec3<f32>;
+    var phi_1357_: bool;
+    var phi_1366_: vec3<f32>;
+    var phi_1406_: type_16;
+    var phi_1408_: type_16;
+    var phi_1409_: bool;
+    var phi_1413_: type_16;
+    var phi_1414_: type_16;
+    var phi_1415_: type_16;
+    var phi_1416_: bool;
+    var phi_1420_: type_16;
+    var phi_1421_: bool;
     var phi_1425_: type_16;
-    var phi_1426_: type_16;
-    var phi_1427_: bool;
-    var phi_1431_: type_16;
-    var phi_1432_: bool;
-    var phi_1436_: type_16;
-    var phi_1437_: bool;
-    var phi_1441_: type_16;
-    var phi_1452_: type_45;
-    var phi_1453_: type_45;
-    var phi_732_: type_45;
-    var phi_1984_: bool;
+    var phi_1426_: bool;
+    var phi_1430_: type_16;
+    var phi_1441_: type_45;
+    var phi_1442_: type_45;
+    var phi_721_: type_45;
+    var phi_1973_: bool;
     var local_2: type_45;
-    var phi_2095_: bool;
-    var phi_1907_: type_45;
-    var phi_1908_: u32;
-    var phi_1909_: bool;
-    var phi_1910_: u32;
-    var phi_2094_: bool;
-    var phi_1911_: type_45;
-    var phi_1912_: u32;
-    var phi_1913_: u32;
-    var phi_1914_: bool;
-    var phi_1915_: u32;
-    var phi_2093_: bool;
-    var phi_1916_: type_45;
-    var phi_1917_: u32;
-    var phi_1918_: u32;
-    var phi_1919_: bool;
-    var phi_1920_: u32;
-    var phi_2092_: bool;
-    var phi_664_: type_45;
-    var phi_667_: u32;
-    var phi_669_: u32;
-    var phi_671_: bool;
-    var phi_673_: u32;
-    var phi_1921_: bool;
-    var phi_2091_: bool;
+    var phi_2084_: bool;
+    var phi_1896_: type_45;
+    var phi_1897_: u32;
+    var phi_1898_: bool;
+    var phi_1899_: u32;
+    var phi_2083_: bool;
+    var phi_1900_: type_45;
+    var phi_1901_: u32;
+    var phi_1902_: u32;
+    var phi_1903_: bool;
+    var phi_1904_: u32;
+    var phi_2082_: bool;
+    var phi_1905_: type_45;
+    var phi_1906_: u32;
+    var phi_1907_: u32;
+    var phi_1908_: bool;
+    var phi_1909_: u32;
+    var phi_2081_: bool;
+    var phi_653_: type_45;
+    var phi_656_: u32;
+    var phi_658_: u32;
+    var phi_660_: bool;
+    var phi_662_: u32;
+    var phi_1910_: bool;
+    var phi_2080_: bool;
     var local_3: type_45;
     var local_4: type_45;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e59 = global;
-            let _e61 = arrayLength((&global_2.member));
-            let _e63 = arrayLength((&global_1.member));
-            let _e71 = (_e59.x + (_e59.y * 2097152u));
-            let _e72 = (_e71 < arrayLength((&global_3.member)));
-            if _e72 {
-                let _e73 = (_e71 < arrayLength((&global_4.member)));
-                if _e73 {
-                    if _e72 {
+            let _e60 = global;
+            let _e62 = arrayLength((&global_2.member));
+            let _e64 = arrayLength((&global_1.member));
+            let _e72 = (_e60.x + (_e60.y * 2097152u));
+            let _e73 = (_e72 < arrayLength((&global_3.member)));
+            if _e73 {
+                let _e74 = (_e72 < arrayLength((&global_4.member)));
+                if _e74 {
+                    if _e73 {
                     } else {
                         break;
                     }
-                    let _e78 = global_3.member[_e71].member.member_1;
-                    let _e83 = global_3.member[_e71].member.member_3;
-                    if (_e78 <= _e83) {
-                        if _e72 {
+                    let _e79 = global_3.member[_e72].member.member_1;
+                    let _e84 = global_3.member[_e72].member.member_3;
+                    if (_e79 <= _e84) {
+                        if _e73 {
                         } else {
                             break;
                         }
-                        if _e72 {
+                        if _e73 {
                         } else {
                             break;
                         }
-                        let _e88 = global_3.member[_e71].member_2;
-                        let _e98 = global_3.member[_e71].member.member_2[0u];
-                        let _e100 = (bitcast<u32>(_e98) & 2147483647u);
-                        let _e106 = global_3.member[_e71].member.member_2[1u];
-                        let _e108 = (bitcast<u32>(_e106) & 2147483647u);
-                        let _e114 = global_3.member[_e71].member.member_2[2u];
-                        let _e116 = (bitcast<u32>(_e114) & 2147483647u);
-                        let _e122 = global_3.member[_e71].member.member[0u];
-                        let _e124 = (bitcast<u32>(_e122) & 2147483647u);
-                        let _e130 = global_3.member[_e71].member.member[1u];
-                        let _e132 = (bitcast<u32>(_e130) & 2147483647u);
-                        let _e138 = global_3.member[_e71].member.member[2u];
-                        let _e140 = (bitcast<u32>(_e138) & 2147483647u);
-                        let _e142 = select(_e108, _e100, (_e108 < _e100));
-                        let _e144 = select(_e116, _e142, (_e116 < _e142));
-                        let _e146 = select(_e124, _e144, (_e124 < _e144));
-                        let _e148 = select(_e132, _e146, (_e132 < _e146));
-                        let _e150 = select(_e140, _e148, (_e140 < _e148));
-                        let _e152 = (bitcast<u32>(_e78) & 2147483647u);
-                        let _e161 = (((select(_e152, _e150, (_e152 < _e150)) < 2139095040u) && ((bitcast<u32>(_e83) & 2147483647u) <= 2139095040u)) && (_e144 > 0u));
-                        if _e161 {
-                            let _e164 = (bitcast<u32>(bitcast<f32>(_e144)) & 2147483647u);
-                            if (_e164 >= 8388608u) {
-                                phi_277_ = (bitcast<i32>((_e164 >> bitcast<u32>(23i))) - 127i);
+                        let _e89 = global_3.member[_e72].member_2;
+                        let _e99 = global_3.member[_e72].member.member_2[0u];
+                        let _e101 = (bitcast<u32>(_e99) & 2147483647u);
+                        let _e107 = global_3.member[_e72].member.member_2[1u];
+                        let _e109 = (bitcast<u32>(_e107) & 2147483647u);
+                        let _e115 = global_3.member[_e72].member.member_2[2u];
+                        let _e117 = (bitcast<u32>(_e115) & 2147483647u);
+                        let _e123 = global_3.member[_e72].member.member[0u];
+                        let _e125 = (bitcast<u32>(_e123) & 2147483647u);
+                        let _e131 = global_3.member[_e72].member.member[1u];
+                        let _e133 = (bitcast<u32>(_e131) & 2147483647u);
+                        let _e139 = global_3.member[_e72].member.member[2u];
+                        let _e141 = (bitcast<u32>(_e139) & 2147483647u);
+                        let _e143 = select(_e109, _e101, (_e109 < _e101));
+                        let _e145 = select(_e117, _e143, (_e117 < _e143));
+                        let _e147 = select(_e125, _e145, (_e125 < _e145));
+                        let _e149 = select(_e133, _e147, (_e133 < _e147));
+                        let _e151 = select(_e141, _e149, (_e141 < _e149));
+                        let _e153 = (bitcast<u32>(_e79) & 2147483647u);
+                        let _e162 = (((select(_e153, _e151, (_e153 < _e151)) < 2139095040u) && ((bitcast<u32>(_e84) & 2147483647u) <= 2139095040u)) && (_e145 > 0u));
+                        if _e162 {
+                            let _e165 = (bitcast<u32>(bitcast<f32>(_e145)) & 2147483647u);
+                            if (_e165 >= 8388608u) {
+                                phi_278_ = (bitcast<i32>((_e165 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_277_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e164)), 32u, (_e164 == 0u))));
+                                phi_278_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e165)), 32u, (_e165 == 0u))));
                             }
-                            let _e178 = phi_277_;
-                            phi_278_ = _e178;
+                            let _e179 = phi_278_;
+                            phi_279_ = _e179;
                         } else {
-                            phi_278_ = 0i;
+                            phi_279_ = 0i;
                         }
-                        let _e180 = phi_278_;
-                        let _e181 = (_e100 == _e144);
-                        if _e181 {
-                            phi_288_ = true;
+                        let _e181 = phi_279_;
+                        let _e182 = (_e101 == _e145);
+                        if _e182 {
+                            phi_289_ = true;
                         } else {
-                            phi_288_ = (_e108 == _e144);
+                            phi_289_ = (_e109 == _e145);
                         }
-                        let _e184 = phi_288_;
-                        let _e185 = select(1u, 0u, _e181);
-                        if _e184 {
-                            let _e186 = (_e185 + 1u);
-                            phi_298_ = _e186;
-                            phi_299_ = _e186;
-                            phi_301_ = select(true, false, (_e186 == 2u));
+                        let _e185 = phi_289_;
+                        let _e186 = select(1u, 0u, _e182);
+                        if _e185 {
+                            let _e187 = (_e186 + 1u);
+                            phi_299_ = _e187;
+                            phi_300_ = _e187;
+                            phi_302_ = select(true, false, (_e187 == 2u));
                         } else {
-                            phi_298_ = u32();
-                            phi_299_ = 0u;
-                            phi_301_ = true;
+                            phi_299_ = u32();
+                            phi_300_ = 0u;
+                            phi_302_ = true;
                         }
-                        let _e190 = phi_298_;
-                        let _e192 = phi_299_;
-                        let _e194 = phi_301_;
-                        if _e194 {
-                            phi_306_ = (_e192 + 1u);
+                        let _e191 = phi_299_;
+                        let _e193 = phi_300_;
+                        let _e195 = phi_302_;
+                        if _e195 {
+                            phi_307_ = (_e193 + 1u);
                         } else {
-                            phi_306_ = 0u;
+                            phi_307_ = 0u;
                         }
-                        let _e198 = phi_306_;
-                        let _e199 = select(_e190, _e192, _e194);
-                        let _e200 = select(_e185, select(2u, _e185, _e184), _e194);
-                        let _e201 = -(_e180);
-                        let _e202 = (_e201 / 2i);
-                        let _e207 = bitcast<f32>((bitcast<u32>((_e202 + 127i)) << bitcast<u32>(23i)));
-                        let _e213 = bitcast<f32>((bitcast<u32>(((_e201 - _e202) + 127i)) << bitcast<u32>(23i)));
-                        let _e218 = global_3.member[_e71].member.member;
-                        let _e219 = (_e199 == 0u);
-                        if _e219 {
-                            phi_350_ = _e218[0];
+                        let _e199 = phi_307_;
+                        let _e200 = select(_e191, _e193, _e195);
+                        let _e201 = select(_e186, select(2u, _e186, _e185), _e195);
+                        let _e202 = -(_e181);
+                        let _e203 = (_e202 / 2i);
+                        let _e208 = bitcast<f32>((bitcast<u32>((_e203 + 127i)) << bitcast<u32>(23i)));
+                        let _e214 = bitcast<f32>((bitcast<u32>(((_e202 - _e203) + 127i)) << bitcast<u32>(23i)));
+                        let _e219 = global_3.member[_e72].member.member;
+                        let _e220 = (_e200 == 0u);
+                        if _e220 {
+                            phi_351_ = _e219[0];
                         } else {
-                            phi_350_ = _e218[1];
+                            phi_351_ = _e219[1];
                         }
-                        let _e223 = phi_350_;
-                        let _e224 = (_e199 == 2u);
-                        if _e224 {
-                            phi_356_ = _e218[2];
+                        let _e224 = phi_351_;
+                        let _e225 = (_e200 == 2u);
+                        if _e225 {
+                            phi_357_ = _e219[2];
                         } else {
-                            phi_356_ = _e223;
+                            phi_357_ = _e224;
                         }
-                        let _e227 = phi_356_;
-                        let _e228 = global_3.member[_e71].member.member_2;
-                        if _e219 {
-                            phi_367_ = _e228[0];
+                        let _e228 = phi_357_;
+                        let _e229 = global_3.member[_e72].member.member_2;
+                        if _e220 {
+                            phi_368_ = _e229[0];
                         } else {
-                            phi_367_ = _e228[1];
+                            phi_368_ = _e229[1];
                         }
-                        let _e232 = phi_367_;
-                        if _e224 {
-                            phi_373_ = _e228[2];
+                        let _e233 = phi_368_;
+                        if _e225 {
+                            phi_374_ = _e229[2];
                         } else {
-                            phi_373_ = _e232;
+                            phi_374_ = _e233;
                         }
-                        let _e235 = phi_373_;
-                        let _e237 = ((_e235 * _e207) * _e213);
-                        let _e241 = (bitcast<f32>((bitcast<u32>(_e237) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e241 {
-                            let _e245 = (bitcast<f32>((bitcast<u32>(_e227) & 2147483647u)) * 0.00000011920929f);
-                            phi_396_ = select(0.00000000000000000086736174f, _e245, (_e245 > 0.00000000000000000086736174f));
+                        let _e236 = phi_374_;
+                        let _e238 = ((_e236 * _e208) * _e214);
+                        let _e242 = (bitcast<f32>((bitcast<u32>(_e238) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e242 {
+                            let _e246 = (bitcast<f32>((bitcast<u32>(_e228) & 2147483647u)) * 0.00000011920929f);
+                            phi_397_ = select(0.00000000000011368684f, _e246, (_e246 > 0.00000000000011368684f));
                         } else {
-                            phi_396_ = 0f;
+                            phi_397_ = 0f;
                         }
-                        let _e249 = phi_396_;
-                        let _e250 = (_e227 + _e249);
-                        let _e251 = (_e227 - _e249);
-                        let _e252 = select(_e237, 0f, _e241);
-                        if _e241 {
-                            phi_411_ = 1267650600000000000000000000000f;
+                        let _e250 = phi_397_;
+                        let _e251 = (_e228 + _e250);
+                        let _e252 = (_e228 - _e250);
+                        let _e253 = select(_e238, 0f, _e242);
+                        if _e242 {
+                            phi_408_ = 38685626000000000000000000f;
                         } else {
-                            phi_411_ = (1f / _e237);
+                            phi_408_ = (1f / _e238);
                         }
-                        let _e255 = phi_411_;
-                        let _e256 = (_e198 == 0u);
-                        if _e256 {
-                            phi_420_ = _e218[0];
+                        let _e256 = phi_408_;
+                        let _e257 = (_e199 == 0u);
+                        if _e257 {
+                            phi_417_ = _e219[0];
                         } else {
-                            phi_420_ = _e218[1];
+                            phi_417_ = _e219[1];
                         }
-                        let _e260 = phi_420_;
-                        let _e261 = (_e198 == 2u);
-                        if _e261 {
-                            phi_426_ = _e218[2];
+                        let _e261 = phi_417_;
+                        let _e262 = (_e199 == 2u);
+                        if _e262 {
+                            phi_423_ = _e219[2];
                         } else {
-                            phi_426_ = _e260;
+                            phi_423_ = _e261;
                         }
-                        let _e264 = phi_426_;
-                        if _e256 {
-                            phi_437_ = _e228[0];
+                        let _e265 = phi_423_;
+                        if _e257 {
+                            phi_434_ = _e229[0];
                         } else {
-                            phi_437_ = _e228[1];
+                            phi_434_ = _e229[1];
                         }
-                        let _e268 = phi_437_;
-                        if _e261 {
-                            phi_443_ = _e228[2];
+                        let _e269 = phi_434_;
+                        if _e262 {
+                            phi_440_ = _e229[2];
                         } else {
-                            phi_443_ = _e268;
+                            phi_440_ = _e269;
                         }
-                        let _e271 = phi_443_;
-                        let _e273 = ((_e271 * _e207) * _e213);
-                        let _e277 = (bitcast<f32>((bitcast<u32>(_e273) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e277 {
-                            let _e281 = (bitcast<f32>((bitcast<u32>(_e264) & 2147483647u)) * 0.00000011920929f);
-                            phi_466_ = select(0.00000000000000000086736174f, _e281, (_e281 > 0.00000000000000000086736174f));
+                        let _e272 = phi_440_;
+                        let _e274 = ((_e272 * _e208) * _e214);
+                        let _e278 = (bitcast<f32>((bitcast<u32>(_e274) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e278 {
+                            let _e282 = (bitcast<f32>((bitcast<u32>(_e265) & 2147483647u)) * 0.00000011920929f);
+                            phi_463_ = select(0.00000000000011368684f, _e282, (_e282 > 0.00000000000011368684f));
                         } else {
-                            phi_466_ = 0f;
+                            phi_463_ = 0f;
                         }
-                        let _e285 = phi_466_;
-                        let _e286 = (_e264 + _e285);
-                        let _e287 = (_e264 - _e285);
-                        let _e288 = select(_e273, 0f, _e277);
-                        if _e277 {
-                            phi_481_ = 1267650600000000000000000000000f;
+                        let _e286 = phi_463_;
+                        let _e287 = (_e265 + _e286);
+                        let _e288 = (_e265 - _e286);
+                        let _e289 = select(_e274, 0f, _e278);
+                        if _e278 {
+                            phi_474_ = 38685626000000000000000000f;
                         } else {
-                            phi_481_ = (1f / _e273);
+                            phi_474_ = (1f / _e274);
                         }
-                        let _e291 = phi_481_;
-                        let _e292 = (_e200 == 0u);
-                        if _e292 {
-                            phi_490_ = _e218[0];
+                        let _e292 = phi_474_;
+                        let _e293 = (_e201 == 0u);
+                        if _e293 {
+                            phi_483_ = _e219[0];
                         } else {
-                            phi_490_ = _e218[1];
+                            phi_483_ = _e219[1];
                         }
-                        let _e296 = phi_490_;
-                        let _e297 = (_e200 == 2u);
-                        if _e297 {
-                            phi_496_ = _e218[2];
+                        let _e297 = phi_483_;
+                        let _e298 = (_e201 == 2u);
+                        if _e298 {
+                            phi_489_ = _e219[2];
                         } else {
-                            phi_496_ = _e296;
+                            phi_489_ = _e297;
                         }
-                        let _e300 = phi_496_;
-                        if _e292 {
-                            phi_507_ = _e228[0];
+                        let _e301 = phi_489_;
+                        if _e293 {
+                            phi_500_ = _e229[0];
                         } else {
-                            phi_507_ = _e228[1];
+                            phi_500_ = _e229[1];
                         }
-                        let _e304 = phi_507_;
-                        if _e297 {
-                            phi_513_ = _e228[2];
+                        let _e305 = phi_500_;
+                        if _e298 {
+                            phi_506_ = _e229[2];
                         } else {
-                            phi_513_ = _e304;
+                            phi_506_ = _e305;
                         }
-                        let _e307 = phi_513_;
-                        let _e309 = ((_e307 * _e207) * _e213);
-                        let _e313 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e313 {
-                            let _e317 = (bitcast<f32>((bitcast<u32>(_e300) & 2147483647u)) * 0.00000011920929f);
-                            phi_536_ = select(0.00000000000000000086736174f, _e317, (_e317 > 0.00000000000000000086736174f));
+                        let _e308 = phi_506_;
+                        let _e310 = ((_e308 * _e208) * _e214);
+                        let _e314 = (bitcast<f32>((bitcast<u32>(_e310) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e314 {
+                            let _e318 = (bitcast<f32>((bitcast<u32>(_e301) & 2147483647u)) * 0.00000011920929f);
+                            phi_529_ = select(0.00000000000011368684f, _e318, (_e318 > 0.00000000000011368684f));
                         } else {
-                            phi_536_ = 0f;
+                            phi_529_ = 0f;
                         }
-                        let _e321 = phi_536_;
-                        let _e322 = (_e300 + _e321);
-                        let _e323 = (_e300 - _e321);
-                        let _e324 = select(_e309, 0f, _e313);
-                        if _e313 {
-                            phi_551_ = 1267650600000000000000000000000f;
+                        let _e322 = phi_529_;
+                        let _e323 = (_e301 + _e322);
+                        let _e324 = (_e301 - _e322);
+                        let _e325 = select(_e310, 0f, _e314);
+                        if _e314 {
+                            phi_540_ = 38685626000000000000000000f;
                         } else {
-                            phi_551_ = (1f / _e309);
+                            phi_540_ = (1f / _e310);
                         }
-                        let _e327 = phi_551_;
-                        let _e330 = bitcast<f32>((bitcast<u32>(_e227) & 2147483647u));
-                        let _e333 = bitcast<f32>((bitcast<u32>(_e264) & 2147483647u));
-                        let _e335 = select(_e333, _e330, (_e330 > _e333));
-                        let _e338 = bitcast<f32>((bitcast<u32>(_e300) & 2147483647u));
-                        if (_e161 && (select(_e338, _e335, (_e335 > _e338)) <= 1099511600000f)) {
-                            let _e343 = (_e180 / 3i);
-                            let _e350 = bitcast<f32>((bitcast<u32>((_e343 + 127i)) << bitcast<u32>(23i)));
-                            let _e357 = bitcast<f32>((bitcast<u32>(((_e180 - (2i * _e343)) + 127i)) << bitcast<u32>(23i)));
-                            let _e358 = (((_e78 * _e350) * _e350) * _e357);
-                            let _e360 = select(340282350000000000000000000000000000000f, _e358, (_e358 < 340282350000000000000000000000000000000f));
-                            let _e365 = (((_e83 * _e350) * _e350) * _e357);
-                            let _e367 = select(340282350000000000000000000000000000000f, _e365, (_e365 < 340282350000000000000000000000000000000f));
-                            phi_651_ = select(-340282350000000000000000000000000000000f, _e367, (_e367 > -340282350000000000000000000000000000000f));
-                            phi_652_ = select(-340282350000000000000000000000000000000f, _e360, (_e360 > -340282350000000000000000000000000000000f));
+                        let _e328 = phi_540_;
+                        let _e331 = bitcast<f32>((bitcast<u32>(_e228) & 2147483647u));
+                        let _e334 = bitcast<f32>((bitcast<u32>(_e265) & 2147483647u));
+                        let _e336 = select(_e334, _e331, (_e331 > _e334));
+                        let _e339 = bitcast<f32>((bitcast<u32>(_e301) & 2147483647u));
+                        if (_e162 && (select(_e339, _e336, (_e336 > _e339)) <= 1099511600000f)) {
+                            let _e344 = (_e181 / 3i);
+                            let _e351 = bitcast<f32>((bitcast<u32>((_e344 + 127i)) << bitcast<u32>(23i)));
+                            let _e358 = bitcast<f32>((bitcast<u32>(((_e181 - (2i * _e344)) + 127i)) << bitcast<u32>(23i)));
+                            let _e359 = (((_e79 * _e351) * _e351) * _e358);
+                            let _e361 = select(340282350000000000000000000000000000000f, _e359, (_e359 < 340282350000000000000000000000000000000f));
+                            let _e366 = (((_e84 * _e351) * _e351) * _e358);
+                            let _e368 = select(340282350000000000000000000000000000000f, _e366, (_e366 < 340282350000000000000000000000000000000f));
+                            phi_640_ = select(-340282350000000000000000000000000000000f, _e368, (_e368 > -340282350000000000000000000000000000000f));
+                            phi_641_ = select(-340282350000000000000000000000000000000f, _e361, (_e361 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_651_ = 0f;
-                            phi_652_ = 1f;
+                            phi_640_ = 0f;
+                            phi_641_ = 1f;
                         }
-                        let _e371 = phi_651_;
-                        let _e373 = phi_652_;
+                        let _e372 = phi_640_;
+                        let _e374 = phi_641_;
                         local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_1990_ = false;
-                        phi_663_ = type_45(_e371, false);
-                        phi_666_ = select(0u, 2147483648u, (_e61 == 0u));
-                        phi_668_ = ((3u * _e61) + 1u);
-                        phi_670_ = (_e373 <= _e371);
-                        phi_672_ = 0u;
+                        phi_1979_ = false;
+                        phi_652_ = type_45(_e372, false);
+                        phi_655_ = select(0u, 2147483648u, (_e62 == 0u));
+                        phi_657_ = ((3u * _e62) + 1u);
+                        phi_659_ = (_e374 <= _e372);
+                        phi_661_ = 0u;
                         loop {
-                            let _e381 = phi_1990_;
-                            let _e383 = phi_663_;
-                            let _e385 = phi_666_;
-                            let _e387 = phi_668_;
-                            let _e389 = phi_670_;
-                            let _e391 = phi_672_;
-                            local_3 = _e383;
-                            if _e389 {
-                                phi_683_ = true;
+                            let _e382 = phi_1979_;
+                            let _e384 = phi_652_;
+                            let _e386 = phi_655_;
+                            let _e388 = phi_657_;
+                            let _e390 = phi_659_;
+                            let _e392 = phi_661_;
+                            local_3 = _e384;
+                            if _e390 {
+                                phi_672_ = true;
                             } else {
-                                phi_683_ = (_e391 > 0u);
+                                phi_672_ = (_e392 > 0u);
                             }
-                            let _e394 = phi_683_;
-                            if _e394 {
-                                let _e395 = (_e387 > 0u);
-                                if _e395 {
-                                    if _e389 {
-                                        phi_713_ = _e385;
-                                        phi_714_ = _e389;
-                                        phi_715_ = _e391;
+                            let _e395 = phi_672_;
+                            if _e395 {
+                                let _e396 = (_e388 > 0u);
+                                if _e396 {
+                                    if _e390 {
+                                        phi_702_ = _e386;
+                                        phi_703_ = _e390;
+                                        phi_704_ = _e392;
                                     } else {
-                                        let _e396 = (_e391 - 1u);
-                                        let _e397 = (_e396 % 128u);
-                                        let _e398 = (_e397 < 128u);
-                                        if _e398 {
+                                        let _e397 = (_e392 - 1u);
+                                        let _e398 = (_e397 % 128u);
+                                        let _e399 = (_e398 < 128u);
+                                        if _e399 {
                                         } else {
-                                            phi_2091_ = true;
+                                            phi_2080_ = true;
                                             break;
                                         }
-                                        let _e400 = local[_e397];
-                                        if _e398 {
+                                        let _e401 = local[_e398];
+                                        if _e399 {
                                         } else {
-                                            phi_2091_ = true;
+                                            phi_2080_ = true;
                                             break;
                                         }
-                                        let _e402 = local_1[_e397];
-                                        phi_713_ = _e400;
-                                        phi_714_ = (_e402 <= _e383.member);
-                                        phi_715_ = _e396;
+                                        let _e403 = local_1[_e398];
+                                        phi_702_ = _e401;
+                                        phi_703_ = (_e403 <= _e384.member);
+                                        phi_704_ = _e397;
                                     }
-                                    let _e406 = phi_713_;
-                                    let _e408 = phi_714_;
-                                    let _e410 = phi_715_;
-                                    if _e408 {
-                                        let _e414 = (_e406 & 268435455u);
-                                        if ((_e406 & 2147483648u) != 0u) {
-                                            phi_731_ = _e383;
-                                            phi_734_ = type_4(_e414, (_e414 + ((_e406 >> bitcast<u32>(28u)) & 7u)));
+                                    let _e407 = phi_702_;
+                                    let _e409 = phi_703_;
+                                    let _e411 = phi_704_;
+                                    if _e409 {
+                                        let _e415 = (_e407 & 268435455u);
+                                        if ((_e407 & 2147483648u) != 0u) {
+                                            phi_720_ = _e384;
+                                            phi_723_ = type_4(_e415, (_e415 + ((_e407 >> bitcast<u32>(28u)) & 7u)));
                                             loop {
-                                                let _e609 = phi_731_;
-                                                let _e611 = phi_734_;
-                                                local_2 = _e609;
-                                                local_4 = _e609;
-                                                if (_e611.member < _e611.member_1) {
-                                                    phi_735_ = type_4((_e611.member + 1u), _e611.member_1);
-                                                    phi_757_ = type_4(1u, _e611.member);
+                                                let _e610 = phi_720_;
+                                                let _e612 = phi_723_;
+                                                local_2 = _e610;
+                                                local_4 = _e610;
+                                                if (_e612.member < _e612.member_1) {
+                                                    phi_724_ = type_4((_e612.member + 1u), _e612.member_1);
+                                                    phi_746_ = type_4(1u, _e612.member);
                                                 } else {
-                                                    phi_735_ = _e611;
-                                                    phi_757_ = type_4(0u, type_4().member_1);
+                                                    phi_724_ = _e612;
+                                                    phi_746_ = type_4(0u, type_4().member_1);
                                                 }
-                                                let _e624 = phi_735_;
-                                                let _e626 = phi_757_;
-                                                let _e630 = (bitcast<i32>(_e626.member) != 0i);
-                                                if _e630 {
-                                                    let _e631 = (_e626.member_1 < _e63);
-                                                    if _e631 {
-                                                        if _e631 {
+                                                let _e625 = phi_724_;
+                                                let _e627 = phi_746_;
+                                                let _e631 = (bitcast<i32>(_e627.member) != 0i);
+                                                if _e631 {
+                                                    let _e632 = (_e627.member_1 < _e64);
+                                                    if _e632 {
+                                                        if _e632 {
                                                         } else {
-                                                            phi_1984_ = true;
+                                                            phi_1973_ = true;
                                                             break;
                                                         }
-                                                        let _e635 = global_1.member[_e626.member_1].member_1;
-                                                        phi_777_ = _e635;
+                                                        let _e636 = global_1.member[_e627.member_1].member_1;
+                                                        phi_766_ = _e636;
                                                     } else {
-                                                        phi_777_ = 4294967295u;
+                                                        phi_766_ = 4294967295u;
                                                     }
-                                                    let _e637 = phi_777_;
-                                                    if (_e626.member_1 >= _e63) {
-                                                        phi_865_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e638 = phi_766_;
+                                                    if (_e627.member_1 >= _e64) {
+                                                        phi_854_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e631 {
+                                                        if _e632 {
                                                         } else {
-                                                            phi_1984_ = true;
+                                                            phi_1973_ = true;
                                                             break;
                                                         }
-                                                        let _e639 = (_e199 % 3u);
-                                                        let _e640 = (_e198 % 3u);
-                                                        let _e641 = (_e200 % 3u);
-                                                        if (_e639 < 9u) {
-                                                        } else {
-                                                            phi_1984_ = true;
-                                                            break;
-                                                        }
-                                                        let _e647 = global_1.member[_e626.member_1].member[_e639];
+                                                        let _e640 = (_e200 % 3u);
+                                                        let _e641 = (_e199 % 3u);
+                                                        let _e642 = (_e201 % 3u);
                                                         if (_e640 < 9u) {
                                                         } else {
-                                                            phi_1984_ = true;
+                                                            phi_1973_ = true;
                                                             break;
                                                         }
-                                                        let _e653 = global_1.member[_e626.member_1].member[_e640];
+                                                        let _e648 = global_1.member[_e627.member_1].member[_e640];
                                                         if (_e641 < 9u) {
                                                         } else {
-                                                            phi_1984_ = true;
+                                                            phi_1973_ = true;
                                                             break;
                                                         }
-                                                        let _e659 = global_1.member[_e626.member_1].member[_e641];
-                                                        let _e661 = (3u + _e639);
-                                                        if (_e661 < 9u) {
+                                                        let _e654 = global_1.member[_e627.member_1].member[_e641];
+                                                        if (_e642 < 9u) {
                                                         } else {
-                                                            phi_1984_ = true;
+                                                            phi_1973_ = true;
                                                             break;
                                                         }
-                                                        let _e667 = global_1.member[_e626.member_1].member[_e661];
-                                                        let _e668 = (3u + _e640);
-                                                        if (_e668 < 9u) {
+                                                        let _e660 = global_1.member[_e627.member_1].member[_e642];
+                                                        let _e662 = (3u + _e640);
+                                                        if (_e662 < 9u) {
                                                         } else {
-                                                            phi_1984_ = true;
+                                                            phi_1973_ = true;
                                                             break;
                                                         }
-                                                        let _e674 = global_1.member[_e626.member_1].member[_e668];
-                                                        let _e675 = (3u + _e641);
-                                                        if (_e675 < 9u) {
+                                                        let _e668 = global_1.member[_e627.member_1].member[_e662];
+                                                        let _e669 = (3u + _e641);
+                                                        if (_e669 < 9u) {
                                                         } else {
-                                                            phi_1984_ = true;
+                                                            phi_1973_ = true;
                                                             break;
                                                         }
-                                                        let _e681 = global_1.member[_e626.member_1].member[_e675];
-                                                        let _e683 = (6u + _e639);
-                                                        if (_e683 < 9u) {
+                                                        let _e675 = global_1.member[_e627.member_1].member[_e669];
+                                                        let _e676 = (3u + _e642);
+                                                        if (_e676 < 9u) {
                                                         } else {
-                                                            phi_1984_ = true;
+                                                            phi_1973_ = true;
                                                             break;
                                                         }
-                                                        let _e689 = global_1.member[_e626.member_1].member[_e683];
-                                                        let _e690 = (6u + _e640);
-                                                        if (_e690 < 9u) {
+                                                        let _e682 = global_1.member[_e627.member_1].member[_e676];
+                                                        let _e684 = (6u + _e640);
+                                                        if (_e684 < 9u) {
                                                         } else {
-                                                            phi_1984_ = true;
+                                                            phi_1973_ = true;
                                                             break;
                                                         }
-                                                        let _e696 = global_1.member[_e626.member_1].member[_e690];
-                                                        let _e697 = (6u + _e641);
-                                                        if (_e697 < 9u) {
+                                                        let _e690 = global_1.member[_e627.member_1].member[_e684];
+                                                        let _e691 = (6u + _e641);
+                                                        if (_e691 < 9u) {
                                                         } else {
-                                                            phi_1984_ = true;
+                                                            phi_1973_ = true;
                                                             break;
                                                         }
-                                                        let _e703 = global_1.member[_e626.member_1].member[_e697];
-                                                        phi_865_ = array<array<f32, 3>, 3>(array<f32, 3>(_e647, _e653, _e659), array<f32, 3>(_e667, _e674, _e681), array<f32, 3>(_e689, _e696, _e703));
+                                                        let _e697 = global_1.member[_e627.member_1].member[_e691];
+                                                        let _e698 = (6u + _e642);
+                                                        if (_e698 < 9u) {
+                                                        } else {
+                                                            phi_1973_ = true;
+                                                            break;
+                                                        }
+                                                        let _e704 = global_1.member[_e627.member_1].member[_e698];
+                                                        phi_854_ = array<array<f32, 3>, 3>(array<f32, 3>(_e648, _e654, _e660), array<f32, 3>(_e668, _e675, _e682), array<f32, 3>(_e690, _e697, _e704));
                                                     }
-                                                    let _e707 = phi_865_;
-                                                    let _e715 = (_e707[0][2] - _e300);
-                                                    let _e718 = (((_e707[0][0] - _e227) * _e324) - (_e715 * _e252));
-                                                    let _e721 = (((_e707[0][1] - _e264) * _e324) - (_e715 * _e288));
-                                                    let _e728 = (_e707[1][2] - _e300);
-                                                    let _e731 = (((_e707[1][0] - _e227) * _e324) - (_e728 * _e252));
-                                                    let _e734 = (((_e707[1][1] - _e264) * _e324) - (_e728 * _e288));
-                                                    let _e741 = (_e707[2][2] - _e300);
-                                                    let _e744 = (((_e707[2][0] - _e227) * _e324) - (_e741 * _e252));
-                                                    let _e747 = (((_e707[2][1] - _e264) * _e324) - (_e741 * _e288));
-                                                    let _e748 = (_e744 * _e734);
-                                                    let _e749 = (_e747 * _e731);
-                                                    let _e750 = (_e718 * _e747);
-                                                    let _e751 = (_e721 * _e744);
-                                                    let _e752 = (_e731 * _e721);
-                                                    let _e753 = (_e734 * _e718);
-                                                    let _e758 = (((_e748 >= _e749) && (_e750 >= _e751)) && (_e752 >= _e753));
-                                                    if (_e758 || (((_e748 <= _e749) && (_e750 <= _e751)) && (_e752 <= _e753))) {
-                                                        let _e765 = select(-1f, 1f, _e758);
-                                                        let _e767 = ((_e748 - _e749) * _e765);
-                                                        let _e769 = select(0f, _e767, (_e767 > 0f));
-                                                        let _e771 = ((_e750 - _e751) * _e765);
-                                                        let _e773 = select(0f, _e771, (_e771 > 0f));
-                                                        let _e775 = ((_e752 - _e753) * _e765);
-                                                        let _e777 = select(0f, _e775, (_e775 > 0f));
-                                                        let _e779 = ((_e769 + _e773) + _e777);
-                                                        if (_e779 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1431_ = type_16();
-                                                            phi_1432_ = true;
+                                                    let _e708 = phi_854_;
+                                                    let _e716 = (_e708[0][2] - _e301);
+                                                    let _e719 = (((_e708[0][0] - _e228) * _e325) - (_e716 * _e253));
+                                                    let _e722 = (((_e708[0][1] - _e265) * _e325) - (_e716 * _e289));
+                                                    let _e729 = (_e708[1][2] - _e301);
+                                                    let _e732 = (((_e708[1][0] - _e228) * _e325) - (_e729 * _e253));
+                                                    let _e735 = (((_e708[1][1] - _e265) * _e325) - (_e729 * _e289));
+                                                    let _e742 = (_e708[2][2] - _e301);
+                                                    let _e745 = (((_e708[2][0] - _e228) * _e325) - (_e742 * _e253));
+                                                    let _e748 = (((_e708[2][1] - _e265) * _e325) - (_e742 * _e289));
+                                                    let _e749 = (_e745 * _e735);
+                                                    let _e750 = (_e748 * _e732);
+                                                    let _e751 = (_e719 * _e748);
+                                                    let _e752 = (_e722 * _e745);
+                                                    let _e753 = (_e732 * _e722);
+                                                    let _e754 = (_e735 * _e719);
+                                                    let _e759 = (((_e749 >= _e750) && (_e751 >= _e752)) && (_e753 >= _e754));
+                                                    if (_e759 || (((_e749 <= _e750) && (_e751 <= _e752)) && (_e753 <= _e754))) {
+                                                        let _e766 = select(-1f, 1f, _e759);
+                                                        let _e768 = ((_e749 - _e750) * _e766);
+                                                        let _e770 = select(0f, _e768, (_e768 > 0f));
+                                                        let _e772 = ((_e751 - _e752) * _e766);
+                                                        let _e774 = select(0f, _e772, (_e772 > 0f));
+                                                        let _e776 = ((_e753 - _e754) * _e766);
+                                                        let _e778 = select(0f, _e776, (_e776 > 0f));
+                                                        let _e780 = ((_e770 + _e774) + _e778);
+                                                        if (_e780 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1420_ = type_16();
+                                                            phi_1421_ = true;
                                                         } else {
-                                                            let _e782 = select(_e707[1][0], _e707[0][0], (_e707[0][0] < _e707[1][0]));
-                                                            let _e786 = select(_e707[1][0], _e707[0][0], (_e707[0][0] > _e707[1][0]));
-                                                            let _e790 = select(_e707[1][1], _e707[0][1], (_e707[0][1] < _e707[1][1]));
-                                                            let _e794 = select(_e707[1][1], _e707[0][1], (_e707[0][1] > _e707[1][1]));
-                                                            let _e798 = select(_e707[1][2], _e707[0][2], (_e707[0][2] < _e707[1][2]));
-                                                            let _e802 = select(_e707[1][2], _e707[0][2], (_e707[0][2] > _e707[1][2]));
-                                                            let _e807 = ((select(_e707[2][0], _e782, (_e782 < _e707[2][0])) - _e250) * _e255);
-                                                            let _e808 = ((select(_e707[2][0], _e786, (_e786 > _e707[2][0])) - _e251) * _e255);
-                                                            let _e811 = ((select(_e707[2][1], _e790, (_e790 < _e707[2][1])) - _e286) * _e291);
-                                                            let _e812 = ((select(_e707[2][1], _e794, (_e794 > _e707[2][1])) - _e287) * _e291);
-                                                            let _e815 = ((select(_e707[2][2], _e798, (_e798 < _e707[2][2])) - _e322) * _e327);
-                                                            let _e816 = ((select(_e707[2][2], _e802, (_e802 > _e707[2][2])) - _e323) * _e327);
-                                                            let _e818 = select(_e816, _e815, (_e815 < _e816));
-                                                            let _e820 = select(_e816, _e815, (_e815 > _e816));
-                                                            let _e822 = select(_e808, _e807, (_e807 < _e808));
-                                                            let _e824 = select(_e812, _e811, (_e811 < _e812));
-                                                            let _e826 = select(_e824, _e822, (_e822 > _e824));
-                                                            let _e828 = select(_e818, _e826, (_e826 > _e818));
-                                                            let _e830 = select(_e808, _e807, (_e807 > _e808));
-                                                            let _e832 = select(_e812, _e811, (_e811 > _e812));
-                                                            let _e834 = select(_e832, _e830, (_e830 < _e832));
-                                                            let _e836 = select(_e820, _e834, (_e834 < _e820));
-                                                            let _e837 = -(_e818);
-                                                            let _e843 = select(_e373, _e828, (_e828 > _e373));
-                                                            if (_e843 > (_e836 + (select(_e837, _e820, (_e820 > _e837)) * 0.0000019073523f))) {
-                                                                phi_1426_ = type_16();
-                                                                phi_1427_ = true;
+                                                            let _e783 = select(_e708[1][0], _e708[0][0], (_e708[0][0] < _e708[1][0]));
+                                                            let _e787 = select(_e708[1][0], _e708[0][0], (_e708[0][0] > _e708[1][0]));
+                                                            let _e791 = select(_e708[1][1], _e708[0][1], (_e708[0][1] < _e708[1][1]));
+                                                            let _e795 = select(_e708[1][1], _e708[0][1], (_e708[0][1] > _e708[1][1]));
+                                                            let _e799 = select(_e708[1][2], _e708[0][2], (_e708[0][2] < _e708[1][2]));
+                                                            let _e803 = select(_e708[1][2], _e708[0][2], (_e708[0][2] > _e708[1][2]));
+                                                            let _e808 = ((select(_e708[2][0], _e783, (_e783 < _e708[2][0])) - _e251) * _e256);
+                                                            let _e809 = ((select(_e708[2][0], _e787, (_e787 > _e708[2][0])) - _e252) * _e256);
+                                                            let _e812 = ((select(_e708[2][1], _e791, (_e791 < _e708[2][1])) - _e287) * _e292);
+                                                            let _e813 = ((select(_e708[2][1], _e795, (_e795 > _e708[2][1])) - _e288) * _e292);
+                                                            let _e816 = ((select(_e708[2][2], _e799, (_e799 < _e708[2][2])) - _e323) * _e328);
+                                                            let _e817 = ((select(_e708[2][2], _e803, (_e803 > _e708[2][2])) - _e324) * _e328);
+                                                            let _e819 = select(_e817, _e816, (_e816 < _e817));
+                                                            let _e821 = select(_e817, _e816, (_e816 > _e817));
+                                                            let _e823 = select(_e809, _e808, (_e808 < _e809));
+                                                            let _e825 = select(_e813, _e812, (_e812 < _e813));
+                                                            let _e827 = select(_e825, _e823, (_e823 > _e825));
+                                                            let _e829 = select(_e819, _e827, (_e827 > _e819));
+                                                            let _e831 = select(_e809, _e808, (_e808 > _e809));
+                                                            let _e833 = select(_e813, _e812, (_e812 > _e813));
+                                                            let _e835 = select(_e833, _e831, (_e831 < _e833));
+                                                            let _e837 = select(_e821, _e835, (_e835 < _e821));
+                                                            let _e838 = -(_e819);
+                                                            let _e844 = select(_e374, _e829, (_e829 > _e374));
+                                                            if (_e844 > (_e837 + (select(_e838, _e821, (_e821 > _e838)) * 0.0000019073523f))) {
+                                                                phi_1415_ = type_16();
+                                                                phi_1416_ = true;
                                                             } else {
-                                                                let _e845 = (_e843 > _e609.member);
-                                                                if _e845 {
-                                                                    phi_1425_ = type_16();
+                                                                let _e846 = (_e844 > _e610.member);
+                                                                if _e846 {
+                                                                    phi_1414_ = type_16();
                                                                 } else {
-                                                                    let _e849 = (_e707[1][0] - _e707[0][0]);
-                                                                    let _e850 = (_e707[1][1] - _e707[0][1]);
-                                                                    let _e851 = (_e707[1][2] - _e707[0][2]);
-                                                                    let _e852 = vec3<f32>(_e849, _e850, _e851);
-                                                                    let _e853 = (_e707[2][0] - _e707[1][0]);
-                                                                    let _e854 = (_e707[2][1] - _e707[1][1]);
-                                                                    let _e855 = (_e707[2][2] - _e707[1][2]);
-                                                                    let _e856 = vec3<f32>(_e853, _e854, _e855);
-                                                                    let _e857 = (_e707[0][0] - _e707[2][0]);
-                                                                    let _e858 = (_e707[0][1] - _e707[2][1]);
-                                                                    let _e859 = (_e707[0][2] - _e707[2][2]);
-                                                                    let _e860 = vec3<f32>(_e857, _e858, _e859);
-                                                                    let _e863 = bitcast<f32>((bitcast<u32>(_e849) & 2147483647u));
-                                                                    let _e866 = bitcast<f32>((bitcast<u32>(_e850) & 2147483647u));
-                                                                    let _e868 = select(_e866, _e863, (_e863 > _e866));
-                                                                    let _e871 = bitcast<f32>((bitcast<u32>(_e851) & 2147483647u));
-                                                                    let _e873 = select(_e871, _e868, (_e868 > _e871));
-                                                                    let _e876 = bitcast<f32>((bitcast<u32>(_e853) & 2147483647u));
-                                                                    let _e879 = bitcast<f32>((bitcast<u32>(_e854) & 2147483647u));
-                                                                    let _e881 = select(_e879, _e876, (_e876 > _e879));
-                                                                    let _e884 = bitcast<f32>((bitcast<u32>(_e855) & 2147483647u));
-                                                                    let _e886 = select(_e884, _e881, (_e881 > _e884));
-                                                                    let _e889 = bitcast<f32>((bitcast<u32>(_e857) & 2147483647u));
-                                                                    let _e892 = bitcast<f32>((bitcast<u32>(_e858) & 2147483647u));
-                                                                    let _e894 = select(_e892, _e889, (_e889 > _e892));
-                                                                    let _e897 = bitcast<f32>((bitcast<u32>(_e859) & 2147483647u));
-                                                                    let _e899 = select(_e897, _e894, (_e894 > _e897));
-                                                                    let _e901 = select(_e886, _e873, (_e873 > _e886));
-                                                                    let _e903 = select(_e899, _e901, (_e901 > _e899));
-                                                                    if (_e873 == _e903) {
-                                                                        phi_1336_ = _e856;
-                                                                        phi_1337_ = _e860;
+                                                                    let _e850 = (_e708[1][0] - _e708[0][0]);
+                                                                    let _e851 = (_e708[1][1] - _e708[0][1]);
+                                                                    let _e852 = (_e708[1][2] - _e708[0][2]);
+                                                                    let _e853 = vec3<f32>(_e850, _e851, _e852);
+                                                                    let _e854 = (_e708[2][0] - _e708[1][0]);
+                                                                    let _e855 = (_e708[2][1] - _e708[1][1]);
+                                                                    let _e856 = (_e708[2][2] - _e708[1][2]);
+                                                                    let _e857 = vec3<f32>(_e854, _e855, _e856);
+                                                                    let _e858 = (_e708[0][0] - _e708[2][0]);
+                                                                    let _e859 = (_e708[0][1] - _e708[2][1]);
+                                                                    let _e860 = (_e708[0][2] - _e708[2][2]);
+                                                                    let _e861 = vec3<f32>(_e858, _e859, _e860);
+                                                                    let _e864 = bitcast<f32>((bitcast<u32>(_e850) & 2147483647u));
+                                                                    let _e867 = bitcast<f32>((bitcast<u32>(_e851) & 2147483647u));
+                                                                    let _e869 = select(_e867, _e864, (_e864 > _e867));
+                                                                    let _e872 = bitcast<f32>((bitcast<u32>(_e852) & 2147483647u));
+                                                                    let _e874 = select(_e872, _e869, (_e869 > _e872));
+                                                                    let _e877 = bitcast<f32>((bitcast<u32>(_e854) & 2147483647u));
+                                                                    let _e880 = bitcast<f32>((bitcast<u32>(_e855) & 2147483647u));
+                                                                    let _e882 = select(_e880, _e877, (_e877 > _e880));
+                                                                    let _e885 = bitcast<f32>((bitcast<u32>(_e856) & 2147483647u));
+                                                                    let _e887 = select(_e885, _e882, (_e882 > _e885));
+                                                                    let _e890 = bitcast<f32>((bitcast<u32>(_e858) & 2147483647u));
+                                                                    let _e893 = bitcast<f32>((bitcast<u32>(_e859) & 2147483647u));
+                                                                    let _e895 = select(_e893, _e890, (_e890 > _e893));
+                                                                    let _e898 = bitcast<f32>((bitcast<u32>(_e860) & 2147483647u));
+                                                                    let _e900 = select(_e898, _e895, (_e895 > _e898));
+                                                                    let _e902 = select(_e887, _e874, (_e874 > _e887));
+                                                                    let _e904 = select(_e900, _e902, (_e902 > _e900));
+                                                                    if (_e874 == _e904) {
+                                                                        phi_1325_ = _e857;
+                                                                        phi_1326_ = _e861;
                                                                     } else {
-                                                                        let _e906 = vec3((_e886 == _e903));
-                                                                        phi_1336_ = select(_e852, _e860, _e906);
-                                                                        phi_1337_ = select(_e856, _e852, _e906);
+                                                                        let _e907 = vec3((_e887 == _e904));
+                                                                        phi_1325_ = select(_e853, _e861, _e907);
+                                                                        phi_1326_ = select(_e857, _e853, _e907);
                                                                     }
-                                                                    let _e910 = phi_1336_;
-                                                                    let _e912 = phi_1337_;
-                                                                    let _e919 = ((_e910.y * _e912.z) - (_e912.y * _e910.z));
-                                                                    let _e924 = ((_e910.z * _e912.x) - (_e912.z * _e910.x));
-                                                                    let _e927 = ((_e910.x * _e912.y) - (_e912.x * _e910.y));
-                                                                    if (_e769 >= _e773) {
-                                                                        phi_1368_ = select(true, false, (_e769 >= _e777));
+                                                                    let _e911 = phi_1325_;
+                                                                    let _e913 = phi_1326_;
+                                                                    let _e920 = ((_e911.y * _e913.z) - (_e913.y * _e911.z));
+                                                                    let _e925 = ((_e911.z * _e913.x) - (_e913.z * _e911.x));
+                                                                    let _e928 = ((_e911.x * _e913.y) - (_e913.x * _e911.y));
+                                                                    if (_e770 >= _e774) {
+                                                                        phi_1357_ = select(true, false, (_e770 >= _e778));
                                                                     } else {
-                                                                        phi_1368_ = true;
+                                                                        phi_1357_ = true;
                                                                     }
-                                                                    let _e932 = phi_1368_;
-                                                                    if _e932 {
-                                                                        phi_1377_ = select(vec3<f32>(_e707[2][0], _e707[2][1], _e707[2][2]), vec3<f32>(_e707[1][0], _e707[1][1], _e707[1][2]), vec3((_e773 >= _e777)));
+                                                                    let _e933 = phi_1357_;
+                                                                    if _e933 {
+                                                                        phi_1366_ = select(vec3<f32>(_e708[2][0], _e708[2][1], _e708[2][2]), vec3<f32>(_e708[1][0], _e708[1][1], _e708[1][2]), vec3((_e774 >= _e778)));
                                                                     } else {
-                                                                        phi_1377_ = vec3<f32>(_e707[0][0], _e707[0][1], _e707[0][2]);
+                                                                        phi_1366_ = vec3<f32>(_e708[0][0], _e708[0][1], _e708[0][2]);
                                                                     }
-                                                                    let _e937 = phi_1377_;
-                                                                    let _e954 = ((((_e919 * (_e937.x - _e227)) + (_e924 * (_e937.y - _e264))) + (_e927 * (_e937.z - _e300))) / (((_e919 * _e252) + (_e924 * _e288)) + (_e927 * _e324)));
-                                                                    let _e956 = select(_e836, _e954, (_e954 < _e836));
-                                                                    let _e958 = select(_e828, _e956, (_e956 > _e828));
-                                                                    if (_e958 >= _e373) {
-                                                                        let _e960 = (_e958 <= _e609.member);
-                                                                        if _e960 {
-                                                                            let _e961 = (1f / _e779);
-                                                                            phi_1417_ = type_16(_e958, (_e773 * _e961), (_e777 * _e961), _e637);
+                                                                    let _e938 = phi_1366_;
+                                                                    let _e955 = ((((_e920 * (_e938.x - _e228)) + (_e925 * (_e938.y - _e265))) + (_e928 * (_e938.z - _e301))) / (((_e920 * _e253) + (_e925 * _e289)) + (_e928 * _e325)));
+                                                                    let _e957 = select(_e837, _e955, (_e955 < _e837));
+                                                                    let _e959 = select(_e829, _e957, (_e957 > _e829));
+                                                                    if (_e959 >= _e374) {
+                                                                        let _e961 = (_e959 <= _e610.member);
+                                                                        if _e961 {
+                                                                            let _e962 = (1f / _e780);
+                                                                            phi_1406_ = type_16(_e959, (_e774 * _e962), (_e778 * _e962), _e638);
                                                                         } else {
-                                                                            phi_1417_ = type_16();
+                                                                            phi_1406_ = type_16();
                                                                         }
-                                                                        let _e966 = phi_1417_;
-                                                                        phi_1419_ = _e966;
-                                                                        phi_1420_ = select(true, false, _e960);
+                                                                        let _e967 = phi_1406_;
+                                                                        phi_1408_ = _e967;
+                                                                        phi_1409_ = select(true, false, _e961);
                                                                     } else {
-                                                                        phi_1419_ = type_16();
-                                                                        phi_1420_ = true;
+                                                                        phi_1408_ = type_16();
+                                                                        phi_1409_ = true;
                                                                     }
-                                                                    let _e969 = phi_1419_;
-                                                                    let _e971 = phi_1420_;
-                                                                    if _e971 {
-                                                                        phi_1424_ = type_16(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e970 = phi_1408_;
+                                                                    let _e972 = phi_1409_;
+                                                                    if _e972 {
+                                                                        phi_1413_ = type_16(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_1424_ = _e969;
+                                                                        phi_1413_ = _e970;
                                                                     }
-                                                                    let _e973 = phi_1424_;
-                                                                    phi_1425_ = _e973;
+                                                                    let _e974 = phi_1413_;
+                                                                    phi_1414_ = _e974;
                                                                 }
-                                                                let _e975 = phi_1425_;
-                                                                phi_1426_ = _e975;
-                                                                phi_1427_ = _e845;
+                                                                let _e976 = phi_1414_;
+                                                                phi_1415_ = _e976;
+                                                                phi_1416_ = _e846;
                                                             }
-                                                            let _e977 = phi_1426_;
-                                                            let _e979 = phi_1427_;
-                                                            phi_1431_ = _e977;
-                                                            phi_1432_ = _e979;
+                                                            let _e978 = phi_1415_;
+                                                            let _e980 = phi_1416_;
+                                                            phi_1420_ = _e978;
+                                                            phi_1421_ = _e980;
                                                         }
-                                                        let _e981 = phi_1431_;
-                                                        let _e983 = phi_1432_;
-                                                        phi_1436_ = _e981;
-                                                        phi_1437_ = _e983;
+                                                        let _e982 = phi_1420_;
+                                                        let _e984 = phi_1421_;
+                                                        phi_1425_ = _e982;
+                                                        phi_1426_ = _e984;
                                                     } else {
-                                                        phi_1436_ = type_16();
-                                                        phi_1437_ = true;
+                                                        phi_1425_ = type_16();
+                                                        phi_1426_ = true;
                                                     }
-                                                    let _e985 = phi_1436_;
-                                                    let _e987 = phi_1437_;
-                                                    if _e987 {
-                                                        phi_1441_ = type_16(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e986 = phi_1425_;
+                                                    let _e988 = phi_1426_;
+                                                    if _e988 {
+                                                        phi_1430_ = type_16(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1441_ = _e985;
+                                                        phi_1430_ = _e986;
                                                     }
-                                                    let _e989 = phi_1441_;
-                                                    if (_e989.member_3 != 4294967295u) {
-                                                        if (_e637 != _e88) {
-                                                            phi_1452_ = type_45(_e609.member, true);
+                                                    let _e990 = phi_1430_;
+                                                    if (_e990.member_3 != 4294967295u) {
+                                                        if (_e638 != _e89) {
+                                                            phi_1441_ = type_45(_e610.member, true);
                                                         } else {
-                                                            phi_1452_ = _e609;
+                                                            phi_1441_ = _e610;
                                                         }
-                                                        let _e997 = phi_1452_;
-                                                        phi_1453_ = _e997;
+                                                        let _e998 = phi_1441_;
+                                                        phi_1442_ = _e998;
                                                     } else {
-                                                        phi_1453_ = _e609;
+                                                        phi_1442_ = _e610;
                                                     }
-                                                    let _e999 = phi_1453_;
-                                                    phi_732_ = _e999;
+                                                    let _e1000 = phi_1442_;
+                                                    phi_721_ = _e1000;
                                                 } else {
-                                                    phi_732_ = type_45();
+                                                    phi_721_ = type_45();
                                                 }
-                                                let _e1001 = phi_732_;
+                                                let _e1002 = phi_721_;
                                                 continue;
                                                 continuing {
-                                                    phi_731_ = _e1001;
-                                                    phi_734_ = _e624;
-                                                    phi_1984_ = _e381;
-                                                    break if !(_e630);
+                                                    phi_720_ = _e1002;
+                                                    phi_723_ = _e625;
+                                                    phi_1973_ = _e382;
+                                                    break if !(_e631);
                                                 }
                                             }
-                                            let _e1004 = phi_1984_;
-                                            phi_2091_ = _e1004;
-                                            if _e1004 {
+                                            let _e1005 = phi_1973_;
+                                            phi_2080_ = _e1005;
+                                            if _e1005 {
                                                 break;
                                             }
-                                            let _e1006 = local_2;
-                                            phi_2095_ = _e1004;
-                                            let _e1170 = local_4;
-                                            phi_1907_ = _e1170;
-                                            phi_1908_ = _e406;
-                                            phi_1909_ = false;
-                                            phi_1910_ = select(_e410, 0u, _e1006.member_1);
+                                            let _e1007 = local_2;
+                                            phi_2084_ = _e1005;
+                                            let _e1171 = local_4;
+                                            phi_1896_ = _e1171;
+                                            phi_1897_ = _e407;
+                                            phi_1898_ = false;
+                                            phi_1899_ = select(_e411, 0u, _e1007.member_1);
                                         } else {
-                                            if (_e406 >= _e61) {
-                                                phi_1514_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e407 >= _e62) {
+                                                phi_1503_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e406 < _e61) {
+                                                if (_e407 < _e62) {
                                                 } else {
-                                                    phi_2091_ = true;
+                                                    phi_2080_ = true;
                                                     break;
                                                 }
-                                                let _e420 = (_e199 % 3u);
-                                                if (_e420 < 3u) {
+                                                let _e421 = (_e200 % 3u);
+                                                if (_e421 < 3u) {
                                                 } else {
-                                                    phi_2091_ = true;
+                                                    phi_2080_ = true;
                                                     break;
                                                 }
-                                                let _e426 = global_2.member[_e406].member[_e420];
-                                                let _e432 = (_e198 % 3u);
-                                                if (_e432 < 3u) {
+                                                let _e427 = global_2.member[_e407].member[_e421];
+                                                let _e433 = (_e199 % 3u);
+                                                if (_e433 < 3u) {
                                                 } else {
-                                                    phi_2091_ = true;
+                                                    phi_2080_ = true;
                                                     break;
                                                 }
-                                                let _e438 = global_2.member[_e406].member[_e432];
-                                                let _e444 = (_e200 % 3u);
-                                                if (_e444 < 3u) {
+                                                let _e439 = global_2.member[_e407].member[_e433];
+                                                let _e445 = (_e201 % 3u);
+                                                if (_e445 < 3u) {
                                                 } else {
-                                                    phi_2091_ = true;
+                                                    phi_2080_ = true;
                                                     break;
                                                 }
-                                                let _e450 = global_2.member[_e406].member[_e444];
-                                                let _e460 = global_2.member[_e406].member_1;
-                                                let _e464 = global_2.member[_e406].member_2;
-                                                phi_1514_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e426[0], _e426[1], _e426[2], _e426[3]), vec4<f32>(_e438[0], _e438[1], _e438[2], _e438[3]), vec4<f32>(_e450[0], _e450[1], _e450[2], _e450[3])), _e460, _e464);
+                                                let _e451 = global_2.member[_e407].member[_e445];
+                                                let _e461 = global_2.member[_e407].member_1;
+                                                let _e465 = global_2.member[_e407].member_2;
+                                                phi_1503_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e427[0], _e427[1], _e427[2], _e427[3]), vec4<f32>(_e439[0], _e439[1], _e439[2], _e439[3]), vec4<f32>(_e451[0], _e451[1], _e451[2], _e451[3])), _e461, _e465);
                                             }
-                                            let _e467 = phi_1514_;
-                                            let _e479 = ((_e467.member[0].x - _e250) * _e255);
-                                            let _e480 = ((_e467.member[0].y - _e250) * _e255);
-                                            let _e481 = ((_e467.member[0].z - _e251) * _e255);
-                                            let _e482 = ((_e467.member[0].w - _e251) * _e255);
-                                            let _e492 = ((_e467.member[1].x - _e286) * _e291);
-                                            let _e493 = ((_e467.member[1].y - _e286) * _e291);
-                                            let _e494 = ((_e467.member[1].z - _e287) * _e291);
-                                            let _e495 = ((_e467.member[1].w - _e287) * _e291);
-                                            let _e505 = ((_e467.member[2].x - _e322) * _e327);
-                                            let _e506 = ((_e467.member[2].y - _e322) * _e327);
-                                            let _e507 = ((_e467.member[2].z - _e323) * _e327);
-                                            let _e508 = ((_e467.member[2].w - _e323) * _e327);
-                                            let _e510 = select(_e507, _e505, (_e505 < _e507));
-                                            let _e512 = select(_e508, _e506, (_e506 < _e508));
-                                            let _e514 = select(_e507, _e505, (_e505 > _e507));
-                                            let _e516 = select(_e508, _e506, (_e506 > _e508));
-                                            let _e518 = select(_e481, _e479, (_e479 < _e481));
-                                            let _e520 = select(_e482, _e480, (_e480 < _e482));
-                                            let _e522 = select(_e494, _e492, (_e492 < _e494));
-                                            let _e524 = select(_e495, _e493, (_e493 < _e495));
-                                            let _e526 = select(_e522, _e518, (_e518 > _e522));
-                                            let _e528 = select(_e524, _e520, (_e520 > _e524));
-                                            let _e530 = select(_e510, _e526, (_e526 > _e510));
-                                            let _e532 = select(_e512, _e528, (_e528 > _e512));
-                                            let _e534 = select(_e481, _e479, (_e479 > _e481));
-                                            let _e536 = select(_e482, _e480, (_e480 > _e482));
-                                            let _e538 = select(_e494, _e492, (_e492 > _e494));
-                                            let _e540 = select(_e495, _e493, (_e493 > _e495));
-                                            let _e542 = select(_e538, _e534, (_e534 < _e538));
-                                            let _e544 = select(_e540, _e536, (_e536 < _e540));
-                                            let _e549 = -(_e510);
-                                            let _e550 = -(_e512);
-                                            let _e557 = (select(_e514, _e542, (_e542 < _e514)) + (select(_e549, _e514, (_e514 > _e549)) * 0.0000019073523f));
-                                            let _e558 = (select(_e516, _e544, (_e544 < _e516)) + (select(_e550, _e516, (_e516 > _e550)) * 0.0000019073523f));
-                                            let _e560 = select(_e373, _e530, (_e530 > _e373));
-                                            let _e562 = select(_e373, _e532, (_e532 > _e373));
-                                            let _e567 = (_e560 <= select(_e383.member, _e557, (_e557 < _e383.member)));
-                                            let _e568 = (_e562 <= select(_e383.member, _e558, (_e558 < _e383.member)));
-                                            let _e569 = (_e560 <= _e562);
-                                            if _e567 {
+                                            let _e468 = phi_1503_;
+                                            let _e480 = ((_e468.member[0].x - _e251) * _e256);
+                                            let _e481 = ((_e468.member[0].y - _e251) * _e256);
+                                            let _e482 = ((_e468.member[0].z - _e252) * _e256);
+                                            let _e483 = ((_e468.member[0].w - _e252) * _e256);
+                                            let _e493 = ((_e468.member[1].x - _e287) * _e292);
+                                            let _e494 = ((_e468.member[1].y - _e287) * _e292);
+                                            let _e495 = ((_e468.member[1].z - _e288) * _e292);
+                                            let _e496 = ((_e468.member[1].w - _e288) * _e292);
+                                            let _e506 = ((_e468.member[2].x - _e323) * _e328);
+                                            let _e507 = ((_e468.member[2].y - _e323) * _e328);
+                                            let _e508 = ((_e468.member[2].z - _e324) * _e328);
+                                            let _e509 = ((_e468.member[2].w - _e324) * _e328);
+                                            let _e511 = select(_e508, _e506, (_e506 < _e508));
+                                            let _e513 = select(_e509, _e507, (_e507 < _e509));
+                                            let _e515 = select(_e508, _e506, (_e506 > _e508));
+                                            let _e517 = select(_e509, _e507, (_e507 > _e509));
+                                            let _e519 = select(_e482, _e480, (_e480 < _e482));
+                                            let _e521 = select(_e483, _e481, (_e481 < _e483));
+                                            let _e523 = select(_e495, _e493, (_e493 < _e495));
+                                            let _e525 = select(_e496, _e494, (_e494 < _e496));
+                                            let _e527 = select(_e523, _e519, (_e519 > _e523));
+                                            let _e529 = select(_e525, _e521, (_e521 > _e525));
+                                            let _e531 = select(_e511, _e527, (_e527 > _e511));
+                                            let _e533 = select(_e513, _e529, (_e529 > _e513));
+                                            let _e535 = select(_e482, _e480, (_e480 > _e482));
+                                            let _e537 = select(_e483, _e481, (_e481 > _e483));
+                                            let _e539 = select(_e495, _e493, (_e493 > _e495));
+                                            let _e541 = select(_e496, _e494, (_e494 > _e496));
+                                            let _e543 = select(_e539, _e535, (_e535 < _e539));
+                                            let _e545 = select(_e541, _e537, (_e537 < _e541));
+                                            let _e550 = -(_e511);
+                                            let _e551 = -(_e513);
+                                            let _e558 = (select(_e515, _e543, (_e543 < _e515)) + (select(_e550, _e515, (_e515 > _e550)) * 0.0000019073523f));
+                                            let _e559 = (select(_e517, _e545, (_e545 < _e517)) + (select(_e551, _e517, (_e517 > _e551)) * 0.0000019073523f));
+                                            let _e561 = select(_e374, _e531, (_e531 > _e374));
+                                            let _e563 = select(_e374, _e533, (_e533 > _e374));
+                                            let _e568 = (_e561 <= select(_e384.member, _e558, (_e558 < _e384.member)));
+                                            let _e569 = (_e563 <= select(_e384.member, _e559, (_e559 < _e384.member)));
+                                            let _e570 = (_e561 <= _e563);
+                                            if _e568 {
+                                                if _e569 {
+                                                    if _e570 {
+                                                        phi_1847_ = _e468.member_2;
+                                                    } else {
+                                                        phi_1847_ = _e468.member_1;
+                                                    }
+                                                    let _e574 = phi_1847_;
+                                                    let _e575 = (_e411 % 128u);
+                                                    let _e576 = (_e575 < 128u);
+                                                    if _e576 {
+                                                    } else {
+                                                        phi_2080_ = true;
+                                                        break;
+                                                    }
+                                                    local[_e575] = _e574;
+                                                    if _e576 {
+                                                    } else {
+                                                        phi_2080_ = true;
+                                                        break;
+                                                    }
+                                                    local_1[_e575] = select(_e563, _e561, (_e561 > _e563));
+                                                    if _e570 {
+                                                        phi_1873_ = _e468.member_1;
+                                                    } else {
+                                                        phi_1873_ = _e468.member_2;
+                                                    }
+                                                    let _e585 = phi_1873_;
+                                                    phi_1874_ = _e585;
+                                                    phi_1875_ = (_e411 + 1u);
+                                                } else {
+                                                    phi_1874_ = u32();
+                                                    phi_1875_ = u32();
+                                                }
+                                                let _e587 = phi_1874_;
+                                                let _e589 = phi_1875_;
+                                                phi_1877_ = _e587;
+                                                phi_1878_ = _e589;
+                                                phi_1879_ = select(true, false, _e569);
+                                            } else {
+                                                phi_1877_ = u32();
+                                                phi_1878_ = u32();
+                                                phi_1879_ = true;
+                                            }
+                                            let _e592 = phi_1877_;
+                                            let _e594 = phi_1878_;
+                                            let _e596 = phi_1879_;
+                                            if _e596 {
                                                 if _e568 {
-                                                    if _e569 {
-                                                        phi_1858_ = _e467.member_2;
-                                                    } else {
-                                                        phi_1858_ = _e467.member_1;
-                                                    }
-                                                    let _e573 = phi_1858_;
-                                                    let _e574 = (_e410 % 128u);
-                                                    let _e575 = (_e574 < 128u);
-                                                    if _e575 {
-                                                    } else {
-                                                        phi_2091_ = true;
-                                                        break;
-                                                    }
-                                                    local[_e574] = _e573;
-                                                    if _e575 {
-                                                    } else {
-                                                        phi_2091_ = true;
-                                                        break;
-                                                    }
-                                                    local_1[_e574] = select(_e562, _e560, (_e560 > _e562));
-                                                    if _e569 {
-                                                        phi_1884_ = _e467.member_1;
-                                                    } else {
-                                                        phi_1884_ = _e467.member_2;
-                                                    }
-                                                    let _e584 = phi_1884_;
-                                                    phi_1885_ = _e584;
-                                                    phi_1886_ = (_e410 + 1u);
+                                                    phi_1888_ = _e468.member_1;
                                                 } else {
-                                                    phi_1885_ = u32();
-                                                    phi_1886_ = u32();
+                                                    phi_1888_ = _e468.member_2;
                                                 }
-                                                let _e586 = phi_1885_;
-                                                let _e588 = phi_1886_;
-                                                phi_1888_ = _e586;
-                                                phi_1889_ = _e588;
-                                                phi_1890_ = select(true, false, _e568);
+                                                let _e600 = phi_1888_;
+                                                phi_1893_ = _e600;
+                                                phi_1894_ = select(_e569, true, _e568);
                                             } else {
-                                                phi_1888_ = u32();
-                                                phi_1889_ = u32();
-                                                phi_1890_ = true;
+                                                phi_1893_ = _e592;
+                                                phi_1894_ = _e409;
                                             }
-                                            let _e591 = phi_1888_;
-                                            let _e593 = phi_1889_;
-                                            let _e595 = phi_1890_;
-                                            if _e595 {
-                                                if _e567 {
-                                                    phi_1899_ = _e467.member_1;
-                                                } else {
-                                                    phi_1899_ = _e467.member_2;
-                                                }
-                                                let _e599 = phi_1899_;
-                                                phi_1904_ = _e599;
-                                                phi_1905_ = select(_e568, true, _e567);
-                                            } else {
-                                                phi_1904_ = _e591;
-                                                phi_1905_ = _e408;
-                                            }
-                                            let _e602 = phi_1904_;
-                                            let _e604 = phi_1905_;
-                                            phi_2095_ = _e381;
-                                            phi_1907_ = _e383;
-                                            phi_1908_ = _e602;
-                                            phi_1909_ = _e604;
-                                            phi_1910_ = select(_e593, _e410, _e595);
+                                            let _e603 = phi_1893_;
+                                            let _e605 = phi_1894_;
+                                            phi_2084_ = _e382;
+                                            phi_1896_ = _e384;
+                                            phi_1897_ = _e603;
+                                            phi_1898_ = _e605;
+                                            phi_1899_ = select(_e594, _e411, _e596);
                                         }
-                                        let _e1010 = phi_2095_;
-                                        let _e1012 = phi_1907_;
-                                        let _e1014 = phi_1908_;
-                                        let _e1016 = phi_1909_;
-                                        let _e1018 = phi_1910_;
-                                        phi_2094_ = _e1010;
-                                        phi_1911_ = _e1012;
-                                        phi_1912_ = _e1014;
-                                        phi_1913_ = (_e387 - 1u);
-                                        phi_1914_ = _e1016;
-                                        phi_1915_ = _e1018;
+                                        let _e1011 = phi_2084_;
+                                        let _e1013 = phi_1896_;
+                                        let _e1015 = phi_1897_;
+                                        let _e1017 = phi_1898_;
+                                        let _e1019 = phi_1899_;
+                                        phi_2083_ = _e1011;
+                                        phi_1900_ = _e1013;
+                                        phi_1901_ = _e1015;
+                                        phi_1902_ = (_e388 - 1u);
+                                        phi_1903_ = _e1017;
+                                        phi_1904_ = _e1019;
                                     } else {
-                                        phi_2094_ = _e381;
-                                        phi_1911_ = _e383;
-                                        phi_1912_ = _e406;
-                                        phi_1913_ = _e387;
-                                        phi_1914_ = _e408;
-                                        phi_1915_ = _e410;
+                                        phi_2083_ = _e382;
+                                        phi_1900_ = _e384;
+                                        phi_1901_ = _e407;
+                                        phi_1902_ = _e388;
+                                        phi_1903_ = _e409;
+                                        phi_1904_ = _e411;
                                     }
-                                    let _e1020 = phi_2094_;
-                                    let _e1022 = phi_1911_;
-                                    let _e1024 = phi_1912_;
-                                    let _e1026 = phi_1913_;
-                                    let _e1028 = phi_1914_;
-                                    let _e1030 = phi_1915_;
-                                    phi_2093_ = _e1020;
-                                    phi_1916_ = _e1022;
-                                    phi_1917_ = _e1024;
-                                    phi_1918_ = _e1026;
-                                    phi_1919_ = _e1028;
-                                    phi_1920_ = _e1030;
+                                    let _e1021 = phi_2083_;
+                                    let _e1023 = phi_1900_;
+                                    let _e1025 = phi_1901_;
+                                    let _e1027 = phi_1902_;
+                                    let _e1029 = phi_1903_;
+                                    let _e1031 = phi_1904_;
+                                    phi_2082_ = _e1021;
+                                    phi_1905_ = _e1023;
+                                    phi_1906_ = _e1025;
+                                    phi_1907_ = _e1027;
+                                    phi_1908_ = _e1029;
+                                    phi_1909_ = _e1031;
                                 } else {
-                                    phi_2093_ = _e381;
-                                    phi_1916_ = type_45();
-                                    phi_1917_ = u32();
-                                    phi_1918_ = u32();
-                                    phi_1919_ = bool();
-                                    phi_1920_ = u32();
+                                    phi_2082_ = _e382;
+                                    phi_1905_ = type_45();
+                                    phi_1906_ = u32();
+                                    phi_1907_ = u32();
+                                    phi_1908_ = bool();
+                                    phi_1909_ = u32();
                                 }
-                                let _e1032 = phi_2093_;
-                                let _e1034 = phi_1916_;
-                                let _e1036 = phi_1917_;
-                                let _e1038 = phi_1918_;
-                                let _e1040 = phi_1919_;
-                                let _e1042 = phi_1920_;
-                                phi_2092_ = _e1032;
-                                phi_664_ = _e1034;
-                                phi_667_ = _e1036;
-                                phi_669_ = _e1038;
-                                phi_671_ = _e1040;
-                                phi_673_ = _e1042;
-                                phi_1921_ = _e395;
+                                let _e1033 = phi_2082_;
+                                let _e1035 = phi_1905_;
+                                let _e1037 = phi_1906_;
+                                let _e1039 = phi_1907_;
+                                let _e1041 = phi_1908_;
+                                let _e1043 = phi_1909_;
+                                phi_2081_ = _e1033;
+                                phi_653_ = _e1035;
+                                phi_656_ = _e1037;
+                                phi_658_ = _e1039;
+                                phi_660_ = _e1041;
+                                phi_662_ = _e1043;
+                                phi_1910_ = _e396;
                             } else {
-                                phi_2092_ = _e381;
-                                phi_664_ = type_45();
-                                phi_667_ = u32();
-                                phi_669_ = u32();
-                                phi_671_ = bool();
-                                phi_673_ = u32();
-                                phi_1921_ = false;
+                                phi_2081_ = _e382;
+                                phi_653_ = type_45();
+                                phi_656_ = u32();
+                                phi_658_ = u32();
+                                phi_660_ = bool();
+                                phi_662_ = u32();
+                                phi_1910_ = false;
                             }
-                            let _e1044 = phi_2092_;
-                            let _e1046 = phi_664_;
-                            let _e1048 = phi_667_;
-                            let _e1050 = phi_669_;
-                            let _e1052 = phi_671_;
-                            let _e1054 = phi_673_;
-                            let _e1056 = phi_1921_;
+                            let _e1045 = phi_2081_;
+                            let _e1047 = phi_653_;
+                            let _e1049 = phi_656_;
+                            let _e1051 = phi_658_;
+                            let _e1053 = phi_660_;
+                            let _e1055 = phi_662_;
+                            let _e1057 = phi_1910_;
                             continue;
                             continuing {
-                                phi_1990_ = _e1044;
-                                phi_663_ = _e1046;
-                                phi_666_ = _e1048;
-                                phi_668_ = _e1050;
-                                phi_670_ = _e1052;
-                                phi_672_ = _e1054;
-                                phi_2091_ = _e1044;
-                                break if !(_e1056);
+                                phi_1979_ = _e1045;
+                                phi_652_ = _e1047;
+                                phi_655_ = _e1049;
+                                phi_657_ = _e1051;
+                                phi_659_ = _e1053;
+                                phi_661_ = _e1055;
+                                phi_2080_ = _e1045;
+                                break if !(_e1057);
                             }
                         }
-                        let _e1059 = phi_2091_;
-                        if _e1059 {
+                        let _e1060 = phi_2080_;
+                        if _e1060 {
                             break;
                         }
-                        let _e1061 = local_3;
-                        if _e1061.member_1 {
+                        let _e1062 = local_3;
+                        if _e1062.member_1 {
                         } else {
+                            if _e74 {
+                            } else {
+                                break;
+                            }
+                            let _e1066 = global_4.member[_e72];
                             if _e73 {
                             } else {
                                 break;
                             }
-                            let _e1065 = global_4.member[_e71];
-                            if _e72 {
+                            let _e1070 = global_3.member[_e72].member_1;
+                            if _e74 {
                             } else {
                                 break;
                             }
-                            let _e1069 = global_3.member[_e71].member_1;
-                            if _e73 {
-                            } else {
-                                break;
-                            }
-                            global_4.member[_e71] = type_18(_e1065.member, _e1065.member_1, _e1065.member_2, array<f32, 3>((_e1065.member_3[0] + (_e1069[0] * _e1065.member_1[0])), (_e1065.member_3[1] + (_e1069[1] * _e1065.member_1[1])), (_e1065.member_3[2] + (_e1069[2] * _e1065.member_1[2]))), _e1065.member_4);
+                            global_4.member[_e72] = type_18(_e1066.member, _e1066.member_1, _e1066.member_2, array<f32, 3>((_e1066.member_3[0] + (_e1070[0] * _e1066.member_1[0])), (_e1066.member_3[1] + (_e1070[1] * _e1066.member_1[1])), (_e1066.member_3[2] + (_e1070[2] * _e1066.member_1[2]))), _e1066.member_4);
                         }
                     }
                 }

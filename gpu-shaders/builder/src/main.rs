@@ -1,0 +1,240 @@
+//! Builds the modules under `host/shaders` from `gpu-shaders`; `--check` only says whether they are up to date.
+//!
+//! `RUST_GPU_TOOLCHAIN` names the toolchain. `RUSTC_CODEGEN_SPIRV` is the path of a ready backend, for a build with
+//! `--no-default-features`.
+
+mod module;
+mod source_hash;
+
+use anyhow::{Context, Result, bail};
+use module::Module;
+use serde_json::{Value, json};
+use spirv_builder::{ModuleResult, SpirvBuilder};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// All entry points: releases of rust-gpu have lost some in silence.
+const ENTRY_POINTS: [&str; 38] = [
+    "bounds",
+    "camera_rays",
+    "camera_resolve",
+    "frame",
+    "morton_30",
+    "morton_63",
+    "refit_groups",
+    "refit_nodes",
+    "refit_parents",
+    "refit_splits",
+    "scan_apply",
+    "scan_blocks",
+    "scan_sums",
+    "shade_light",
+    "shade_scatter",
+    "snap_30",
+    "snap_63",
+    "snap_again",
+    "sort_count_30",
+    "sort_count_63",
+    "sort_scatter_30",
+    "sort_scatter_63",
+    "topology_kept_30",
+    "topology_kept_63",
+    "topology_nodes_30",
+    "topology_nodes_63",
+    "topology_single",
+    "trace_any",
+    "trace_closest",
+    "trace_counted",
+    "trace_nearest",
+    "trace_paths",
+    "trace_paths_counted",
+    "trace_shadows",
+    "view_depth",
+    "view_heat",
+    "view_normals",
+    "view_primitives",
+];
+
+/// The toolchain that spirv-builder 0.10.0 belongs to.
+const TOOLCHAIN: &str = "nightly-2026-07-03";
+
+/// The files under `host/shaders`.
+type Files = BTreeMap<String, Vec<u8>>;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let is_check = match arguments.as_slice() {
+        [] => false,
+        [argument] if argument == "--check" => true,
+        _ => {
+            eprintln!("usage: slimbvh-shader-builder [--check]");
+            return ExitCode::from(2);
+        }
+    };
+    match run(is_check) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(is_check: bool) -> Result<()> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .canonicalize()?;
+    let folder = root.join("host/shaders");
+    let files = build(&root)?;
+    if is_check {
+        compare(&files, &read(&folder)?)?;
+        println!("host/shaders is up to date: {} modules", ENTRY_POINTS.len());
+    } else {
+        write(&files, &folder)?;
+        let bytes: usize = files.values().map(Vec::len).sum();
+        println!(
+            "wrote {} modules, {bytes} bytes in {} files",
+            ENTRY_POINTS.len(),
+            files.len()
+        );
+    }
+    Ok(())
+}
+
+/// Compiles all modules, and makes the manifest.
+fn build(root: &Path) -> Result<Files> {
+    let mut files = Files::new();
+    let mut manifest = Vec::new();
+    for (name, path) in compile(root)? {
+        let compiled = fs::read(&path).with_context(|| path.display().to_string())?;
+        let module = Module::new(&name, &compiled).context(name.clone())?;
+        check_paths(&module.spirv, root).context(name.clone())?;
+        manifest.push(module.manifest);
+        files.insert(format!("{name}.spv"), module.spirv);
+        files.insert(format!("{name}.wgsl"), module.wgsl.into_bytes());
+    }
+    let versions: BTreeMap<_, _> = source_hash::pinned_versions(root)?.into_iter().collect();
+    let manifest = json!({
+        "source_hash": source_hash::source_hash(root)?,
+        "versions": versions,
+        "modules": manifest,
+    });
+    let text = serde_json::to_string_pretty(&manifest)? + "\n";
+    files.insert("manifest.json".to_owned(), text.into_bytes());
+    Ok(files)
+}
+
+/// Compiles the crate. Returns the path of each entry point's module, by its short name.
+fn compile(root: &Path) -> Result<BTreeMap<String, PathBuf>> {
+    let target = std::env::var_os("CARGO_TARGET_DIR")
+        .map_or_else(|| root.join("gpu-shaders/builder/target"), PathBuf::from);
+    let mut builder = SpirvBuilder::new(root.join("gpu-shaders"), "spirv-unknown-vulkan1.2");
+    builder.multimodule = true;
+    builder.target_dir_path = Some(std::path::absolute(target)?.join("spirv"));
+    builder.toolchain_overwrite =
+        Some(std::env::var("RUST_GPU_TOOLCHAIN").unwrap_or_else(|_| TOOLCHAIN.to_owned()));
+    if let Some(backend) = std::env::var_os("RUSTC_CODEGEN_SPIRV") {
+        builder.rustc_codegen_spirv_location = Some(backend.into());
+    } else if !cfg!(feature = "build-backend") {
+        bail!("RUSTC_CODEGEN_SPIRV must name the backend in a build without `build-backend`");
+    }
+    let result = builder.build().context("the shaders do not compile")?;
+
+    let names: Vec<&str> = result.entry_points.iter().map(|e| short(e)).collect();
+    let found: BTreeSet<&str> = names.iter().copied().collect();
+    let expected = BTreeSet::from(ENTRY_POINTS);
+    if found != expected || names.len() != expected.len() {
+        let missing: Vec<_> = expected.difference(&found).collect();
+        let unknown: Vec<_> = found.difference(&expected).collect();
+        bail!(
+            "entry points: missing {missing:?}, not expected {unknown:?}, {} in all",
+            names.len()
+        );
+    }
+    let ModuleResult::MultiModule(modules) = result.module else {
+        bail!("the backend made one module for all entry points");
+    };
+    Ok(modules
+        .into_iter()
+        .map(|(entry, path)| (short(&entry).to_owned(), path))
+        .collect())
+}
+
+/// The function's name, without its module's.
+fn short(entry: &str) -> &str {
+    entry.rsplit("::").next().unwrap_or(entry)
+}
+
+/// What is committed must not tell where it was made, and be the same everywhere.
+fn check_paths(spirv: &[u8], root: &Path) -> Result<()> {
+    let root = root.to_string_lossy();
+    for text in [root.as_ref(), ".rs", "slimbvh_core"] {
+        if spirv.windows(text.len()).any(|w| w == text.as_bytes()) {
+            bail!("the module still holds {text:?}");
+        }
+    }
+    Ok(())
+}
+
+fn read(folder: &Path) -> Result<Files> {
+    let mut files = Files::new();
+    if !folder.exists() {
+        return Ok(files);
+    }
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        files.insert(name, fs::read(entry.path())?);
+    }
+    Ok(files)
+}
+
+/// Writes what has changed and removes what is left over from earlier entry points.
+fn write(files: &Files, folder: &Path) -> Result<()> {
+    fs::create_dir_all(folder)?;
+    let old = read(folder)?;
+    for name in old.keys().filter(|name| !files.contains_key(*name)) {
+        fs::remove_file(folder.join(name))?;
+    }
+    for (name, bytes) in files {
+        if old.get(name) != Some(bytes) {
+            fs::write(folder.join(name), bytes)?;
+        }
+    }
+    Ok(())
+}
+
+/// Says what differs.
+fn compare(new: &Files, old: &Files) -> Result<()> {
+    let names: BTreeSet<&String> = new.keys().chain(old.keys()).collect();
+    let changed: Vec<_> = names
+        .into_iter()
+        .filter(|&name| new.get(name) != old.get(name))
+        .map(
+            |name| match (new.contains_key(name), old.contains_key(name)) {
+                (true, true) => format!("{name} differs"),
+                (true, false) => format!("{name} is missing"),
+                _ => format!("{name} is left over"),
+            },
+        )
+        .collect();
+    if changed.is_empty() {
+        return Ok(());
+    }
+    let (now, then) = (hash_of(new), hash_of(old));
+    bail!(
+        "host/shaders is out of date (code {now}, modules made from {then}): {}; run the shader builder",
+        changed.join(", ")
+    )
+}
+
+/// The hash that a manifest names.
+fn hash_of(files: &Files) -> String {
+    files
+        .get("manifest.json")
+        .and_then(|text| serde_json::from_slice::<Value>(text).ok())
+        .and_then(|manifest| Some(manifest["source_hash"].as_str()?.to_owned()))
+        .unwrap_or_else(|| "nothing".to_owned())
+}

@@ -1,0 +1,152 @@
+//! A hash of the code that shaders are made from. It stays where only comments, layout or tests change.
+
+use anyhow::{Context, Result};
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
+use std::path::Path;
+use syn::visit_mut::{VisitMut, visit_file_mut, visit_item_mod_mut};
+use syn::{Attribute, File, Item, Meta};
+
+/// Packages whose versions count, and the lock file that names them.
+const PINNED: [(&str, &str); 6] = [
+    ("Cargo.lock", "bytemuck"),
+    ("Cargo.lock", "glam"),
+    ("Cargo.lock", "libm"),
+    ("Cargo.lock", "spirv-std"),
+    ("gpu-shaders/builder/Cargo.lock", "naga"),
+    ("gpu-shaders/builder/Cargo.lock", "spirv-builder"),
+];
+
+/// Crates whose code counts.
+const CRATES: [&str; 2] = ["core/src", "gpu-shaders/src"];
+
+/// The hash of the repository at `root`, in hexadecimal.
+///
+/// # Errors
+/// Where a file cannot be read or is no Rust.
+pub fn source_hash(root: &Path) -> Result<String> {
+    let mut hash = Fnv(0xcbf2_9ce4_8422_2325);
+    for source in CRATES {
+        hash_module(&root.join(source), "lib", &root.join(source), &mut hash)?;
+    }
+    for (package, version) in pinned_versions(root)? {
+        hash.text(&package);
+        hash.text(&version);
+    }
+    Ok(format!("{:016x}", hash.0))
+}
+
+/// The pinned packages and their versions.
+///
+/// # Errors
+/// Where a lock file cannot be read or lacks one.
+pub fn pinned_versions(root: &Path) -> Result<Vec<(String, String)>> {
+    let mut versions = Vec::new();
+    for (lock, package) in PINNED {
+        let path = root.join(lock);
+        let text = read(&path)?;
+        // The backend has an older naga of its own, which comes first.
+        let head = format!("name = \"{package}\"\nversion = \"");
+        let (_, rest) = text
+            .rsplit_once(&head)
+            .with_context(|| format!("{lock} has no {package}"))?;
+        let (version, _) = rest.split_once('"').unwrap_or((rest, ""));
+        versions.push((package.to_owned(), version.to_owned()));
+    }
+    Ok(versions)
+}
+
+/// Hashes a file, then the files of its modules. `children` is the folder where these lie.
+fn hash_module(folder: &Path, name: &str, children: &Path, hash: &mut Fnv) -> Result<()> {
+    let flat = folder.join(format!("{name}.rs"));
+    let path = if flat.exists() {
+        flat
+    } else {
+        folder.join(name).join("mod.rs")
+    };
+    let text = read(&path)?;
+    let mut file = syn::parse_file(&text).with_context(|| path.display().to_string())?;
+    OnlyCode.visit_file_mut(&mut file);
+    hash.tokens(file.to_token_stream());
+    for item in &file.items {
+        if let Item::Mod(module) = item
+            && module.content.is_none()
+        {
+            let name = module.ident.to_string();
+            hash_module(children, &name, &children.join(&name), hash)?;
+        }
+    }
+    Ok(())
+}
+
+fn read(path: &Path) -> Result<String> {
+    std::fs::read_to_string(path).with_context(|| path.display().to_string())
+}
+
+/// Takes out docs and tests.
+struct OnlyCode;
+
+impl VisitMut for OnlyCode {
+    fn visit_file_mut(&mut self, file: &mut File) {
+        file.items.retain(|item| !is_test(item));
+        visit_file_mut(self, file);
+    }
+
+    fn visit_item_mod_mut(&mut self, module: &mut syn::ItemMod) {
+        if let Some((_, items)) = &mut module.content {
+            items.retain(|item| !is_test(item));
+        }
+        visit_item_mod_mut(self, module);
+    }
+
+    fn visit_attributes_mut(&mut self, attributes: &mut Vec<Attribute>) {
+        attributes.retain(|attribute| !attribute.path().is_ident("doc"));
+    }
+}
+
+/// Whether an item exists only in tests.
+fn is_test(item: &Item) -> bool {
+    let attributes = match item {
+        Item::Const(item) => &item.attrs,
+        Item::ExternCrate(item) => &item.attrs,
+        Item::Fn(item) => &item.attrs,
+        Item::Impl(item) => &item.attrs,
+        Item::Macro(item) => &item.attrs,
+        Item::Mod(item) => &item.attrs,
+        Item::Struct(item) => &item.attrs,
+        Item::Use(item) => &item.attrs,
+        _ => return false,
+    };
+    attributes.iter().any(|attribute| {
+        matches!(&attribute.meta, Meta::List(list)
+            if list.path.is_ident("cfg") && list.tokens.to_string() == "test")
+    })
+}
+
+/// Fowler, Noll and Vo's hash 1a, 64 bits.
+struct Fnv(u64);
+
+impl Fnv {
+    fn text(&mut self, text: &str) {
+        // A byte that no text holds ends it.
+        for byte in text.bytes().chain([0xff]) {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+
+    /// Token by token, so that no printer's spaces count.
+    fn tokens(&mut self, tokens: TokenStream) {
+        for token in tokens {
+            match token {
+                TokenTree::Group(group) => {
+                    self.text(&format!("{:?}", group.delimiter()));
+                    self.tokens(group.stream());
+                    self.text("end");
+                }
+                TokenTree::Ident(ident) => self.text(&ident.to_string()),
+                TokenTree::Punct(punct) => self.text(&punct.as_char().to_string()),
+                TokenTree::Literal(literal) => self.text(&literal.to_string()),
+            }
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Stage `scan`: exclusive prefix sums of any number of values, in three dispatches: the sum of each block, the scan of
+//! these sums, the scan of each block from there.
+
+use crate::{LANE_STEPS, LANES, dispatch, group_index, run_begin, run_length};
+use glam::UVec3;
+use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
+use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;
+use spirv_std::spirv;
+
+/// One workgroup per block of values. Reads the values. Stores the block's sum.
+#[spirv(compute(threads(64)))]
+pub fn scan_sums(
+    #[spirv(workgroup_id)] group: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] values: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] blocks: &mut [u32],
+    #[spirv(workgroup)] sums: &mut [u32; LANES],
+) {
+    let count = values.len() as u32;
+    let first = run_begin(group, lane, count);
+    scan_lanes(lane, run_sum(values, first, run_length(first, count)), sums);
+    let block = group_index(group) as usize;
+    if lane == 0 && block < blocks.len() {
+        blocks[block] = sums[LANES - 1];
+    }
+}
+
+/// One workgroup. Reads the sums of all blocks. Stores their prefix sums in their place, and the sum of all as
+/// `[sum, x, y, z]`, with the dispatch of a thread for each.
+#[spirv(compute(threads(64)))]
+pub fn scan_blocks(
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] blocks: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] total: &mut [[u32; 4]],
+    #[spirv(workgroup)] sums: &mut [u32; LANES],
+) {
+    let count = blocks.len() as u32;
+    let run = count.div_ceil(LANES as u32);
+    let first = if lane * run < count {
+        lane * run
+    } else {
+        count
+    };
+    let length = if count - first < run {
+        count - first
+    } else {
+        run
+    };
+    let before = scan_lanes(lane, run_sum(blocks, first, length), sums);
+    run_scan(blocks, first, length, before);
+    if lane == 0 && !total.is_empty() {
+        let sum = sums[LANES - 1];
+        let [x, y, z] = dispatch(sum.div_ceil(LANES as u32));
+        total[0] = [sum, x, y, z];
+    }
+}
+
+/// One workgroup per block of values. Reads the prefix sums of the blocks. Stores those of the values in their place.
+#[spirv(compute(threads(64)))]
+pub fn scan_apply(
+    #[spirv(workgroup_id)] group: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] blocks: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] values: &mut [u32],
+    #[spirv(workgroup)] sums: &mut [u32; LANES],
+) {
+    let count = values.len() as u32;
+    let first = run_begin(group, lane, count);
+    let length = run_length(first, count);
+    let before = scan_lanes(lane, run_sum(values, first, length), sums);
+    let block = group_index(group) as usize;
+    if block < blocks.len() {
+        run_scan(values, first, length, before.wrapping_add(blocks[block]));
+    }
+}
+
+/// The sum of all lanes before this one; the sum of all stays in the last of `sums`.
+#[inline(always)]
+fn scan_lanes(lane: u32, own: u32, sums: &mut [u32; LANES]) -> u32 {
+    sums[lane as usize % LANES] = own;
+    barrier();
+    let mut distance = 1;
+    for _ in 0..LANE_STEPS {
+        let sum = doubling_step(lane, distance, sums);
+        barrier();
+        sums[lane as usize % LANES] = sum;
+        barrier();
+        distance *= 2;
+    }
+    sums[lane as usize % LANES].wrapping_sub(own)
+}

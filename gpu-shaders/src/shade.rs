@@ -1,0 +1,172 @@
+//! Stage `shade`. A light takes two dispatches, as one could not bind both the mesh and the tree: `shade_light`, then
+//! `trace_shadows`.
+
+use crate::thread_index;
+use glam::{UVec3, UVec4, Vec3};
+use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::shade::{Environment, Light, Material, Path, ambient_light, direct_light};
+use slimbvh_core::snap::leaf_triangle;
+use slimbvh_core::surface::Surface;
+use slimbvh_core::{Hit, IndexedTriangles, Ray};
+use spirv_std::spirv;
+
+/// Light on its way to a path's hit. 48 bytes.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Shadow {
+    /// Bytes 0–31: must meet nothing; [`Ray::NOTHING`] where there is no light.
+    pub ray: Ray,
+    /// Bytes 32–43: what the path gains.
+    pub radiance: [f32; 3],
+    /// Bytes 44–47: the primitive that the ray starts on.
+    pub skip: u32,
+}
+
+const _: () = assert!(size_of::<Shadow>() == 48);
+
+impl Shadow {
+    const NONE: Self = Self {
+        ray: Ray::NOTHING,
+        radiance: [0.0; 3],
+        skip: slimbvh_core::NO_PRIMITIVE,
+    };
+
+    /// Whether the light may reach the surface.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_possible(&self) -> bool {
+        self.ray.t_min <= self.ray.t_max
+    }
+}
+
+/// One thread per path. Reads the scene's exponent, one light, the mesh, the materials, the path and its hit. Stores the
+/// light that the hit may get.
+#[spirv(compute(threads(64)))]
+pub fn shade_light(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] light: &[UVec4; 2],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] vertices: &[[f32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] indices: &[[u32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] normals: &[[f32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] material_indices: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] materials: &[Material],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] hits: &[Hit],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] paths: &[Path],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 9)] shadows: &mut [Shadow],
+) {
+    let i = thread_index(id) as usize;
+    if i < paths.len() && i < hits.len() && i < shadows.len() {
+        let (path, hit) = (paths[i], hits[i]);
+        let mut shadow = Shadow::NONE;
+        if path.is_alive() && hit.is_hit() && !materials.is_empty() {
+            let mesh = IndexedTriangles { vertices, indices };
+            let surface = surface(&path, &hit, exponent.x, &mesh, normals);
+            let material = material(hit.primitive, material_indices, materials);
+            let direct = direct_light(&surface, &material, &unpacked(light));
+            shadow = Shadow {
+                ray: direct.shadow_ray,
+                radiance: direct.radiance.to_array(),
+                skip: hit.primitive,
+            };
+        }
+        shadows[i] = shadow;
+    }
+}
+
+/// One thread per path. Reads the scene's exponent, the mesh, the materials, the environment and the path's hit. Stores
+/// the path with the light from everywhere, ended, or on its way from a mirror.
+#[spirv(compute(threads(64)))]
+pub fn shade_scatter(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] vertices: &[[f32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] indices: &[[u32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] normals: &[[f32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] material_indices: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] materials: &[Material],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] environments: &[Environment],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] hits: &[Hit],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] paths: &mut [Path],
+) {
+    let i = thread_index(id) as usize;
+    if i < paths.len() && i < hits.len() && !materials.is_empty() && !environments.is_empty() {
+        let (path, hit) = (paths[i], hits[i]);
+        if path.is_alive() {
+            paths[i] = if hit.is_hit() {
+                let mesh = IndexedTriangles { vertices, indices };
+                let surface = surface(&path, &hit, exponent.x, &mesh, normals);
+                let material = material(hit.primitive, material_indices, materials);
+                path.with_light(ambient_light(&material, &environments[0]))
+                    .scattered(&surface, &material, hit.primitive)
+            } else {
+                path.escaped(&environments[0])
+            };
+        }
+    }
+}
+
+/// The point that a path hit. Corners without a normal ask for flat shading.
+#[inline(always)]
+pub(crate) fn surface(
+    path: &Path,
+    hit: &Hit,
+    exponent: u32,
+    mesh: &IndexedTriangles,
+    normals: &[[f32; 3]],
+) -> Surface {
+    let scale = PowerOfTwo::new(exponent as i32);
+    let triangle = leaf_triangle(hit.primitive, mesh, &scale).triangle();
+    let mut corners = [0; 3];
+    if (hit.primitive as usize) < mesh.indices.len() {
+        corners = mesh.indices[hit.primitive as usize];
+    }
+    let normals = [
+        normal(corners[0], normals),
+        normal(corners[1], normals),
+        normal(corners[2], normals),
+    ];
+    Surface::new(triangle, hit, Vec3::from_array(path.ray.direction), normals)
+}
+
+#[inline(always)]
+fn normal(vertex: u32, normals: &[[f32; 3]]) -> Vec3 {
+    if (vertex as usize) < normals.len() {
+        Vec3::from_array(normals[vertex as usize])
+    } else {
+        Vec3::ZERO
+    }
+}
+
+/// A triangle's material, the first where it names none. There must be one.
+#[inline(always)]
+fn material(primitive: u32, material_indices: &[u32], materials: &[Material]) -> Material {
+    let mut i = 0;
+    if (primitive as usize) < material_indices.len() {
+        i = material_indices[primitive as usize];
+    }
+    if i as usize >= materials.len() {
+        i = 0;
+    }
+    materials[i as usize]
+}
+
+/// A [`Light`] from its words: uniforms hold no arrays of three floats.
+#[inline(always)]
+fn unpacked(light: &[UVec4; 2]) -> Light {
+    let (a, b) = (light[0], light[1]);
+    Light {
+        point: [
+            f32::from_bits(a.x),
+            f32::from_bits(a.y),
+            f32::from_bits(a.z),
+        ],
+        is_position: a.w,
+        color: [
+            f32::from_bits(b.x),
+            f32::from_bits(b.y),
+            f32::from_bits(b.z),
+        ],
+        range: f32::from_bits(b.w),
+    }
+}

@@ -1,0 +1,120 @@
+//! Stage `topology`: which nodes are kept, a scan of their counts, then the nodes.
+
+use crate::thread_index;
+use glam::{UVec3, UVec4};
+use slimbvh_core::Node;
+use slimbvh_core::refit::split_of;
+use slimbvh_core::topology::{
+    Codes30, Codes63, SortedCodes, internal_node, kept_nodes, rank, single_node,
+};
+use spirv_std::spirv;
+
+/// One thread per 32 nodes. Reads the sorted codes. Stores a bit for each node that is kept, and how many are.
+#[spirv(compute(threads(64)))]
+pub fn topology_kept_30(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] codes: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] bits: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] counts: &mut [u32],
+) {
+    store_kept(thread_index(id), &Codes30(codes), bits, counts);
+}
+
+/// As [`topology_kept_30`], of codes of two words.
+#[spirv(compute(threads(64)))]
+pub fn topology_kept_63(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] codes: &[[u32; 2]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] bits: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] counts: &mut [u32],
+) {
+    store_kept(thread_index(id), &Codes63(codes), bits, counts);
+}
+
+/// One thread per code. Reads the sorted codes, the bits of the kept nodes and the prefix sums of their counts. Stores
+/// the kept nodes in order, without boxes, and the last leaf of each one's left child.
+#[spirv(compute(threads(64)))]
+pub fn topology_nodes_30(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] codes: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] bits: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] before: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] nodes: &mut [Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] splits: &mut [u32],
+) {
+    store_node(
+        thread_index(id),
+        &Codes30(codes),
+        bits,
+        before,
+        nodes,
+        splits,
+    );
+}
+
+/// As [`topology_nodes_30`], of codes of two words.
+#[spirv(compute(threads(64)))]
+pub fn topology_nodes_63(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] codes: &[[u32; 2]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] bits: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] before: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] nodes: &mut [Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] splits: &mut [u32],
+) {
+    store_node(
+        thread_index(id),
+        &Codes63(codes),
+        bits,
+        before,
+        nodes,
+        splits,
+    );
+}
+
+/// One thread. `params.x` is the number of triangles, no more than a leaf holds. Stores the only node, its split, and
+/// the number of nodes as `scan_blocks` does.
+#[spirv(compute(threads(1)))]
+pub fn topology_single(
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] params: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &mut [Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] splits: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] total: &mut [[u32; 4]],
+) {
+    if !nodes.is_empty() && !splits.is_empty() && !total.is_empty() {
+        let node = single_node(params.x);
+        nodes[0] = node;
+        splits[0] = split_of(&node, 0);
+        total[0] = [1, 1, 1, 1];
+    }
+}
+
+#[inline(always)]
+fn store_kept<C: SortedCodes>(word: u32, codes: &C, bits: &mut [u32], counts: &mut [u32]) {
+    let i = word as usize;
+    if i < bits.len() && i < counts.len() {
+        let kept = kept_nodes(word, codes);
+        bits[i] = kept;
+        counts[i] = kept.count_ones();
+    }
+}
+
+#[inline(always)]
+fn store_node<C: SortedCodes>(
+    i: u32,
+    codes: &C,
+    bits: &[u32],
+    before: &[u32],
+    nodes: &mut [Node],
+    splits: &mut [u32],
+) {
+    let word = (i >> 5) as usize;
+    if word < bits.len() && (bits[word] >> (i & 31)) & 1 == 1 {
+        let to = rank(i, bits, before) as usize;
+        let (node, split) = internal_node(i, codes, bits, before);
+        if to < nodes.len() && to < splits.len() {
+            nodes[to] = node;
+            splits[to] = split;
+        }
+    }
+}
