@@ -3,7 +3,7 @@
 use super::order::{gather, gather_again, order, scene_bounds};
 use super::refit::{fill_boxes, fill_pyramid};
 use super::sort::Sorter;
-use super::topology::connect;
+use super::topology::Connections;
 use crate::{Bvh, Mesh, MeshError, Stages};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
@@ -52,11 +52,9 @@ pub struct Builder {
     config: BuildConfig,
     sorter_30: Sorter<1>,
     sorter_63: Sorter<2>,
-    codes_30: Vec<u32>,
+    codes_30: Vec<[u32; 1]>,
     codes_63: Vec<[u32; 2]>,
-    kept: Vec<u32>,
-    kept_before: Vec<u32>,
-    splits: Vec<u32>,
+    connections: Connections,
     pyramid: Vec<PyramidBox>,
 }
 
@@ -98,15 +96,14 @@ impl Builder {
                 let frame = Frame::new(&bounds, 10);
                 let code = |bounds: &Aabb| [morton_code_30(bounds, &frame)];
                 order(&mut stages, &mut self.sorter_30, [30], &triangles, code);
-                let leaves = &mut bvh.triangles;
                 stages.time("snap", || {
+                    let codes = &mut self.codes_30;
                     gather(
                         &mut self.sorter_30,
                         &triangles,
                         &scale,
-                        leaves,
-                        &mut self.codes_30,
-                        |[key]| key,
+                        &mut bvh.triangles,
+                        codes,
                     );
                 });
             }
@@ -114,15 +111,14 @@ impl Builder {
                 let frame = Frame::new(&bounds, 21);
                 let code = |bounds: &Aabb| morton_code_63(bounds, &frame);
                 order(&mut stages, &mut self.sorter_63, [31, 32], &triangles, code);
-                let leaves = &mut bvh.triangles;
                 stages.time("snap", || {
+                    let codes = &mut self.codes_63;
                     gather(
                         &mut self.sorter_63,
                         &triangles,
                         &scale,
-                        leaves,
-                        &mut self.codes_63,
-                        |key| key,
+                        &mut bvh.triangles,
+                        codes,
                     );
                 });
             }
@@ -131,26 +127,16 @@ impl Builder {
             if count <= LEAF_SIZE {
                 bvh.nodes.clear();
                 bvh.nodes.push(single_node(count));
-                self.splits.clear();
-                self.splits.push(split_of(&bvh.nodes[0], 0));
-            } else if self.config.code_bits == CodeBits::Bits30 {
-                let codes = Codes30(&self.codes_30);
-                connect(
-                    &codes,
-                    &mut self.kept,
-                    &mut self.kept_before,
-                    &mut bvh.nodes,
-                    &mut self.splits,
-                );
-            } else {
-                let codes = Codes63(&self.codes_63);
-                connect(
-                    &codes,
-                    &mut self.kept,
-                    &mut self.kept_before,
-                    &mut bvh.nodes,
-                    &mut self.splits,
-                );
+                self.connections.splits.clear();
+                self.connections.splits.push(split_of(&bvh.nodes[0], 0));
+                return;
+            }
+            let (connections, nodes) = (&mut self.connections, &mut bvh.nodes);
+            match self.config.code_bits {
+                CodeBits::Bits30 => {
+                    connections.connect(&Codes30(bytemuck::cast_slice(&self.codes_30)), nodes);
+                }
+                CodeBits::Bits63 => connections.connect(&Codes63(&self.codes_63), nodes),
             }
         });
         bvh.depth_bound = match self.config.code_bits {
@@ -185,8 +171,8 @@ impl Builder {
         stages.time("refit", || {
             let last_of =
                 |child: NodeRef| bvh.nodes.get(child.index() as usize).map_or(0, |n| n.last);
-            self.splits.clear();
-            self.splits.extend(
+            self.connections.splits.clear();
+            self.connections.splits.extend(
                 bvh.nodes
                     .iter()
                     .map(|node| split_of(node, last_of(node.left))),
@@ -200,7 +186,12 @@ impl Builder {
     fn fit(&mut self, bvh: &mut Bvh) {
         fill_pyramid(&bvh.triangles, &mut self.pyramid);
         if !bvh.triangles.is_empty() {
-            fill_boxes(&bvh.triangles, &self.pyramid, &self.splits, &mut bvh.nodes);
+            fill_boxes(
+                &bvh.triangles,
+                &self.pyramid,
+                &self.connections.splits,
+                &mut bvh.nodes,
+            );
         }
     }
 
@@ -211,9 +202,7 @@ impl Builder {
             + self.sorter_63.bytes()
             + size_of_val(self.codes_30.as_slice())
             + size_of_val(self.codes_63.as_slice())
-            + size_of_val(self.kept.as_slice())
-            + size_of_val(self.kept_before.as_slice())
-            + size_of_val(self.splits.as_slice())
+            + self.connections.bytes()
             + size_of_val(self.pyramid.as_slice())
     }
 }

@@ -42,25 +42,24 @@ pub fn order<const W: usize>(
 }
 
 /// Stage `snap`: triangles in leaf order, and the sorted codes as the topology reads them.
-pub fn gather<const W: usize, C: Clone + Default + Send>(
+pub fn gather<const W: usize>(
     sorter: &mut Sorter<W>,
     triangles: &IndexedTriangles,
     scale: &PowerOfTwo,
     leaves: &mut Vec<LeafTriangle>,
-    codes: &mut Vec<C>,
-    code: impl Fn([u32; W]) -> C + Sync,
+    codes: &mut Vec<[u32; W]>,
 ) {
     let items = sorter.items();
     leaves.resize(items.len(), LeafTriangle::default());
-    codes.resize(items.len(), C::default());
+    codes.resize(items.len(), [0; W]);
     let blocks = leaves
         .par_chunks_mut(BLOCK)
         .zip(codes.par_chunks_mut(BLOCK))
         .zip(items.par_chunks(BLOCK));
     blocks.for_each(|((leaves, codes), items)| {
-        for ((leaf, to), item) in leaves.iter_mut().zip(codes).zip(items) {
+        for ((leaf, code), item) in leaves.iter_mut().zip(codes).zip(items) {
             *leaf = leaf_triangle(item.index(), triangles, scale);
-            *to = code(item.key());
+            *code = item.key();
         }
     });
 }
