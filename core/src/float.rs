@@ -32,13 +32,6 @@ pub const fn abs(x: f32) -> f32 {
     f32::from_bits(x.to_bits() & 0x7fff_ffff)
 }
 
-/// Whether a number is neither infinite nor NaN, by its bits: comparisons with NaN do not survive on every GPU.
-#[inline(always)]
-#[must_use]
-pub const fn is_finite(x: f32) -> bool {
-    x.to_bits() & 0x7f80_0000 != 0x7f80_0000
-}
-
 /// The exponent `e` of `|x|` in `[2^e, 2^(e+1))`, −149 to 127; −150 for zero. `x` must be finite.
 #[inline]
 #[must_use]

@@ -4,7 +4,7 @@ use super::{Camera, Light, Material, Projection, Scene};
 use crate::wide::{cross, dot, normalized};
 use glam::Vec3;
 use slimbvh_core::Aabb;
-use slimbvh_core::float::{is_finite, scale_by_power_of_two};
+use slimbvh_core::float::scale_by_power_of_two;
 use slimbvh_core::shade::Environment;
 use thiserror::Error;
 
@@ -191,7 +191,7 @@ impl Camera {
                 ((vertical_fov.to_radians() / 2.0).tan(), 0)
             }
             Projection::Orthographic { height } => {
-                if !(height > 0.0 && is_finite(height)) {
+                if !(height > 0.0 && height.is_finite()) {
                     return Err(ViewError::PictureHeight { height });
                 }
                 (scale_by_power_of_two(height, scene_exponent) / 2.0, 1)
