@@ -51,7 +51,7 @@ impl RayLists {
                 vertical_fov: VERTICAL_FOV,
             },
         };
-        let camera = camera.to_core(0, PICTURE, 1)?;
+        let camera = camera.to_core(PICTURE, 1)?;
         let primary: Vec<Ray> = (0..PICTURE[0] * PICTURE[1])
             .into_par_iter()
             .map(|pixel| {

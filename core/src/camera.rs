@@ -1,5 +1,6 @@
 //! Camera rays.
 
+use crate::float::PowerOfTwo;
 use crate::ray::Ray;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
@@ -29,6 +30,20 @@ pub struct Camera {
 const _: () = assert!(size_of::<Camera>() == 64);
 
 impl Camera {
+    /// The same picture of a scene whose coordinates are multiplied by a power of two.
+    #[inline]
+    #[must_use]
+    pub fn scaled(&self, scale: &PowerOfTwo) -> Self {
+        let mut camera = *self;
+        camera.eye = scale.times_each(self.eye);
+        // The edges of a perspective picture are directions.
+        if self.is_parallel == 1 {
+            camera.right = scale.times_each(self.right);
+            camera.up = scale.times_each(self.up);
+        }
+        camera
+    }
+
     /// One thread per sample. Pixels come row by row from the upper left, a pixel's samples one after the other.
     #[inline]
     #[must_use]
@@ -100,6 +115,34 @@ mod tests {
         };
         assert_eq!(parallel.ray(4).origin, [-0.5, 1.75, 3.0]);
         assert_eq!(parallel.ray(4).direction, [0.0, 0.0, -1.0]);
+    }
+
+    #[test]
+    fn only_positions_and_lengths_are_scaled() {
+        let camera = Camera {
+            eye: [1.0, -2.0, 3.0],
+            forward: [0.0, 0.6, -0.8],
+            right: [2.0, 0.0, 0.0],
+            up: [0.0, 0.5, 0.25],
+            ..Camera::default()
+        };
+        let scaled = camera.scaled(&PowerOfTwo::new(-3));
+        let expected = Camera {
+            eye: [0.125, -0.25, 0.375],
+            ..camera
+        };
+        assert_eq!(scaled, expected);
+        let parallel = |camera: Camera| Camera {
+            is_parallel: 1,
+            ..camera
+        };
+        let expected = Camera {
+            right: [0.25, 0.0, 0.0],
+            up: [0.0, 0.0625, 0.03125],
+            ..expected
+        };
+        let scaled = parallel(camera).scaled(&PowerOfTwo::new(-3));
+        assert_eq!(scaled, parallel(expected));
     }
 
     #[test]

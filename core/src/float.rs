@@ -87,6 +87,13 @@ impl PowerOfTwo {
     pub const fn times(&self, x: f32) -> f32 {
         x * self.first * self.second
     }
+
+    /// [`Self::times`], of each component.
+    #[inline(always)]
+    #[must_use]
+    pub const fn times_each(&self, v: [f32; 3]) -> [f32; 3] {
+        [self.times(v[0]), self.times(v[1]), self.times(v[2])]
+    }
 }
 
 /// The next larger `f32`. `x` must be finite.

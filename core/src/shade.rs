@@ -1,7 +1,8 @@
-//! Stage `shade`: light on surfaces, shadow rays, mirrors. Everything in the scene's magnitude.
+//! Stage `shade`: light on surfaces, shadow rays, mirrors. Everything in the scene's magnitude ([`Light::scaled`]).
 //!
 //! A sample is a path: it begins at the camera, gathers light where it hits, and goes on at mirrors.
 
+use crate::float::{PowerOfTwo, min};
 use crate::orientation::{Orientation, Target};
 use crate::ray::{NO_PRIMITIVE, Ray};
 use crate::surface::{Surface, normalize};
@@ -19,11 +20,32 @@ pub struct Light {
     pub is_position: u32,
     /// Bytes 16–27: linear RGB irradiance, of a point light at distance 1.
     pub color: [f32; 3],
-    /// Bytes 28–31: a point light shines no farther.
+    /// Bytes 28–31: a point light shines no farther; `f32::MAX` for no limit.
     pub range: f32,
 }
 
 const _: () = assert!(size_of::<Light>() == 32);
+
+impl Light {
+    /// The same light in a scene whose coordinates are multiplied by a power of two.
+    #[inline]
+    #[must_use]
+    pub fn scaled(&self, scale: &PowerOfTwo) -> Self {
+        let mut light = *self;
+        if self.is_position == 1 {
+            light.point = scale.times_each(self.point);
+            // Irradiance falls off with the squared distance, which is scaled twice.
+            for channel in 0..3 {
+                let twice = scale.times(scale.times(self.color[channel]));
+                light.color[channel] = min(twice, f32::MAX);
+            }
+            if self.range < f32::MAX {
+                light.range = min(scale.times(self.range), f32::MAX);
+            }
+        }
+        light
+    }
+}
 
 /// How a surface reflects. 16 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -170,33 +192,45 @@ fn reflect(direction: Vec3, normal: Vec3) -> Vec3 {
     direction - normal * (2.0 * direction.dot(normal))
 }
 
-/// What a light would add to a surface, and the ray that must meet nothing for it.
-#[derive(Clone, Copy, Debug)]
-pub struct DirectLight {
-    /// From the surface to the light; [`Ray::NOTHING`] where no ray is needed as there is no light.
-    pub shadow_ray: Ray,
-    /// Radiance to the eye.
-    pub radiance: Vec3,
+/// What a light would add to a path's hit, and the ray that must meet nothing for it. 48 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Shadow {
+    /// Bytes 0–31: from the surface to the light; [`Ray::NOTHING`] where no ray is needed as there is no light.
+    pub ray: Ray,
+    /// Bytes 32–43: radiance to the eye.
+    pub radiance: [f32; 3],
+    /// Bytes 44–47: the primitive that the ray starts on.
+    pub skip: u32,
 }
 
-impl DirectLight {
-    const NONE: Self = Self {
-        shadow_ray: Ray::NOTHING,
-        radiance: Vec3::ZERO,
+const _: () = assert!(size_of::<Shadow>() == 48);
+
+impl Shadow {
+    /// No light.
+    pub const NONE: Self = Self {
+        ray: Ray::NOTHING,
+        radiance: [0.0; 3],
+        skip: NO_PRIMITIVE,
     };
 
     /// Whether the light may reach the surface.
     #[inline]
     #[must_use]
     pub fn is_possible(&self) -> bool {
-        self.shadow_ray.t_min <= self.shadow_ray.t_max
+        self.ray.t_min <= self.ray.t_max
     }
 }
 
-/// Light from one source on a surface (Lambert). None where the triangle does not certainly face the source on the side
+/// Light from one source on a surface (Lambert), a point of `primitive`. None where the triangle does not certainly face the source on the side
 /// that is seen, where the source is out of range, or black.
 #[must_use]
-pub fn direct_light(surface: &Surface, material: &Material, light: &Light) -> DirectLight {
+pub fn direct_light(
+    surface: &Surface,
+    primitive: u32,
+    material: &Material,
+    light: &Light,
+) -> Shadow {
     let source = Vec3::from_array(light.point);
     let target = Target {
         point: source,
@@ -205,7 +239,7 @@ pub fn direct_light(surface: &Surface, material: &Material, light: &Light) -> Di
     let color = Vec3::from_array(light.color);
     let orientation = Orientation::new(&surface.triangle, &target);
     if color == Vec3::ZERO || !orientation.is_certainly_on(surface.side) {
-        return DirectLight::NONE;
+        return Shadow::NONE;
     }
     let origin = surface.leave();
     let is_position = light.is_position == 1;
@@ -219,16 +253,31 @@ pub fn direct_light(surface: &Surface, material: &Material, light: &Light) -> Di
         1.0
     };
     if cosine > 0.0 && in_range {
-        DirectLight {
-            shadow_ray: Ray {
+        let radiance = color * diffuse(material) * (cosine * falloff);
+        Shadow {
+            ray: Ray {
                 t_max: if is_position { 1.0 } else { f32::MAX },
                 ..Ray::new(origin.to_array(), to_light.to_array())
             },
-            radiance: color * diffuse(material) * (cosine * falloff),
+            radiance: radiance.to_array(),
+            skip: primitive,
         }
     } else {
-        DirectLight::NONE
+        Shadow::NONE
     }
+}
+
+/// A pixel's color: the mean light of its samples, the paths `first..first + count`, added in order.
+#[inline]
+#[must_use]
+pub fn mean_radiance(paths: &[Path], first: u32, count: u32) -> Vec3 {
+    let mut sum = Vec3::ZERO;
+    for i in first..first + count {
+        if (i as usize) < paths.len() {
+            sum += Vec3::from_array(paths[i as usize].radiance);
+        }
+    }
+    sum / count as f32
 }
 
 /// Light from everywhere on a surface.
@@ -278,10 +327,10 @@ mod tests {
             color: [2.0, 1.0, 0.0],
             range: f32::MAX,
         };
-        let light = direct_light(&floor(), &WHITE, &sun);
+        let light = direct_light(&floor(), 7, &WHITE, &sun);
         let expected = Vec3::new(2.0, 1.0, 0.0) * (0.8 * FRAC_1_PI);
-        assert!((light.radiance - expected).length() < 1e-6);
-        assert_eq!(light.shadow_ray.direction, [3.0, 4.0, 0.0]);
+        assert!((Vec3::from_array(light.radiance) - expected).length() < 1e-6);
+        assert_eq!(light.ray.direction, [3.0, 4.0, 0.0]);
 
         let lamp = Light {
             point: [0.5, 2.0, 0.25],
@@ -289,10 +338,49 @@ mod tests {
             color: [1.0; 3],
             range: 2.5,
         };
-        let light = direct_light(&floor(), &WHITE, &lamp);
-        assert!((light.radiance.x - 0.25 * FRAC_1_PI).abs() < 1e-6);
-        assert_eq!(light.shadow_ray.t_max, 1.0);
-        assert!(!direct_light(&floor(), &WHITE, &Light { range: 1.5, ..lamp }).is_possible());
+        let light = direct_light(&floor(), 7, &WHITE, &lamp);
+        assert!((light.radiance[0] - 0.25 * FRAC_1_PI).abs() < 1e-6);
+        assert_eq!(light.ray.t_max, 1.0);
+        assert!(!direct_light(&floor(), 7, &WHITE, &Light { range: 1.5, ..lamp }).is_possible());
+    }
+
+    #[test]
+    fn lamps_are_scaled_and_suns_are_not() {
+        let lamp = Light {
+            point: [1.0, 2.0, -3.0],
+            is_position: 1,
+            color: [1.0, 3.0, f32::MAX],
+            range: 5.0,
+        };
+        let scale = PowerOfTwo::new(2);
+        let expected = Light {
+            point: [4.0, 8.0, -12.0],
+            color: [16.0, 48.0, f32::MAX],
+            range: 20.0,
+            ..lamp
+        };
+        assert_eq!(lamp.scaled(&scale), expected);
+        let sun = Light {
+            is_position: 0,
+            ..lamp
+        };
+        assert_eq!(sun.scaled(&scale), sun);
+        // What has no limit has none at any magnitude.
+        let endless = Light {
+            range: f32::MAX,
+            ..lamp
+        };
+        assert_eq!(endless.scaled(&PowerOfTwo::new(-130)).range, f32::MAX);
+    }
+
+    #[test]
+    fn a_pixel_is_the_mean_of_its_own_samples() {
+        let path = |radiance| Path {
+            radiance,
+            ..Path::default()
+        };
+        let paths = [[9.0, 9.0, 9.0], [1.0, 2.0, 4.0], [2.0, 4.0, 0.0]].map(path);
+        assert_eq!(mean_radiance(&paths, 1, 2), Vec3::new(1.5, 3.0, 2.0));
     }
 
     #[test]
@@ -303,19 +391,19 @@ mod tests {
             color: [1.0; 3],
             range: f32::MAX,
         };
-        assert!(!direct_light(&floor(), &WHITE, &below).is_possible());
+        assert!(!direct_light(&floor(), 7, &WHITE, &below).is_possible());
         let level = Light {
             point: [1.0, 0.0, 0.0],
             is_position: 0,
             ..below
         };
-        assert!(!direct_light(&floor(), &WHITE, &level).is_possible());
+        assert!(!direct_light(&floor(), 7, &WHITE, &level).is_possible());
         let black = Light {
             point: [0.0, 1.0, 0.0],
             color: [0.0; 3],
             ..level
         };
-        assert!(!direct_light(&floor(), &WHITE, &black).is_possible());
+        assert!(!direct_light(&floor(), 7, &WHITE, &black).is_possible());
     }
 
     #[test]

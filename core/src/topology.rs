@@ -4,6 +4,7 @@
 //! The tree over n leaves has n − 1 nodes; node i covers a run of leaves that begins or ends at leaf i. Nodes with more
 //! than [`LEAF_SIZE`] leaves are kept, in order; runs at most that long become leaves.
 
+use crate::compact::rank;
 use crate::node::{LEAF_SIZE, Node, NodeRef};
 
 /// Sorted codes.
@@ -105,17 +106,8 @@ pub fn kept_nodes<C: SortedCodes>(word: u32, codes: &C) -> u32 {
     bits
 }
 
-/// How many kept nodes come before node i: its place among them. `bits` is what [`kept_nodes`] returned, `before` the
-/// exclusive prefix sums of its bit counts.
-#[inline(always)]
-#[must_use]
-pub fn rank(i: u32, bits: &[u32], before: &[u32]) -> u32 {
-    let word = i >> 5;
-    let below = crate::load(bits, word, 0) & !(u32::MAX << (i & 31));
-    crate::load(before, word, 0) + below.count_ones()
-}
-
-/// One thread per kept node. Reads the codes and the ranks. Returns the node with its children and its run of leaves,
+/// One thread per kept node. Reads the codes, what [`kept_nodes`] returned and the exclusive prefix sums of its bit
+/// counts. Returns the node with its children and its run of leaves,
 /// without boxes, and the last leaf of its left child.
 #[inline]
 #[must_use]

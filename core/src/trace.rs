@@ -9,7 +9,7 @@ use crate::watertight::intersect;
 mod collect;
 mod sources;
 
-pub use collect::{AnyHit, ClosestHit, Collector, Counted, NearestHits};
+pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, NearestHits};
 pub use sources::{BruteForce, LeafTriangles, PlainNodes};
 
 /// Where the traversal finds nodes.

@@ -1,8 +1,9 @@
 //! Stage `bounds`.
 
-use crate::{LANE_STEPS, LANES, group_index, run_begin, run_length};
+use crate::{LANE_STEPS, group_index, run_begin, run_length};
 use glam::{UVec3, UVec4, Vec3};
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent};
+use slimbvh_core::launch::LANES;
 use slimbvh_core::morton::Frame;
 use slimbvh_core::{Aabb, IndexedTriangles};
 use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;

@@ -13,10 +13,14 @@
     reason = "iterator chains over workgroup memory do not compile to SPIR-V"
 )]
 
-use glam::UVec3;
+use glam::{UVec3, UVec4};
+use slimbvh_core::launch::{self, BLOCK, LANES, RUN};
+use spirv_std::arch::atomic_i_add;
+use spirv_std::memory::{Scope, Semantics};
 
 pub mod bounds;
 pub mod camera;
+pub mod compact;
 pub mod morton;
 pub mod refit;
 pub mod scan;
@@ -27,49 +31,19 @@ pub mod topology;
 pub mod trace;
 pub mod view;
 
-/// Threads in a workgroup, of all entry points but `topology_single`.
-pub const LANES: usize = 64;
-
-/// Digits that a pass of the sort tells apart: 4 bits.
-pub const DIGITS: usize = 16;
-
-/// Items that a lane takes in `bounds`, `sort` and `scan`.
-pub const RUN: u32 = 16;
-
-/// Items that a workgroup takes in `bounds`, `sort` and `scan`: a block.
-pub const BLOCK: u32 = LANES as u32 * RUN;
-
-/// Hits that `trace_nearest` finds.
-pub const NEAREST_COUNT: usize = 8;
-
-/// Workgroups along x in a dispatch; what is more goes on in the next row. Each axis takes at most 65,535.
-pub const GROUPS_PER_ROW: u32 = 1 << 15;
-
-/// The dispatch of this many workgroups, and of as many more as fill the last row.
-#[inline(always)]
-#[must_use]
-pub const fn dispatch(group_count: u32) -> [u32; 3] {
-    let row = if group_count < GROUPS_PER_ROW {
-        group_count
-    } else {
-        GROUPS_PER_ROW
-    };
-    [row, group_count.div_ceil(GROUPS_PER_ROW), 1]
-}
-
 /// Steps that halve or double a distance between 1 and LANES.
 const LANE_STEPS: u32 = LANES.ilog2();
 
-/// A thread's number among all rows of a [`dispatch`].
+/// A thread's number.
 #[inline(always)]
 const fn thread_index(id: UVec3) -> u32 {
-    id.x + id.y * (GROUPS_PER_ROW * LANES as u32)
+    launch::thread_index(id.x, id.y)
 }
 
-/// A workgroup's number among all rows of a [`dispatch`].
+/// A workgroup's number.
 #[inline(always)]
 const fn group_index(group: UVec3) -> u32 {
-    group.x + group.y * GROUPS_PER_ROW
+    launch::group_index(group.x, group.y)
 }
 
 /// Where the run of a lane begins, at most `count`.
@@ -86,20 +60,54 @@ fn run_length(begin: u32, count: u32) -> u32 {
     if rest < RUN { rest } else { RUN }
 }
 
+/// Where a thread's pixel lies in a picture, for `params` of samples a pixel, the picture's width, the length of its rows
+/// in memory and the first thread's pixel.
+#[inline(always)]
+fn texel_index(params: &UVec4, thread: u32) -> u32 {
+    let width = params.y.max(1);
+    let pixel = params.w + thread;
+    pixel / width * params.z + pixel % width
+}
+
+/// Adds to one of the counters, 64 bits in two words, the low one first.
+#[inline(always)]
+#[expect(
+    unsafe_code,
+    reason = "rust-gpu has no safe atomics; these are plain additions, in range"
+)]
+fn count(counters: &mut [u32], pair: u32, amount: u32) {
+    let low = 2 * pair as usize;
+    if amount > 0 && low + 1 < counters.len() {
+        // SAFETY: all accesses to counters within a dispatch are atomic.
+        let old = unsafe { atomic_add(&mut counters[low], amount) };
+        if old.wrapping_add(amount) < old {
+            // SAFETY: as above.
+            unsafe { atomic_add(&mut counters[low + 1], 1) };
+        }
+    }
+}
+
+/// Adds, in no order with other memory. Returns what was there.
+///
+/// # Safety
+/// The word is accessed by atomics only, as long as the dispatch lasts.
+#[inline(always)]
+#[expect(unsafe_code, reason = "rust-gpu has no safe atomics")]
+unsafe fn atomic_add(word: &mut u32, amount: u32) -> u32 {
+    const SCOPE: u32 = Scope::QueueFamily as u32;
+    const UNORDERED: u32 = Semantics::NONE.bits();
+    // SAFETY: the caller's promise.
+    unsafe { atomic_i_add::<u32, SCOPE, UNORDERED>(word, amount) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn rows_hold_every_group_once() {
-        assert_eq!(dispatch(0), [0, 0, 1]);
-        assert_eq!(dispatch(5), [5, 1, 1]);
-        assert_eq!(dispatch(GROUPS_PER_ROW), [GROUPS_PER_ROW, 1, 1]);
-        assert_eq!(dispatch(GROUPS_PER_ROW + 1), [GROUPS_PER_ROW, 2, 1]);
-        assert_eq!(group_index(UVec3::new(3, 1, 0)), GROUPS_PER_ROW + 3);
-        assert_eq!(
-            thread_index(UVec3::new(7, 1, 0)),
-            GROUPS_PER_ROW * LANES as u32 + 7
-        );
+    fn rows_of_texels_may_be_padded() {
+        let params = UVec4::new(4, 5, 8, 3);
+        let texels: [u32; 4] = [0, 1, 2, 7].map(|thread| texel_index(&params, thread));
+        assert_eq!(texels, [3, 4, 8, 16]);
     }
 }

@@ -1,8 +1,9 @@
 //! Stage `scan`: exclusive prefix sums of any number of values, in three dispatches: the sum of each block, the scan of
 //! these sums, the scan of each block from there.
 
-use crate::{LANE_STEPS, LANES, dispatch, group_index, run_begin, run_length};
+use crate::{LANE_STEPS, group_index, run_begin, run_length};
 use glam::UVec3;
+use slimbvh_core::launch::{LANES, dispatch};
 use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
 use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;
 use spirv_std::spirv;

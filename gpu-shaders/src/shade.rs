@@ -4,43 +4,16 @@
 use crate::thread_index;
 use glam::{UVec3, UVec4, Vec3};
 use slimbvh_core::float::PowerOfTwo;
-use slimbvh_core::shade::{Environment, Light, Material, Path, ambient_light, direct_light};
+use slimbvh_core::shade::{
+    Environment, Light, Material, Path, Shadow, ambient_light, direct_light,
+};
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
-use slimbvh_core::{Hit, IndexedTriangles, Ray};
+use slimbvh_core::{Hit, IndexedTriangles};
 use spirv_std::spirv;
 
-/// Light on its way to a path's hit. 48 bytes.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct Shadow {
-    /// Bytes 0–31: must meet nothing; [`Ray::NOTHING`] where there is no light.
-    pub ray: Ray,
-    /// Bytes 32–43: what the path gains.
-    pub radiance: [f32; 3],
-    /// Bytes 44–47: the primitive that the ray starts on.
-    pub skip: u32,
-}
-
-const _: () = assert!(size_of::<Shadow>() == 48);
-
-impl Shadow {
-    const NONE: Self = Self {
-        ray: Ray::NOTHING,
-        radiance: [0.0; 3],
-        skip: slimbvh_core::NO_PRIMITIVE,
-    };
-
-    /// Whether the light may reach the surface.
-    #[inline(always)]
-    #[must_use]
-    pub fn is_possible(&self) -> bool {
-        self.ray.t_min <= self.ray.t_max
-    }
-}
-
-/// One thread per path. Reads the scene's exponent, one light, the mesh, the materials, the path and its hit. Stores the
-/// light that the hit may get.
+/// One thread per path. Reads the scene's exponent, one light, which is in the caller's magnitude, the mesh, the
+/// materials, the path and its hit. Stores the light that the hit may get.
 #[spirv(compute(threads(64)))]
 pub fn shade_light(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -63,12 +36,8 @@ pub fn shade_light(
             let mesh = IndexedTriangles { vertices, indices };
             let surface = surface(&path, &hit, exponent.x, &mesh, normals);
             let material = material(hit.primitive, material_indices, materials);
-            let direct = direct_light(&surface, &material, &unpacked(light));
-            shadow = Shadow {
-                ray: direct.shadow_ray,
-                radiance: direct.radiance.to_array(),
-                skip: hit.primitive,
-            };
+            let light = unpacked(light).scaled(&PowerOfTwo::new(exponent.x as i32));
+            shadow = direct_light(&surface, hit.primitive, &material, &light);
         }
         shadows[i] = shadow;
     }

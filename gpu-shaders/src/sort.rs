@@ -1,7 +1,8 @@
 //! Stage `sort`: a pass over one digit, in two dispatches with a scan of the totals between them. A tile is a block.
 
-use crate::{BLOCK, DIGITS, LANE_STEPS, LANES, group_index, run_begin, run_length};
+use crate::{LANE_STEPS, group_index, run_begin, run_length};
 use glam::{UVec3, UVec4};
+use slimbvh_core::launch::{BLOCK, DIGITS, LANES};
 use slimbvh_core::scan::doubling_step;
 use slimbvh_core::sort::{DigitCounts, count_digit, digit, place};
 use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;

@@ -3,9 +3,10 @@
 use crate::thread_index;
 use glam::{UVec3, UVec4};
 use slimbvh_core::Node;
+use slimbvh_core::compact::{is_set, rank};
 use slimbvh_core::refit::split_of;
 use slimbvh_core::topology::{
-    Codes30, Codes63, SortedCodes, internal_node, kept_nodes, rank, single_node,
+    Codes30, Codes63, SortedCodes, internal_node, kept_nodes, single_node,
 };
 use spirv_std::spirv;
 
@@ -108,8 +109,7 @@ fn store_node<C: SortedCodes>(
     nodes: &mut [Node],
     splits: &mut [u32],
 ) {
-    let word = (i >> 5) as usize;
-    if word < bits.len() && (bits[word] >> (i & 31)) & 1 == 1 {
+    if is_set(i, bits) {
         let to = rank(i, bits, before) as usize;
         let (node, split) = internal_node(i, codes, bits, before);
         if to < nodes.len() && to < splits.len() {

@@ -1,12 +1,13 @@
 //! Stage `trace`. Rays are in the caller's magnitude, paths and shadow rays in the scene's.
 
-use crate::shade::Shadow;
-use crate::{NEAREST_COUNT, thread_index};
-use glam::{UVec3, UVec4, Vec3};
+use crate::{count, thread_index};
+use glam::{UVec3, UVec4, Vec3, Vec4};
+use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::shade::Path;
+use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{
-    ClosestHit, Counted, LeafTriangles, PlainNodes, any_hit, closest_hit, nearest_hits, traverse,
+    ClosestHit, ClosestOrAny, Counted, LeafTriangles, PlainNodes, any_hit, closest_hit,
+    nearest_hits, traverse,
 };
 use slimbvh_core::{Hit, LeafTriangle, NO_PRIMITIVE, Node, Ray};
 use spirv_std::spirv;
@@ -103,7 +104,8 @@ pub fn trace_counted(
     }
 }
 
-/// One thread per path. Reads the tree and the path. Stores the closest hit, a miss for paths that have ended.
+/// One thread per path. Reads the tree and the path. Stores the closest hit, a miss for paths that have ended. Counts
+/// the paths that go on and the hits.
 #[spirv(compute(threads(64)))]
 pub fn trace_paths(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -111,21 +113,26 @@ pub fn trace_paths(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[LeafTriangle],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] paths: &[Path],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] hits: &mut [Hit],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] counters: &mut [u32],
 ) {
     let i = thread_index(id) as usize;
     if i < paths.len() && i < hits.len() {
         // The range of an ended path's ray is empty: it meets nothing.
-        hits[i] = closest_hit(
+        let hit = closest_hit(
             &PlainNodes(nodes),
             &LeafTriangles(triangles),
             &paths[i].ray,
             0,
             paths[i].skip,
         );
+        hits[i] = hit;
+        count(counters, 0, paths[i].is_alive() as u32);
+        count(counters, 1, hit.is_hit() as u32);
     }
 }
 
 /// One thread per path. Reads the tree and the path. Stores the closest hit, and how many nodes the search for it opens.
+/// Counts the paths that go on, the hits and the nodes.
 #[spirv(compute(threads(64)))]
 pub fn trace_paths_counted(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -134,6 +141,7 @@ pub fn trace_paths_counted(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] paths: &[Path],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] hits: &mut [Hit],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] counts: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] counters: &mut [u32],
 ) {
     let i = thread_index(id) as usize;
     if i < paths.len() && i < hits.len() && i < counts.len() {
@@ -146,13 +154,17 @@ pub fn trace_paths_counted(
             paths[i].skip,
             &mut collector,
         );
-        hits[i] = ray.restore(collector.inner.hit);
+        let hit = ray.restore(collector.inner.hit);
+        hits[i] = hit;
         counts[i] = collector.node_count;
+        count(counters, 0, paths[i].is_alive() as u32);
+        count(counters, 1, hit.is_hit() as u32);
+        count(counters, 2, collector.node_count);
     }
 }
 
 /// One thread per path. Reads the tree and what `shade_light` stored. Stores the path with the light, where nothing is
-/// in its way.
+/// in its way. Counts the shadow rays.
 #[spirv(compute(threads(64)))]
 pub fn trace_shadows(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -160,9 +172,11 @@ pub fn trace_shadows(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[LeafTriangle],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] shadows: &[Shadow],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] paths: &mut [Path],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] counters: &mut [u32],
 ) {
     let i = thread_index(id) as usize;
     if i < shadows.len() && i < paths.len() && shadows[i].is_possible() {
+        count(counters, 0, 1);
         let is_blocked = any_hit(
             &PlainNodes(nodes),
             &LeafTriangles(triangles),
@@ -174,4 +188,45 @@ pub fn trace_shadows(
             paths[i] = paths[i].with_light(Vec3::from_array(shadows[i].radiance));
         }
     }
+}
+
+/// Becomes a function that other people's WGSL can call: the shader builder makes private variables of the bindings from
+/// 3 on, and `host/shaders/slimbvh.wgsl` of it all. Reads the scene's exponent, the tree, a ray's origin with `t_min` and
+/// its direction with `t_max`, and whether any hit will do: 1, or else 0. Stores the hit, as bits.
+#[spirv(compute(threads(1)))]
+pub fn call_trace(
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[LeafTriangle],
+    #[spirv(uniform, descriptor_set = 0, binding = 3)] origin: &Vec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 4)] direction: &Vec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 5)] any_will_do: &u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] hit: &mut UVec4,
+) {
+    let ray = Ray {
+        origin: origin.truncate().to_array(),
+        t_min: origin.w,
+        direction: direction.truncate().to_array(),
+        t_max: direction.w,
+    };
+    let ray = PreparedRay::new(&ray, exponent.x as i32);
+    let mut collector = if *any_will_do == 1 {
+        ClosestOrAny::any(ray.t_max)
+    } else {
+        ClosestOrAny::closest(ray.t_max)
+    };
+    traverse(
+        &PlainNodes(nodes),
+        &LeafTriangles(triangles),
+        &ray,
+        NO_PRIMITIVE,
+        &mut collector,
+    );
+    let found = ray.restore(collector.closest.hit);
+    *hit = UVec4::new(
+        found.t.to_bits(),
+        found.u.to_bits(),
+        found.v.to_bits(),
+        found.primitive,
+    );
 }

@@ -36,22 +36,22 @@ var<storage> global_3: type_27;
 var<storage, read_write> global_4: type_21;
 
 fn function_() {
-    var phi_125_: array<u32, 3>;
-    var phi_140_: array<f32, 3>;
-    var phi_158_: array<f32, 3>;
-    var phi_176_: array<f32, 3>;
-    var phi_280_: i32;
-    var phi_290_: i32;
-    var phi_331_: i32;
-    var phi_341_: i32;
-    var phi_426_: i32;
-    var phi_436_: i32;
-    var phi_477_: i32;
-    var phi_487_: i32;
-    var phi_572_: i32;
-    var phi_582_: i32;
-    var phi_623_: i32;
-    var phi_633_: i32;
+    var phi_126_: array<u32, 3>;
+    var phi_141_: array<f32, 3>;
+    var phi_159_: array<f32, 3>;
+    var phi_177_: array<f32, 3>;
+    var phi_281_: i32;
+    var phi_291_: i32;
+    var phi_332_: i32;
+    var phi_342_: i32;
+    var phi_427_: i32;
+    var phi_437_: i32;
+    var phi_478_: i32;
+    var phi_488_: i32;
+    var phi_573_: i32;
+    var phi_583_: i32;
+    var phi_624_: i32;
+    var phi_634_: i32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -70,11 +70,11 @@ fn function_() {
                             break;
                         }
                         let _e51 = global_2.member[_e46];
-                        phi_125_ = _e51;
+                        phi_126_ = _e51;
                     } else {
-                        phi_125_ = array<u32, 3>(0u, 0u, 0u);
+                        phi_126_ = array<u32, 3>(0u, 0u, 0u);
                     }
-                    let _e53 = phi_125_;
+                    let _e53 = phi_126_;
                     let _e55 = (_e53[0] < _e37);
                     if _e55 {
                         if _e55 {
@@ -82,11 +82,11 @@ fn function_() {
                             break;
                         }
                         let _e57 = global_1.member[_e53[0]];
-                        phi_140_ = _e57;
+                        phi_141_ = _e57;
                     } else {
-                        phi_140_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_141_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e59 = phi_140_;
+                    let _e59 = phi_141_;
                     let _e64 = (_e53[1] < _e37);
                     if _e64 {
                         if _e64 {
@@ -94,11 +94,11 @@ fn function_() {
                             break;
                         }
                         let _e66 = global_1.member[_e53[1]];
-                        phi_158_ = _e66;
+                        phi_159_ = _e66;
                     } else {
-                        phi_158_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_159_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e68 = phi_158_;
+                    let _e68 = phi_159_;
                     let _e73 = (_e53[2] < _e37);
                     if _e73 {
                         if _e73 {
@@ -106,11 +106,11 @@ fn function_() {
                             break;
                         }
                         let _e75 = global_1.member[_e53[2]];
-                        phi_176_ = _e75;
+                        phi_177_ = _e75;
                     } else {
-                        phi_176_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_177_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e77 = phi_176_;
+                    let _e77 = phi_177_;
                     let _e82 = select(_e68[0], _e59[0], (_e59[0] < _e68[0]));
                     let _e84 = select(_e68[1], _e59[1], (_e59[1] < _e68[1]));
                     let _e86 = select(_e68[2], _e59[2], (_e59[2] < _e68[2]));
@@ -130,17 +130,17 @@ fn function_() {
                     let _e138 = (_e111 - ((bitcast<i32>(_e127) - bitcast<i32>(_e129)) + -149i));
                     let _e139 = (_e138 < 0i);
                     if _e139 {
-                        phi_280_ = -(_e138);
+                        phi_281_ = -(_e138);
                     } else {
-                        phi_280_ = 0i;
+                        phi_281_ = 0i;
                     }
-                    let _e142 = phi_280_;
+                    let _e142 = phi_281_;
                     if _e139 {
-                        phi_290_ = 0i;
+                        phi_291_ = 0i;
                     } else {
-                        phi_290_ = select(_e138, 31i, (_e138 > 31i));
+                        phi_291_ = select(_e138, 31i, (_e138 > 31i));
                     }
-                    let _e146 = phi_290_;
+                    let _e146 = phi_291_;
                     let _e147 = (_e146 & 31i);
                     let _e161 = (bitcast<i32>(_e124) >> bitcast<u32>(31i));
                     let _e165 = bitcast<u32>(select(_e77[0], _e94, (_e94 > _e77[0])));
@@ -149,17 +149,17 @@ fn function_() {
                     let _e179 = (_e111 - ((bitcast<i32>(_e168) - bitcast<i32>(_e170)) + -149i));
                     let _e180 = (_e179 < 0i);
                     if _e180 {
-                        phi_331_ = -(_e179);
+                        phi_332_ = -(_e179);
                     } else {
-                        phi_331_ = 0i;
+                        phi_332_ = 0i;
                     }
-                    let _e183 = phi_331_;
+                    let _e183 = phi_332_;
                     if _e180 {
-                        phi_341_ = 0i;
+                        phi_342_ = 0i;
                     } else {
-                        phi_341_ = select(_e179, 31i, (_e179 > 31i));
+                        phi_342_ = select(_e179, 31i, (_e179 > 31i));
                     }
-                    let _e187 = phi_341_;
+                    let _e187 = phi_342_;
                     let _e188 = (_e187 & 31i);
                     let _e202 = (bitcast<i32>(_e165) >> bitcast<u32>(31i));
                     let _e212 = (bitcast<u32>(((((bitcast<i32>((((((_e124 & 8388607u) | (_e129 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e142) & 31u))) + ((1u << bitcast<u32>(_e147)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e147))) ^ _e161) - _e161) + ((bitcast<i32>((((((_e165 & 8388607u) | (_e170 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e183) & 31u))) + ((1u << bitcast<u32>(_e188)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e188))) ^ _e202) - _e202)) - _e117)) << bitcast<u32>(((_e123 & 31u) & 31u)));
@@ -178,17 +178,17 @@ fn function_() {
                     let _e276 = (_e249 - ((bitcast<i32>(_e265) - bitcast<i32>(_e267)) + -149i));
                     let _e277 = (_e276 < 0i);
                     if _e277 {
-                        phi_426_ = -(_e276);
+                        phi_427_ = -(_e276);
                     } else {
-                        phi_426_ = 0i;
+                        phi_427_ = 0i;
                     }
-                    let _e280 = phi_426_;
+                    let _e280 = phi_427_;
                     if _e277 {
-                        phi_436_ = 0i;
+                        phi_437_ = 0i;
                     } else {
-                        phi_436_ = select(_e276, 31i, (_e276 > 31i));
+                        phi_437_ = select(_e276, 31i, (_e276 > 31i));
                     }
-                    let _e284 = phi_436_;
+                    let _e284 = phi_437_;
                     let _e285 = (_e284 & 31i);
                     let _e299 = (bitcast<i32>(_e262) >> bitcast<u32>(31i));
                     let _e303 = bitcast<u32>(select(_e77[1], _e96, (_e96 > _e77[1])));
@@ -197,17 +197,17 @@ fn function_() {
                     let _e317 = (_e249 - ((bitcast<i32>(_e306) - bitcast<i32>(_e308)) + -149i));
                     let _e318 = (_e317 < 0i);
                     if _e318 {
-                        phi_477_ = -(_e317);
+                        phi_478_ = -(_e317);
                     } else {
-                        phi_477_ = 0i;
+                        phi_478_ = 0i;
                     }
-                    let _e321 = phi_477_;
+                    let _e321 = phi_478_;
                     if _e318 {
-                        phi_487_ = 0i;
+                        phi_488_ = 0i;
                     } else {
-                        phi_487_ = select(_e317, 31i, (_e317 > 31i));
+                        phi_488_ = select(_e317, 31i, (_e317 > 31i));
                     }
-                    let _e325 = phi_487_;
+                    let _e325 = phi_488_;
                     let _e326 = (_e325 & 31i);
                     let _e340 = (bitcast<i32>(_e303) >> bitcast<u32>(31i));
                     let _e350 = (bitcast<u32>(((((bitcast<i32>((((((_e262 & 8388607u) | (_e267 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e280) & 31u))) + ((1u << bitcast<u32>(_e285)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e285))) ^ _e299) - _e299) + ((bitcast<i32>((((((_e303 & 8388607u) | (_e308 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e321) & 31u))) + ((1u << bitcast<u32>(_e326)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e326))) ^ _e340) - _e340)) - _e255)) << bitcast<u32>(((_e261 & 31u) & 31u)));
@@ -223,17 +223,17 @@ fn function_() {
                     let _e407 = (_e380 - ((bitcast<i32>(_e396) - bitcast<i32>(_e398)) + -149i));
                     let _e408 = (_e407 < 0i);
                     if _e408 {
-                        phi_572_ = -(_e407);
+                        phi_573_ = -(_e407);
                     } else {
-                        phi_572_ = 0i;
+                        phi_573_ = 0i;
                     }
-                    let _e411 = phi_572_;
+                    let _e411 = phi_573_;
                     if _e408 {
-                        phi_582_ = 0i;
+                        phi_583_ = 0i;
                     } else {
-                        phi_582_ = select(_e407, 31i, (_e407 > 31i));
+                        phi_583_ = select(_e407, 31i, (_e407 > 31i));
                     }
-                    let _e415 = phi_582_;
+                    let _e415 = phi_583_;
                     let _e416 = (_e415 & 31i);
                     let _e430 = (bitcast<i32>(_e393) >> bitcast<u32>(31i));
                     let _e434 = bitcast<u32>(select(_e77[2], _e98, (_e98 > _e77[2])));
@@ -242,17 +242,17 @@ fn function_() {
                     let _e448 = (_e380 - ((bitcast<i32>(_e437) - bitcast<i32>(_e439)) + -149i));
                     let _e449 = (_e448 < 0i);
                     if _e449 {
-                        phi_623_ = -(_e448);
+                        phi_624_ = -(_e448);
                     } else {
-                        phi_623_ = 0i;
+                        phi_624_ = 0i;
                     }
-                    let _e452 = phi_623_;
+                    let _e452 = phi_624_;
                     if _e449 {
-                        phi_633_ = 0i;
+                        phi_634_ = 0i;
                     } else {
-                        phi_633_ = select(_e448, 31i, (_e448 > 31i));
+                        phi_634_ = select(_e448, 31i, (_e448 > 31i));
                     }
-                    let _e456 = phi_633_;
+                    let _e456 = phi_634_;
                     let _e457 = (_e456 & 31i);
                     let _e471 = (bitcast<i32>(_e434) >> bitcast<u32>(31i));
                     let _e481 = (bitcast<u32>(((((bitcast<i32>((((((_e393 & 8388607u) | (_e398 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e411) & 31u))) + ((1u << bitcast<u32>(_e416)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e416))) ^ _e430) - _e430) + ((bitcast<i32>((((((_e434 & 8388607u) | (_e439 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e452) & 31u))) + ((1u << bitcast<u32>(_e457)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e457))) ^ _e471) - _e471)) - _e386)) << bitcast<u32>(((_e392 & 31u) & 31u)));

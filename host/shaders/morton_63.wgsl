@@ -32,22 +32,22 @@ var<storage> global_3: type_23;
 var<storage, read_write> global_4: type_13;
 
 fn function_() {
-    var phi_122_: array<u32, 3>;
-    var phi_137_: array<f32, 3>;
-    var phi_155_: array<f32, 3>;
-    var phi_173_: array<f32, 3>;
-    var phi_277_: i32;
-    var phi_287_: i32;
-    var phi_328_: i32;
-    var phi_338_: i32;
-    var phi_423_: i32;
-    var phi_433_: i32;
-    var phi_474_: i32;
-    var phi_484_: i32;
-    var phi_569_: i32;
-    var phi_579_: i32;
-    var phi_620_: i32;
-    var phi_630_: i32;
+    var phi_123_: array<u32, 3>;
+    var phi_138_: array<f32, 3>;
+    var phi_156_: array<f32, 3>;
+    var phi_174_: array<f32, 3>;
+    var phi_278_: i32;
+    var phi_288_: i32;
+    var phi_329_: i32;
+    var phi_339_: i32;
+    var phi_424_: i32;
+    var phi_434_: i32;
+    var phi_475_: i32;
+    var phi_485_: i32;
+    var phi_570_: i32;
+    var phi_580_: i32;
+    var phi_621_: i32;
+    var phi_631_: i32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -66,11 +66,11 @@ fn function_() {
                             break;
                         }
                         let _e54 = global_2.member[_e49];
-                        phi_122_ = _e54;
+                        phi_123_ = _e54;
                     } else {
-                        phi_122_ = array<u32, 3>(0u, 0u, 0u);
+                        phi_123_ = array<u32, 3>(0u, 0u, 0u);
                     }
-                    let _e56 = phi_122_;
+                    let _e56 = phi_123_;
                     let _e58 = (_e56[0] < _e40);
                     if _e58 {
                         if _e58 {
@@ -78,11 +78,11 @@ fn function_() {
                             break;
                         }
                         let _e60 = global_1.member[_e56[0]];
-                        phi_137_ = _e60;
+                        phi_138_ = _e60;
                     } else {
-                        phi_137_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_138_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e62 = phi_137_;
+                    let _e62 = phi_138_;
                     let _e67 = (_e56[1] < _e40);
                     if _e67 {
                         if _e67 {
@@ -90,11 +90,11 @@ fn function_() {
                             break;
                         }
                         let _e69 = global_1.member[_e56[1]];
-                        phi_155_ = _e69;
+                        phi_156_ = _e69;
                     } else {
-                        phi_155_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_156_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e71 = phi_155_;
+                    let _e71 = phi_156_;
                     let _e76 = (_e56[2] < _e40);
                     if _e76 {
                         if _e76 {
@@ -102,11 +102,11 @@ fn function_() {
                             break;
                         }
                         let _e78 = global_1.member[_e56[2]];
-                        phi_173_ = _e78;
+                        phi_174_ = _e78;
                     } else {
-                        phi_173_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_174_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e80 = phi_173_;
+                    let _e80 = phi_174_;
                     let _e85 = select(_e71[0], _e62[0], (_e62[0] < _e71[0]));
                     let _e87 = select(_e71[1], _e62[1], (_e62[1] < _e71[1]));
                     let _e89 = select(_e71[2], _e62[2], (_e62[2] < _e71[2]));
@@ -126,17 +126,17 @@ fn function_() {
                     let _e141 = (_e114 - ((bitcast<i32>(_e130) - bitcast<i32>(_e132)) + -149i));
                     let _e142 = (_e141 < 0i);
                     if _e142 {
-                        phi_277_ = -(_e141);
+                        phi_278_ = -(_e141);
                     } else {
-                        phi_277_ = 0i;
+                        phi_278_ = 0i;
                     }
-                    let _e145 = phi_277_;
+                    let _e145 = phi_278_;
                     if _e142 {
-                        phi_287_ = 0i;
+                        phi_288_ = 0i;
                     } else {
-                        phi_287_ = select(_e141, 31i, (_e141 > 31i));
+                        phi_288_ = select(_e141, 31i, (_e141 > 31i));
                     }
-                    let _e149 = phi_287_;
+                    let _e149 = phi_288_;
                     let _e150 = (_e149 & 31i);
                     let _e164 = (bitcast<i32>(_e127) >> bitcast<u32>(31i));
                     let _e168 = bitcast<u32>(select(_e80[0], _e97, (_e97 > _e80[0])));
@@ -145,17 +145,17 @@ fn function_() {
                     let _e182 = (_e114 - ((bitcast<i32>(_e171) - bitcast<i32>(_e173)) + -149i));
                     let _e183 = (_e182 < 0i);
                     if _e183 {
-                        phi_328_ = -(_e182);
+                        phi_329_ = -(_e182);
                     } else {
-                        phi_328_ = 0i;
+                        phi_329_ = 0i;
                     }
-                    let _e186 = phi_328_;
+                    let _e186 = phi_329_;
                     if _e183 {
-                        phi_338_ = 0i;
+                        phi_339_ = 0i;
                     } else {
-                        phi_338_ = select(_e182, 31i, (_e182 > 31i));
+                        phi_339_ = select(_e182, 31i, (_e182 > 31i));
                     }
-                    let _e190 = phi_338_;
+                    let _e190 = phi_339_;
                     let _e191 = (_e190 & 31i);
                     let _e205 = (bitcast<i32>(_e168) >> bitcast<u32>(31i));
                     let _e215 = (bitcast<u32>(((((bitcast<i32>((((((_e127 & 8388607u) | (_e132 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e145) & 31u))) + ((1u << bitcast<u32>(_e150)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e150))) ^ _e164) - _e164) + ((bitcast<i32>((((((_e168 & 8388607u) | (_e173 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e186) & 31u))) + ((1u << bitcast<u32>(_e191)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e191))) ^ _e205) - _e205)) - _e120)) << bitcast<u32>(((_e126 & 31u) & 31u)));
@@ -175,17 +175,17 @@ fn function_() {
                     let _e279 = (_e252 - ((bitcast<i32>(_e268) - bitcast<i32>(_e270)) + -149i));
                     let _e280 = (_e279 < 0i);
                     if _e280 {
-                        phi_423_ = -(_e279);
+                        phi_424_ = -(_e279);
                     } else {
-                        phi_423_ = 0i;
+                        phi_424_ = 0i;
                     }
-                    let _e283 = phi_423_;
+                    let _e283 = phi_424_;
                     if _e280 {
-                        phi_433_ = 0i;
+                        phi_434_ = 0i;
                     } else {
-                        phi_433_ = select(_e279, 31i, (_e279 > 31i));
+                        phi_434_ = select(_e279, 31i, (_e279 > 31i));
                     }
-                    let _e287 = phi_433_;
+                    let _e287 = phi_434_;
                     let _e288 = (_e287 & 31i);
                     let _e302 = (bitcast<i32>(_e265) >> bitcast<u32>(31i));
                     let _e306 = bitcast<u32>(select(_e80[1], _e99, (_e99 > _e80[1])));
@@ -194,17 +194,17 @@ fn function_() {
                     let _e320 = (_e252 - ((bitcast<i32>(_e309) - bitcast<i32>(_e311)) + -149i));
                     let _e321 = (_e320 < 0i);
                     if _e321 {
-                        phi_474_ = -(_e320);
+                        phi_475_ = -(_e320);
                     } else {
-                        phi_474_ = 0i;
+                        phi_475_ = 0i;
                     }
-                    let _e324 = phi_474_;
+                    let _e324 = phi_475_;
                     if _e321 {
-                        phi_484_ = 0i;
+                        phi_485_ = 0i;
                     } else {
-                        phi_484_ = select(_e320, 31i, (_e320 > 31i));
+                        phi_485_ = select(_e320, 31i, (_e320 > 31i));
                     }
-                    let _e328 = phi_484_;
+                    let _e328 = phi_485_;
                     let _e329 = (_e328 & 31i);
                     let _e343 = (bitcast<i32>(_e306) >> bitcast<u32>(31i));
                     let _e353 = (bitcast<u32>(((((bitcast<i32>((((((_e265 & 8388607u) | (_e270 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e283) & 31u))) + ((1u << bitcast<u32>(_e288)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e288))) ^ _e302) - _e302) + ((bitcast<i32>((((((_e306 & 8388607u) | (_e311 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e324) & 31u))) + ((1u << bitcast<u32>(_e329)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e329))) ^ _e343) - _e343)) - _e258)) << bitcast<u32>(((_e264 & 31u) & 31u)));
@@ -221,17 +221,17 @@ fn function_() {
                     let _e410 = (_e383 - ((bitcast<i32>(_e399) - bitcast<i32>(_e401)) + -149i));
                     let _e411 = (_e410 < 0i);
                     if _e411 {
-                        phi_569_ = -(_e410);
+                        phi_570_ = -(_e410);
                     } else {
-                        phi_569_ = 0i;
+                        phi_570_ = 0i;
                     }
-                    let _e414 = phi_569_;
+                    let _e414 = phi_570_;
                     if _e411 {
-                        phi_579_ = 0i;
+                        phi_580_ = 0i;
                     } else {
-                        phi_579_ = select(_e410, 31i, (_e410 > 31i));
+                        phi_580_ = select(_e410, 31i, (_e410 > 31i));
                     }
-                    let _e418 = phi_579_;
+                    let _e418 = phi_580_;
                     let _e419 = (_e418 & 31i);
                     let _e433 = (bitcast<i32>(_e396) >> bitcast<u32>(31i));
                     let _e437 = bitcast<u32>(select(_e80[2], _e101, (_e101 > _e80[2])));
@@ -240,17 +240,17 @@ fn function_() {
                     let _e451 = (_e383 - ((bitcast<i32>(_e440) - bitcast<i32>(_e442)) + -149i));
                     let _e452 = (_e451 < 0i);
                     if _e452 {
-                        phi_620_ = -(_e451);
+                        phi_621_ = -(_e451);
                     } else {
-                        phi_620_ = 0i;
+                        phi_621_ = 0i;
                     }
-                    let _e455 = phi_620_;
+                    let _e455 = phi_621_;
                     if _e452 {
-                        phi_630_ = 0i;
+                        phi_631_ = 0i;
                     } else {
-                        phi_630_ = select(_e451, 31i, (_e451 > 31i));
+                        phi_631_ = select(_e451, 31i, (_e451 > 31i));
                     }
-                    let _e459 = phi_630_;
+                    let _e459 = phi_631_;
                     let _e460 = (_e459 & 31i);
                     let _e474 = (bitcast<i32>(_e437) >> bitcast<u32>(31i));
                     let _e484 = (bitcast<u32>(((((bitcast<i32>((((((_e396 & 8388607u) | (_e401 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e414) & 31u))) + ((1u << bitcast<u32>(_e419)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e419))) ^ _e433) - _e433) + ((bitcast<i32>((((((_e437 & 8388607u) | (_e442 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e455) & 31u))) + ((1u << bitcast<u32>(_e460)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e460))) ^ _e474) - _e474)) - _e389)) << bitcast<u32>(((_e395 & 31u) & 31u)));

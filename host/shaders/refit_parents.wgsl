@@ -17,8 +17,8 @@ var<storage, read_write> global_3: type_11;
 var<storage, read_write> global_4: type_11;
 
 fn function_() {
-    var phi_80_: array<f32, 8>;
-    var phi_100_: array<f32, 8>;
+    var phi_81_: array<f32, 8>;
+    var phi_101_: array<f32, 8>;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -41,11 +41,11 @@ fn function_() {
                             break;
                         }
                         let _e37 = global_2.member[_e30];
-                        phi_80_ = _e37;
+                        phi_81_ = _e37;
                     } else {
-                        phi_80_ = array<f32, 8>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        phi_81_ = array<f32, 8>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     }
-                    let _e39 = phi_80_;
+                    let _e39 = phi_81_;
                     let _e46 = (_e33 < _e15);
                     if _e46 {
                         if _e46 {
@@ -53,11 +53,11 @@ fn function_() {
                             break;
                         }
                         let _e49 = global_2.member[_e33];
-                        phi_100_ = _e49;
+                        phi_101_ = _e49;
                     } else {
-                        phi_100_ = array<f32, 8>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        phi_101_ = array<f32, 8>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     }
-                    let _e51 = phi_100_;
+                    let _e51 = phi_101_;
                     let _e70 = array<f32, 8>(select(_e51[0], _e39[0], (_e39[0] < _e51[0])), select(_e51[1], _e39[1], (_e39[1] < _e51[1])), select(_e51[2], _e39[2], (_e39[2] < _e51[2])), 0f, select(_e51[4], _e39[4], (_e39[4] > _e51[4])), select(_e51[5], _e39[5], (_e39[5] > _e51[5])), select(_e51[6], _e39[6], (_e39[6] > _e51[6])), 0f);
                     if _e28 {
                     } else {

@@ -27,8 +27,8 @@ var<storage> global_2: type_17;
 var<storage, read_write> global_3: type_4;
 
 fn function_() {
-    var phi_90_: u32;
-    var phi_113_: u32;
+    var phi_91_: u32;
+    var phi_114_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -53,21 +53,21 @@ fn function_() {
                                 break;
                             }
                             let _e37 = global_2.member[_e32].member_4;
-                            phi_90_ = _e37;
+                            phi_91_ = _e37;
                         } else {
-                            phi_90_ = 0u;
+                            phi_91_ = 0u;
                         }
-                        let _e39 = phi_90_;
+                        let _e39 = phi_91_;
                         if _e27 {
                         } else {
                             break;
                         }
                         if ((_e32 & 2147483648u) != 0u) {
-                            phi_113_ = (((_e32 & 268435455u) + ((_e32 >> bitcast<u32>(28u)) & 7u)) - 1u);
+                            phi_114_ = (((_e32 & 268435455u) + ((_e32 >> bitcast<u32>(28u)) & 7u)) - 1u);
                         } else {
-                            phi_113_ = _e39;
+                            phi_114_ = _e39;
                         }
-                        let _e49 = phi_113_;
+                        let _e49 = phi_114_;
                         if _e28 {
                         } else {
                             break;

@@ -16,21 +16,21 @@ var<storage> global_3: type_5;
 var<storage, read_write> global_4: type_5;
 
 fn function_() {
-    var phi_74_: type_10;
-    var phi_77_: u32;
     var phi_75_: type_10;
-    var phi_100_: type_10;
-    var phi_119_: u32;
     var phi_78_: u32;
-    var phi_231_: bool;
+    var phi_76_: type_10;
+    var phi_101_: type_10;
+    var phi_120_: u32;
+    var phi_79_: u32;
+    var phi_232_: bool;
     var local: u32;
-    var phi_130_: type_10;
-    var phi_133_: u32;
     var phi_131_: type_10;
-    var phi_156_: type_10;
-    var phi_185_: u32;
     var phi_134_: u32;
-    var phi_238_: bool;
+    var phi_132_: type_10;
+    var phi_157_: type_10;
+    var phi_186_: u32;
+    var phi_135_: u32;
+    var phi_239_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -41,50 +41,50 @@ fn function_() {
             let _e34 = ((_e31 * 1024u) + (_e23 * 16u));
             let _e36 = select(_e25, _e34, (_e34 < _e25));
             let _e37 = (_e25 - _e36);
-            phi_74_ = type_10(_e36, (_e36 + select(16u, _e37, (_e37 < 16u))));
-            phi_77_ = 0u;
+            phi_75_ = type_10(_e36, (_e36 + select(16u, _e37, (_e37 < 16u))));
+            phi_78_ = 0u;
             loop {
-                let _e43 = phi_74_;
-                let _e45 = phi_77_;
+                let _e43 = phi_75_;
+                let _e45 = phi_78_;
                 local = _e45;
                 if (_e43.member < _e43.member_1) {
-                    phi_75_ = type_10((_e43.member + 1u), _e43.member_1);
-                    phi_100_ = type_10(1u, _e43.member);
+                    phi_76_ = type_10((_e43.member + 1u), _e43.member_1);
+                    phi_101_ = type_10(1u, _e43.member);
                 } else {
-                    phi_75_ = _e43;
-                    phi_100_ = type_10(0u, type_10().member_1);
+                    phi_76_ = _e43;
+                    phi_101_ = type_10(0u, type_10().member_1);
                 }
-                let _e58 = phi_75_;
-                let _e60 = phi_100_;
+                let _e58 = phi_76_;
+                let _e60 = phi_101_;
                 let _e64 = (bitcast<i32>(_e60.member) != 0i);
                 if _e64 {
                     let _e65 = (_e60.member_1 < _e25);
                     if _e65 {
                         if _e65 {
                         } else {
-                            phi_231_ = true;
+                            phi_232_ = true;
                             break;
                         }
                         let _e68 = global_3.member[_e60.member_1];
-                        phi_119_ = _e68;
+                        phi_120_ = _e68;
                     } else {
-                        phi_119_ = 0u;
+                        phi_120_ = 0u;
                     }
-                    let _e70 = phi_119_;
-                    phi_78_ = (_e45 + _e70);
+                    let _e70 = phi_120_;
+                    phi_79_ = (_e45 + _e70);
                 } else {
-                    phi_78_ = u32();
+                    phi_79_ = u32();
                 }
-                let _e73 = phi_78_;
+                let _e73 = phi_79_;
                 continue;
                 continuing {
-                    phi_74_ = _e58;
-                    phi_77_ = _e73;
-                    phi_231_ = false;
+                    phi_75_ = _e58;
+                    phi_78_ = _e73;
+                    phi_232_ = false;
                     break if !(_e64);
                 }
             }
-            let _e76 = phi_231_;
+            let _e76 = phi_232_;
             if _e76 {
                 break;
             }
@@ -97,25 +97,25 @@ fn function_() {
             let _e81 = local;
             global_2[_e77] = _e81;
             workgroupBarrier();
-            phi_130_ = type_10(0u, 6u);
-            phi_133_ = 1u;
+            phi_131_ = type_10(0u, 6u);
+            phi_134_ = 1u;
             loop {
-                let _e83 = phi_130_;
-                let _e85 = phi_133_;
+                let _e83 = phi_131_;
+                let _e85 = phi_134_;
                 if (_e83.member < _e83.member_1) {
-                    phi_131_ = type_10((_e83.member + 1u), _e83.member_1);
-                    phi_156_ = type_10(1u, _e83.member);
+                    phi_132_ = type_10((_e83.member + 1u), _e83.member_1);
+                    phi_157_ = type_10(1u, _e83.member);
                 } else {
-                    phi_131_ = _e83;
-                    phi_156_ = type_10(0u, type_10().member_1);
+                    phi_132_ = _e83;
+                    phi_157_ = type_10(0u, type_10().member_1);
                 }
-                let _e98 = phi_131_;
-                let _e100 = phi_156_;
+                let _e98 = phi_132_;
+                let _e100 = phi_157_;
                 let _e103 = (bitcast<i32>(_e100.member) != 0i);
                 if _e103 {
                     if _e78 {
                     } else {
-                        phi_238_ = true;
+                        phi_239_ = true;
                         break;
                     }
                     let _e104 = global_2[_e77];
@@ -123,37 +123,37 @@ fn function_() {
                         let _e107 = ((_e23 - _e85) % 64u);
                         if (_e107 < 64u) {
                         } else {
-                            phi_238_ = true;
+                            phi_239_ = true;
                             break;
                         }
                         let _e110 = global_2[_e107];
-                        phi_185_ = (_e104 + _e110);
+                        phi_186_ = (_e104 + _e110);
                     } else {
-                        phi_185_ = _e104;
+                        phi_186_ = _e104;
                     }
-                    let _e113 = phi_185_;
+                    let _e113 = phi_186_;
                     workgroupBarrier();
                     if _e78 {
                     } else {
-                        phi_238_ = true;
+                        phi_239_ = true;
                         break;
                     }
                     global_2[_e77] = _e113;
                     workgroupBarrier();
-                    phi_134_ = (_e85 * 2u);
+                    phi_135_ = (_e85 * 2u);
                 } else {
-                    phi_134_ = u32();
+                    phi_135_ = u32();
                 }
-                let _e116 = phi_134_;
+                let _e116 = phi_135_;
                 continue;
                 continuing {
-                    phi_130_ = _e98;
-                    phi_133_ = _e116;
-                    phi_238_ = _e76;
+                    phi_131_ = _e98;
+                    phi_134_ = _e116;
+                    phi_239_ = _e76;
                     break if !(_e103);
                 }
             }
-            let _e119 = phi_238_;
+            let _e119 = phi_239_;
             if _e119 {
                 break;
             }

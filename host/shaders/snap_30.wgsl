@@ -42,10 +42,10 @@ var<storage, read_write> global_5: type_24;
 var<storage, read_write> global_6: type_4;
 
 fn function_() {
-    var phi_154_: array<u32, 3>;
-    var phi_169_: array<f32, 3>;
-    var phi_187_: array<f32, 3>;
-    var phi_205_: array<f32, 3>;
+    var phi_155_: array<u32, 3>;
+    var phi_170_: array<f32, 3>;
+    var phi_188_: array<f32, 3>;
+    var phi_206_: array<f32, 3>;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -76,11 +76,11 @@ fn function_() {
                                 break;
                             }
                             let _e66 = global_3.member[_e63];
-                            phi_154_ = _e66;
+                            phi_155_ = _e66;
                         } else {
-                            phi_154_ = array<u32, 3>(0u, 0u, 0u);
+                            phi_155_ = array<u32, 3>(0u, 0u, 0u);
                         }
-                        let _e68 = phi_154_;
+                        let _e68 = phi_155_;
                         let _e70 = (_e68[0] < _e23);
                         if _e70 {
                             if _e70 {
@@ -88,11 +88,11 @@ fn function_() {
                                 break;
                             }
                             let _e72 = global_2.member[_e68[0]];
-                            phi_169_ = _e72;
+                            phi_170_ = _e72;
                         } else {
-                            phi_169_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_170_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e74 = phi_169_;
+                        let _e74 = phi_170_;
                         let _e79 = (_e68[1] < _e23);
                         if _e79 {
                             if _e79 {
@@ -100,11 +100,11 @@ fn function_() {
                                 break;
                             }
                             let _e81 = global_2.member[_e68[1]];
-                            phi_187_ = _e81;
+                            phi_188_ = _e81;
                         } else {
-                            phi_187_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_188_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e83 = phi_187_;
+                        let _e83 = phi_188_;
                         let _e88 = (_e68[2] < _e23);
                         if _e88 {
                             if _e88 {
@@ -112,11 +112,11 @@ fn function_() {
                                 break;
                             }
                             let _e90 = global_2.member[_e68[2]];
-                            phi_205_ = _e90;
+                            phi_206_ = _e90;
                         } else {
-                            phi_205_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_206_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e92 = phi_205_;
+                        let _e92 = phi_206_;
                         let _e97 = ((_e74[0] * _e49) * _e55);
                         let _e101 = ((_e74[1] * _e49) * _e55);
                         let _e105 = ((_e74[2] * _e49) * _e55);

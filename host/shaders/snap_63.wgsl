@@ -38,10 +38,10 @@ var<storage> global_5: type_16;
 var<storage, read_write> global_6: type_31;
 
 fn function_() {
-    var phi_154_: array<u32, 3>;
-    var phi_169_: array<f32, 3>;
-    var phi_187_: array<f32, 3>;
-    var phi_205_: array<f32, 3>;
+    var phi_155_: array<u32, 3>;
+    var phi_170_: array<f32, 3>;
+    var phi_188_: array<f32, 3>;
+    var phi_206_: array<f32, 3>;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -73,11 +73,11 @@ fn function_() {
                                 break;
                             }
                             let _e70 = global_3.member[_e67];
-                            phi_154_ = _e70;
+                            phi_155_ = _e70;
                         } else {
-                            phi_154_ = array<u32, 3>(0u, 0u, 0u);
+                            phi_155_ = array<u32, 3>(0u, 0u, 0u);
                         }
-                        let _e72 = phi_154_;
+                        let _e72 = phi_155_;
                         let _e74 = (_e72[0] < _e23);
                         if _e74 {
                             if _e74 {
@@ -85,11 +85,11 @@ fn function_() {
                                 break;
                             }
                             let _e76 = global_2.member[_e72[0]];
-                            phi_169_ = _e76;
+                            phi_170_ = _e76;
                         } else {
-                            phi_169_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_170_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e78 = phi_169_;
+                        let _e78 = phi_170_;
                         let _e83 = (_e72[1] < _e23);
                         if _e83 {
                             if _e83 {
@@ -97,11 +97,11 @@ fn function_() {
                                 break;
                             }
                             let _e85 = global_2.member[_e72[1]];
-                            phi_187_ = _e85;
+                            phi_188_ = _e85;
                         } else {
-                            phi_187_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_188_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e87 = phi_187_;
+                        let _e87 = phi_188_;
                         let _e92 = (_e72[2] < _e23);
                         if _e92 {
                             if _e92 {
@@ -109,11 +109,11 @@ fn function_() {
                                 break;
                             }
                             let _e94 = global_2.member[_e72[2]];
-                            phi_205_ = _e94;
+                            phi_206_ = _e94;
                         } else {
-                            phi_205_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_206_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e96 = phi_205_;
+                        let _e96 = phi_206_;
                         let _e101 = ((_e78[0] * _e49) * _e55);
                         let _e105 = ((_e78[1] * _e49) * _e55);
                         let _e109 = ((_e78[2] * _e49) * _e55);

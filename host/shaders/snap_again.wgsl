@@ -30,10 +30,10 @@ var<storage> global_3: type_16;
 var<storage, read_write> global_4: type_21;
 
 fn function_() {
-    var phi_125_: array<u32, 3>;
-    var phi_140_: array<f32, 3>;
-    var phi_158_: array<f32, 3>;
-    var phi_176_: array<f32, 3>;
+    var phi_126_: array<u32, 3>;
+    var phi_141_: array<f32, 3>;
+    var phi_159_: array<f32, 3>;
+    var phi_177_: array<f32, 3>;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -59,11 +59,11 @@ fn function_() {
                         break;
                     }
                     let _e55 = global_3.member[_e52];
-                    phi_125_ = _e55;
+                    phi_126_ = _e55;
                 } else {
-                    phi_125_ = array<u32, 3>(0u, 0u, 0u);
+                    phi_126_ = array<u32, 3>(0u, 0u, 0u);
                 }
-                let _e57 = phi_125_;
+                let _e57 = phi_126_;
                 let _e59 = (_e57[0] < _e20);
                 if _e59 {
                     if _e59 {
@@ -71,11 +71,11 @@ fn function_() {
                         break;
                     }
                     let _e61 = global_2.member[_e57[0]];
-                    phi_140_ = _e61;
+                    phi_141_ = _e61;
                 } else {
-                    phi_140_ = array<f32, 3>(0f, 0f, 0f);
+                    phi_141_ = array<f32, 3>(0f, 0f, 0f);
                 }
-                let _e63 = phi_140_;
+                let _e63 = phi_141_;
                 let _e68 = (_e57[1] < _e20);
                 if _e68 {
                     if _e68 {
@@ -83,11 +83,11 @@ fn function_() {
                         break;
                     }
                     let _e70 = global_2.member[_e57[1]];
-                    phi_158_ = _e70;
+                    phi_159_ = _e70;
                 } else {
-                    phi_158_ = array<f32, 3>(0f, 0f, 0f);
+                    phi_159_ = array<f32, 3>(0f, 0f, 0f);
                 }
-                let _e72 = phi_158_;
+                let _e72 = phi_159_;
                 let _e77 = (_e57[2] < _e20);
                 if _e77 {
                     if _e77 {
@@ -95,11 +95,11 @@ fn function_() {
                         break;
                     }
                     let _e79 = global_2.member[_e57[2]];
-                    phi_176_ = _e79;
+                    phi_177_ = _e79;
                 } else {
-                    phi_176_ = array<f32, 3>(0f, 0f, 0f);
+                    phi_177_ = array<f32, 3>(0f, 0f, 0f);
                 }
-                let _e81 = phi_176_;
+                let _e81 = phi_177_;
                 let _e86 = ((_e63[0] * _e40) * _e46);
                 let _e90 = ((_e63[1] * _e40) * _e46);
                 let _e94 = ((_e63[2] * _e40) * _e46);

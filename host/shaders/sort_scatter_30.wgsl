@@ -30,45 +30,45 @@ var<storage, read_write> global_6: type_19;
 fn function_() {
     var local: array<u32, 16>;
     var local_1: array<u32, 16>;
-    var phi_82_: type_9;
     var phi_83_: type_9;
-    var phi_106_: type_9;
-    var phi_634_: bool;
-    var phi_148_: type_9;
+    var phi_84_: type_9;
+    var phi_107_: type_9;
+    var phi_635_: bool;
     var phi_149_: type_9;
-    var phi_172_: type_9;
-    var phi_638_: bool;
-    var phi_226_: u32;
-    var phi_233_: type_9;
+    var phi_150_: type_9;
+    var phi_173_: type_9;
+    var phi_639_: bool;
+    var phi_227_: u32;
     var phi_234_: type_9;
-    var phi_257_: type_9;
-    var phi_644_: bool;
-    var phi_654_: bool;
-    var phi_287_: type_9;
-    var phi_290_: u32;
+    var phi_235_: type_9;
+    var phi_258_: type_9;
+    var phi_645_: bool;
+    var phi_655_: bool;
     var phi_288_: type_9;
-    var phi_313_: type_9;
-    var phi_322_: type_9;
-    var phi_323_: type_9;
-    var phi_346_: type_9;
-    var phi_382_: u32;
-    var phi_649_: bool;
-    var phi_391_: type_9;
-    var phi_392_: type_9;
-    var phi_415_: type_9;
-    var phi_656_: bool;
-    var phi_661_: bool;
     var phi_291_: u32;
-    var phi_660_: bool;
-    var phi_446_: type_9;
-    var phi_447_: type_9;
-    var phi_470_: type_9;
-    var phi_491_: u32;
+    var phi_289_: type_9;
+    var phi_314_: type_9;
+    var phi_323_: type_9;
+    var phi_324_: type_9;
+    var phi_347_: type_9;
+    var phi_383_: u32;
+    var phi_650_: bool;
+    var phi_392_: type_9;
+    var phi_393_: type_9;
+    var phi_416_: type_9;
+    var phi_657_: bool;
     var phi_662_: bool;
-    var phi_544_: type_9;
+    var phi_292_: u32;
+    var phi_661_: bool;
+    var phi_447_: type_9;
+    var phi_448_: type_9;
+    var phi_471_: type_9;
+    var phi_492_: u32;
+    var phi_663_: bool;
     var phi_545_: type_9;
-    var phi_568_: type_9;
-    var phi_667_: bool;
+    var phi_546_: type_9;
+    var phi_569_: type_9;
+    var phi_668_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -76,41 +76,41 @@ fn function_() {
             let _e30 = global_1;
             let _e32 = arrayLength((&global_3.member));
             let _e39 = global_2.member[0u];
-            phi_82_ = type_9(0u, 16u);
+            phi_83_ = type_9(0u, 16u);
             loop {
-                let _e41 = phi_82_;
+                let _e41 = phi_83_;
                 if (_e41.member < _e41.member_1) {
-                    phi_83_ = type_9((_e41.member + 1u), _e41.member_1);
-                    phi_106_ = type_9(1u, _e41.member);
+                    phi_84_ = type_9((_e41.member + 1u), _e41.member_1);
+                    phi_107_ = type_9(1u, _e41.member);
                 } else {
-                    phi_83_ = _e41;
-                    phi_106_ = type_9(0u, type_9().member_1);
+                    phi_84_ = _e41;
+                    phi_107_ = type_9(0u, type_9().member_1);
                 }
-                let _e54 = phi_83_;
-                let _e56 = phi_106_;
+                let _e54 = phi_84_;
+                let _e56 = phi_107_;
                 let _e60 = (bitcast<i32>(_e56.member) != 0i);
                 if _e60 {
                     if (_e56.member_1 < 16u) {
                     } else {
-                        phi_634_ = true;
+                        phi_635_ = true;
                         break;
                     }
                     let _e62 = (_e30 % 64u);
                     if (_e62 < 64u) {
                     } else {
-                        phi_634_ = true;
+                        phi_635_ = true;
                         break;
                     }
                     global_4[_e56.member_1][_e62] = 0u;
                 }
                 continue;
                 continuing {
-                    phi_82_ = _e54;
-                    phi_634_ = false;
+                    phi_83_ = _e54;
+                    phi_635_ = false;
                     break if !(_e60);
                 }
             }
-            let _e68 = phi_634_;
+            let _e68 = phi_635_;
             if _e68 {
                 break;
             }
@@ -119,36 +119,36 @@ fn function_() {
             let _e77 = select(_e32, _e75, (_e75 < _e32));
             let _e78 = (_e32 - _e77);
             let _e82 = type_9(_e77, (_e77 + select(16u, _e78, (_e78 < 16u))));
-            phi_148_ = _e82;
+            phi_149_ = _e82;
             loop {
-                let _e84 = phi_148_;
+                let _e84 = phi_149_;
                 if (_e84.member < _e84.member_1) {
-                    phi_149_ = type_9((_e84.member + 1u), _e84.member_1);
-                    phi_172_ = type_9(1u, _e84.member);
+                    phi_150_ = type_9((_e84.member + 1u), _e84.member_1);
+                    phi_173_ = type_9(1u, _e84.member);
                 } else {
-                    phi_149_ = _e84;
-                    phi_172_ = type_9(0u, type_9().member_1);
+                    phi_150_ = _e84;
+                    phi_173_ = type_9(0u, type_9().member_1);
                 }
-                let _e97 = phi_149_;
-                let _e99 = phi_172_;
+                let _e97 = phi_150_;
+                let _e99 = phi_173_;
                 let _e103 = (bitcast<i32>(_e99.member) != 0i);
                 if _e103 {
                     if (_e99.member_1 < _e32) {
                     } else {
-                        phi_638_ = true;
+                        phi_639_ = true;
                         break;
                     }
                     let _e107 = global_3.member[_e99.member_1];
                     let _e113 = (((_e107[0] >> bitcast<u32>((_e39 & 31u))) & 15u) % 16u);
                     if (_e113 < 16u) {
                     } else {
-                        phi_638_ = true;
+                        phi_639_ = true;
                         break;
                     }
                     let _e115 = (_e30 % 64u);
                     if (_e115 < 64u) {
                     } else {
-                        phi_638_ = true;
+                        phi_639_ = true;
                         break;
                     }
                     let _e119 = global_4[_e113][_e115];
@@ -156,112 +156,112 @@ fn function_() {
                 }
                 continue;
                 continuing {
-                    phi_148_ = _e97;
-                    phi_638_ = _e68;
+                    phi_149_ = _e97;
+                    phi_639_ = _e68;
                     break if !(_e103);
                 }
             }
-            let _e123 = phi_638_;
+            let _e123 = phi_639_;
             if _e123 {
                 break;
             }
             workgroupBarrier();
             let _e124 = (_e32 / 1024u);
             if ((_e32 % 1024u) > 0u) {
-                phi_226_ = (_e124 + 1u);
+                phi_227_ = (_e124 + 1u);
             } else {
-                phi_226_ = _e124;
+                phi_227_ = _e124;
             }
-            let _e129 = phi_226_;
+            let _e129 = phi_227_;
             local = array<u32, 16>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
             local_1 = array<u32, 16>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-            phi_233_ = type_9(0u, 16u);
+            phi_234_ = type_9(0u, 16u);
             loop {
-                let _e131 = phi_233_;
+                let _e131 = phi_234_;
                 if (_e131.member < _e131.member_1) {
-                    phi_234_ = type_9((_e131.member + 1u), _e131.member_1);
-                    phi_257_ = type_9(1u, _e131.member);
+                    phi_235_ = type_9((_e131.member + 1u), _e131.member_1);
+                    phi_258_ = type_9(1u, _e131.member);
                 } else {
-                    phi_234_ = _e131;
-                    phi_257_ = type_9(0u, type_9().member_1);
+                    phi_235_ = _e131;
+                    phi_258_ = type_9(0u, type_9().member_1);
                 }
-                let _e144 = phi_234_;
-                let _e146 = phi_257_;
+                let _e144 = phi_235_;
+                let _e146 = phi_258_;
                 let _e150 = (bitcast<i32>(_e146.member) != 0i);
                 if _e150 {
                     let _e151 = (_e146.member_1 < 16u);
                     if _e151 {
                     } else {
-                        phi_644_ = true;
+                        phi_645_ = true;
                         break;
                     }
                     let _e152 = (_e30 % 64u);
                     if (_e152 < 64u) {
                     } else {
-                        phi_644_ = true;
+                        phi_645_ = true;
                         break;
                     }
                     let _e156 = global_4[_e146.member_1][_e152];
                     if _e151 {
                     } else {
-                        phi_644_ = true;
+                        phi_645_ = true;
                         break;
                     }
                     local[_e146.member_1] = _e156;
                 }
                 continue;
                 continuing {
-                    phi_233_ = _e144;
-                    phi_644_ = _e123;
+                    phi_234_ = _e144;
+                    phi_645_ = _e123;
                     break if !(_e150);
                 }
             }
-            let _e160 = phi_644_;
+            let _e160 = phi_645_;
             if _e160 {
                 break;
             }
-            phi_654_ = _e160;
-            phi_287_ = type_9(0u, 6u);
-            phi_290_ = 1u;
+            phi_655_ = _e160;
+            phi_288_ = type_9(0u, 6u);
+            phi_291_ = 1u;
             loop {
-                let _e162 = phi_654_;
-                let _e164 = phi_287_;
-                let _e166 = phi_290_;
+                let _e162 = phi_655_;
+                let _e164 = phi_288_;
+                let _e166 = phi_291_;
                 if (_e164.member < _e164.member_1) {
-                    phi_288_ = type_9((_e164.member + 1u), _e164.member_1);
-                    phi_313_ = type_9(1u, _e164.member);
+                    phi_289_ = type_9((_e164.member + 1u), _e164.member_1);
+                    phi_314_ = type_9(1u, _e164.member);
                 } else {
-                    phi_288_ = _e164;
-                    phi_313_ = type_9(0u, type_9().member_1);
+                    phi_289_ = _e164;
+                    phi_314_ = type_9(0u, type_9().member_1);
                 }
-                let _e179 = phi_288_;
-                let _e181 = phi_313_;
+                let _e179 = phi_289_;
+                let _e181 = phi_314_;
                 let _e184 = (bitcast<i32>(_e181.member) != 0i);
                 if _e184 {
-                    phi_322_ = type_9(0u, 16u);
+                    phi_323_ = type_9(0u, 16u);
                     loop {
-                        let _e186 = phi_322_;
+                        let _e186 = phi_323_;
                         if (_e186.member < _e186.member_1) {
-                            phi_323_ = type_9((_e186.member + 1u), _e186.member_1);
-                            phi_346_ = type_9(1u, _e186.member);
+                            phi_324_ = type_9((_e186.member + 1u), _e186.member_1);
+                            phi_347_ = type_9(1u, _e186.member);
                         } else {
-                            phi_323_ = _e186;
-                            phi_346_ = type_9(0u, type_9().member_1);
+                            phi_324_ = _e186;
+                            phi_347_ = type_9(0u, type_9().member_1);
                         }
-                        let _e199 = phi_323_;
-                        let _e201 = phi_346_;
+                        let _e199 = phi_324_;
+                        let _e201 = phi_347_;
                         let _e205 = (bitcast<i32>(_e201.member) != 0i);
                         if _e205 {
                             let _e206 = (_e201.member_1 < 16u);
                             if _e206 {
                             } else {
-                                phi_649_ = true;
+                                phi_650_ = true;
                                 break;
                             }
                             let _e207 = (_e30 % 64u);
                             if (_e207 < 64u) {
                             } else {
-                                phi_649_ = true;
+                                phi_650_ = true;
                                 break;
                             }
                             let _e211 = global_4[_e201.member_1][_e207];
@@ -269,115 +269,115 @@ fn function_() {
                                 let _e214 = ((_e30 - _e166) % 64u);
                                 if (_e214 < 64u) {
                                 } else {
-                                    phi_649_ = true;
+                                    phi_650_ = true;
                                     break;
                                 }
                                 let _e218 = global_4[_e201.member_1][_e214];
-                                phi_382_ = (_e211 + _e218);
+                                phi_383_ = (_e211 + _e218);
                             } else {
-                                phi_382_ = _e211;
+                                phi_383_ = _e211;
                             }
-                            let _e221 = phi_382_;
+                            let _e221 = phi_383_;
                             if _e206 {
                             } else {
-                                phi_649_ = true;
+                                phi_650_ = true;
                                 break;
                             }
                             local_1[_e201.member_1] = _e221;
                         }
                         continue;
                         continuing {
-                            phi_322_ = _e199;
-                            phi_649_ = _e162;
+                            phi_323_ = _e199;
+                            phi_650_ = _e162;
                             break if !(_e205);
                         }
                     }
-                    let _e225 = phi_649_;
-                    phi_660_ = _e225;
+                    let _e225 = phi_650_;
+                    phi_661_ = _e225;
                     if _e225 {
                         break;
                     }
                     workgroupBarrier();
-                    phi_391_ = type_9(0u, 16u);
+                    phi_392_ = type_9(0u, 16u);
                     loop {
-                        let _e227 = phi_391_;
+                        let _e227 = phi_392_;
                         if (_e227.member < _e227.member_1) {
-                            phi_392_ = type_9((_e227.member + 1u), _e227.member_1);
-                            phi_415_ = type_9(1u, _e227.member);
+                            phi_393_ = type_9((_e227.member + 1u), _e227.member_1);
+                            phi_416_ = type_9(1u, _e227.member);
                         } else {
-                            phi_392_ = _e227;
-                            phi_415_ = type_9(0u, type_9().member_1);
+                            phi_393_ = _e227;
+                            phi_416_ = type_9(0u, type_9().member_1);
                         }
-                        let _e240 = phi_392_;
-                        let _e242 = phi_415_;
+                        let _e240 = phi_393_;
+                        let _e242 = phi_416_;
                         let _e246 = (bitcast<i32>(_e242.member) != 0i);
                         if _e246 {
                             let _e247 = (_e242.member_1 < 16u);
                             if _e247 {
                             } else {
-                                phi_656_ = true;
+                                phi_657_ = true;
                                 break;
                             }
                             let _e249 = local_1[_e242.member_1];
                             if _e247 {
                             } else {
-                                phi_656_ = true;
+                                phi_657_ = true;
                                 break;
                             }
                             let _e250 = (_e30 % 64u);
                             if (_e250 < 64u) {
                             } else {
-                                phi_656_ = true;
+                                phi_657_ = true;
                                 break;
                             }
                             global_4[_e242.member_1][_e250] = _e249;
                         }
                         continue;
                         continuing {
-                            phi_391_ = _e240;
-                            phi_656_ = _e225;
+                            phi_392_ = _e240;
+                            phi_657_ = _e225;
                             break if !(_e246);
                         }
                     }
-                    let _e256 = phi_656_;
-                    phi_660_ = _e256;
+                    let _e256 = phi_657_;
+                    phi_661_ = _e256;
                     if _e256 {
                         break;
                     }
                     workgroupBarrier();
-                    phi_661_ = _e256;
-                    phi_291_ = (_e166 * 2u);
+                    phi_662_ = _e256;
+                    phi_292_ = (_e166 * 2u);
                 } else {
-                    phi_661_ = _e162;
-                    phi_291_ = u32();
+                    phi_662_ = _e162;
+                    phi_292_ = u32();
                 }
-                let _e259 = phi_661_;
-                let _e261 = phi_291_;
+                let _e259 = phi_662_;
+                let _e261 = phi_292_;
                 continue;
                 continuing {
-                    phi_654_ = _e259;
-                    phi_287_ = _e179;
-                    phi_290_ = _e261;
-                    phi_660_ = _e259;
+                    phi_655_ = _e259;
+                    phi_288_ = _e179;
+                    phi_291_ = _e261;
+                    phi_661_ = _e259;
                     break if !(_e184);
                 }
             }
-            let _e264 = phi_660_;
+            let _e264 = phi_661_;
             if _e264 {
                 break;
             }
-            phi_446_ = type_9(0u, 16u);
+            phi_447_ = type_9(0u, 16u);
             loop {
-                let _e266 = phi_446_;
+                let _e266 = phi_447_;
                 if (_e266.member < _e266.member_1) {
-                    phi_447_ = type_9((_e266.member + 1u), _e266.member_1);
-                    phi_470_ = type_9(1u, _e266.member);
+                    phi_448_ = type_9((_e266.member + 1u), _e266.member_1);
+                    phi_471_ = type_9(1u, _e266.member);
                 } else {
-                    phi_447_ = _e266;
-                    phi_470_ = type_9(0u, type_9().member_1);
+                    phi_448_ = _e266;
+                    phi_471_ = type_9(0u, type_9().member_1);
                 }
-                let _e279 = phi_447_;
-                let _e281 = phi_470_;
+                let _e279 = phi_448_;
+                let _e281 = phi_471_;
                 let _e285 = (bitcast<i32>(_e281.member) != 0i);
                 if _e285 {
                     let _e287 = ((_e281.member_1 * _e129) + _e72);
@@ -385,82 +385,82 @@ fn function_() {
                     if _e288 {
                         if _e288 {
                         } else {
-                            phi_662_ = true;
+                            phi_663_ = true;
                             break;
                         }
                         let _e291 = global_5.member[_e287];
-                        phi_491_ = _e291;
+                        phi_492_ = _e291;
                     } else {
-                        phi_491_ = 0u;
+                        phi_492_ = 0u;
                     }
-                    let _e293 = phi_491_;
+                    let _e293 = phi_492_;
                     let _e294 = (_e281.member_1 < 16u);
                     if _e294 {
                     } else {
-                        phi_662_ = true;
+                        phi_663_ = true;
                         break;
                     }
                     let _e296 = local_1[_e281.member_1];
                     if _e294 {
                     } else {
-                        phi_662_ = true;
+                        phi_663_ = true;
                         break;
                     }
                     let _e298 = local[_e281.member_1];
                     if _e294 {
                     } else {
-                        phi_662_ = true;
+                        phi_663_ = true;
                         break;
                     }
                     let _e301 = (_e30 % 64u);
                     if (_e301 < 64u) {
                     } else {
-                        phi_662_ = true;
+                        phi_663_ = true;
                         break;
                     }
                     global_4[_e281.member_1][_e301] = (_e293 + (_e296 - _e298));
                 }
                 continue;
                 continuing {
-                    phi_446_ = _e279;
-                    phi_662_ = _e264;
+                    phi_447_ = _e279;
+                    phi_663_ = _e264;
                     break if !(_e285);
                 }
             }
-            let _e307 = phi_662_;
+            let _e307 = phi_663_;
             if _e307 {
                 break;
             }
-            phi_544_ = _e82;
+            phi_545_ = _e82;
             loop {
-                let _e309 = phi_544_;
+                let _e309 = phi_545_;
                 if (_e309.member < _e309.member_1) {
-                    phi_545_ = type_9((_e309.member + 1u), _e309.member_1);
-                    phi_568_ = type_9(1u, _e309.member);
+                    phi_546_ = type_9((_e309.member + 1u), _e309.member_1);
+                    phi_569_ = type_9(1u, _e309.member);
                 } else {
-                    phi_545_ = _e309;
-                    phi_568_ = type_9(0u, type_9().member_1);
+                    phi_546_ = _e309;
+                    phi_569_ = type_9(0u, type_9().member_1);
                 }
-                let _e322 = phi_545_;
-                let _e324 = phi_568_;
+                let _e322 = phi_546_;
+                let _e324 = phi_569_;
                 let _e328 = (bitcast<i32>(_e324.member) != 0i);
                 if _e328 {
                     if (_e324.member_1 < _e32) {
                     } else {
-                        phi_667_ = true;
+                        phi_668_ = true;
                         break;
                     }
                     let _e332 = global_3.member[_e324.member_1];
                     let _e338 = (((_e332[0] >> bitcast<u32>((_e39 & 31u))) & 15u) % 16u);
                     if (_e338 < 16u) {
                     } else {
-                        phi_667_ = true;
+                        phi_668_ = true;
                         break;
                     }
                     let _e340 = (_e30 % 64u);
                     if (_e340 < 64u) {
                     } else {
-                        phi_667_ = true;
+                        phi_668_ = true;
                         break;
                     }
                     let _e344 = global_4[_e338][_e340];
@@ -469,7 +469,7 @@ fn function_() {
                     if _e346 {
                         if _e346 {
                         } else {
-                            phi_667_ = true;
+                            phi_668_ = true;
                             break;
                         }
                         global_6.member[_e344] = _e332;
@@ -477,12 +477,12 @@ fn function_() {
                 }
                 continue;
                 continuing {
-                    phi_544_ = _e322;
-                    phi_667_ = _e307;
+                    phi_545_ = _e322;
+                    phi_668_ = _e307;
                     break if !(_e328);
                 }
             }
-            let _e351 = phi_667_;
+            let _e351 = phi_668_;
             if _e351 {
                 break;
             }

@@ -21,26 +21,26 @@ var<storage, read_write> global_2: type_4;
 var<storage, read_write> global_3: type_4;
 
 fn function_() {
-    var phi_65_: type_7;
-    var phi_68_: u32;
     var phi_66_: type_7;
-    var phi_91_: type_7;
-    var phi_122_: u32;
-    var phi_134_: u32;
-    var phi_142_: u32;
-    var phi_149_: i32;
-    var phi_167_: u32;
-    var phi_179_: u32;
-    var phi_187_: u32;
-    var phi_194_: i32;
-    var phi_201_: type_10;
-    var phi_223_: u32;
-    var phi_235_: u32;
-    var phi_243_: u32;
-    var phi_250_: i32;
-    var phi_256_: u32;
     var phi_69_: u32;
-    var phi_277_: bool;
+    var phi_67_: type_7;
+    var phi_92_: type_7;
+    var phi_123_: u32;
+    var phi_135_: u32;
+    var phi_143_: u32;
+    var phi_150_: i32;
+    var phi_168_: u32;
+    var phi_180_: u32;
+    var phi_188_: u32;
+    var phi_195_: i32;
+    var phi_202_: type_10;
+    var phi_224_: u32;
+    var phi_236_: u32;
+    var phi_244_: u32;
+    var phi_251_: i32;
+    var phi_257_: u32;
+    var phi_70_: u32;
+    var phi_278_: bool;
     var local: u32;
     var local_1: u32;
 
@@ -53,22 +53,22 @@ fn function_() {
             if _e33 {
                 let _e34 = (_e32 < arrayLength((&global_3.member)));
                 if _e34 {
-                    phi_65_ = type_7(0u, 32u);
-                    phi_68_ = 0u;
+                    phi_66_ = type_7(0u, 32u);
+                    phi_69_ = 0u;
                     loop {
-                        let _e37 = phi_65_;
-                        let _e39 = phi_68_;
+                        let _e37 = phi_66_;
+                        let _e39 = phi_69_;
                         local = _e39;
                         local_1 = _e39;
                         if (_e37.member < _e37.member_1) {
-                            phi_66_ = type_7((_e37.member + 1u), _e37.member_1);
-                            phi_91_ = type_7(1u, _e37.member);
+                            phi_67_ = type_7((_e37.member + 1u), _e37.member_1);
+                            phi_92_ = type_7(1u, _e37.member);
                         } else {
-                            phi_66_ = _e37;
-                            phi_91_ = type_7(0u, type_7().member_1);
+                            phi_67_ = _e37;
+                            phi_92_ = type_7(0u, type_7().member_1);
                         }
-                        let _e52 = phi_66_;
-                        let _e54 = phi_91_;
+                        let _e52 = phi_67_;
+                        let _e54 = phi_92_;
                         let _e58 = (bitcast<i32>(_e54.member) != 0i);
                         if _e58 {
                             let _e59 = ((_e32 * 32u) + _e54.member_1);
@@ -80,40 +80,40 @@ fn function_() {
                                     if _e62 {
                                         if _e62 {
                                         } else {
-                                            phi_277_ = true;
+                                            phi_278_ = true;
                                             break;
                                         }
                                         let _e65 = global_1.member[_e59];
-                                        phi_122_ = _e65;
+                                        phi_123_ = _e65;
                                     } else {
-                                        phi_122_ = 0u;
+                                        phi_123_ = 0u;
                                     }
-                                    let _e67 = phi_122_;
+                                    let _e67 = phi_123_;
                                     if _e61 {
                                         if _e61 {
                                         } else {
-                                            phi_277_ = true;
+                                            phi_278_ = true;
                                             break;
                                         }
                                         let _e70 = global_1.member[_e60];
-                                        phi_134_ = _e70;
+                                        phi_135_ = _e70;
                                     } else {
-                                        phi_134_ = 0u;
+                                        phi_135_ = 0u;
                                     }
-                                    let _e72 = phi_134_;
+                                    let _e72 = phi_135_;
                                     let _e73 = (_e67 ^ _e72);
                                     let _e74 = (_e73 == 0u);
                                     if _e74 {
-                                        phi_142_ = (_e59 ^ _e60);
+                                        phi_143_ = (_e59 ^ _e60);
                                     } else {
-                                        phi_142_ = _e73;
+                                        phi_143_ = _e73;
                                     }
-                                    let _e77 = phi_142_;
-                                    phi_149_ = (select(0i, 32i, _e74) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e77)), 32u, (_e77 == 0u))));
+                                    let _e77 = phi_143_;
+                                    phi_150_ = (select(0i, 32i, _e74) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e77)), 32u, (_e77 == 0u))));
                                 } else {
-                                    phi_149_ = -1i;
+                                    phi_150_ = -1i;
                                 }
-                                let _e87 = phi_149_;
+                                let _e87 = phi_150_;
                                 let _e88 = (_e59 + 4294967295u);
                                 let _e89 = (_e88 < _e24);
                                 if _e89 {
@@ -121,46 +121,46 @@ fn function_() {
                                     if _e90 {
                                         if _e90 {
                                         } else {
-                                            phi_277_ = true;
+                                            phi_278_ = true;
                                             break;
                                         }
                                         let _e93 = global_1.member[_e59];
-                                        phi_167_ = _e93;
+                                        phi_168_ = _e93;
                                     } else {
-                                        phi_167_ = 0u;
+                                        phi_168_ = 0u;
                                     }
-                                    let _e95 = phi_167_;
+                                    let _e95 = phi_168_;
                                     if _e89 {
                                         if _e89 {
                                         } else {
-                                            phi_277_ = true;
+                                            phi_278_ = true;
                                             break;
                                         }
                                         let _e98 = global_1.member[_e88];
-                                        phi_179_ = _e98;
+                                        phi_180_ = _e98;
                                     } else {
-                                        phi_179_ = 0u;
+                                        phi_180_ = 0u;
                                     }
-                                    let _e100 = phi_179_;
+                                    let _e100 = phi_180_;
                                     let _e101 = (_e95 ^ _e100);
                                     let _e102 = (_e101 == 0u);
                                     if _e102 {
-                                        phi_187_ = (_e59 ^ _e88);
+                                        phi_188_ = (_e59 ^ _e88);
                                     } else {
-                                        phi_187_ = _e101;
+                                        phi_188_ = _e101;
                                     }
-                                    let _e105 = phi_187_;
-                                    phi_194_ = (select(0i, 32i, _e102) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e105)), 32u, (_e105 == 0u))));
+                                    let _e105 = phi_188_;
+                                    phi_195_ = (select(0i, 32i, _e102) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e105)), 32u, (_e105 == 0u))));
                                 } else {
-                                    phi_194_ = -1i;
+                                    phi_195_ = -1i;
                                 }
-                                let _e115 = phi_194_;
+                                let _e115 = phi_195_;
                                 if (_e87 > _e115) {
-                                    phi_201_ = type_10(1i, _e115);
+                                    phi_202_ = type_10(1i, _e115);
                                 } else {
-                                    phi_201_ = type_10(-1i, _e87);
+                                    phi_202_ = type_10(-1i, _e87);
                                 }
-                                let _e120 = phi_201_;
+                                let _e120 = phi_202_;
                                 let _e125 = (_e59 + bitcast<u32>((_e120.member * 4i)));
                                 let _e126 = (_e125 < _e24);
                                 if _e126 {
@@ -168,59 +168,59 @@ fn function_() {
                                     if _e127 {
                                         if _e127 {
                                         } else {
-                                            phi_277_ = true;
+                                            phi_278_ = true;
                                             break;
                                         }
                                         let _e130 = global_1.member[_e59];
-                                        phi_223_ = _e130;
+                                        phi_224_ = _e130;
                                     } else {
-                                        phi_223_ = 0u;
+                                        phi_224_ = 0u;
                                     }
-                                    let _e132 = phi_223_;
+                                    let _e132 = phi_224_;
                                     if _e126 {
                                         if _e126 {
                                         } else {
-                                            phi_277_ = true;
+                                            phi_278_ = true;
                                             break;
                                         }
                                         let _e135 = global_1.member[_e125];
-                                        phi_235_ = _e135;
+                                        phi_236_ = _e135;
                                     } else {
-                                        phi_235_ = 0u;
+                                        phi_236_ = 0u;
                                     }
-                                    let _e137 = phi_235_;
+                                    let _e137 = phi_236_;
                                     let _e138 = (_e132 ^ _e137);
                                     let _e139 = (_e138 == 0u);
                                     if _e139 {
-                                        phi_243_ = (_e59 ^ _e125);
+                                        phi_244_ = (_e59 ^ _e125);
                                     } else {
-                                        phi_243_ = _e138;
+                                        phi_244_ = _e138;
                                     }
-                                    let _e142 = phi_243_;
-                                    phi_250_ = (select(0i, 32i, _e139) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e142)), 32u, (_e142 == 0u))));
+                                    let _e142 = phi_244_;
+                                    phi_251_ = (select(0i, 32i, _e139) + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e142)), 32u, (_e142 == 0u))));
                                 } else {
-                                    phi_250_ = -1i;
+                                    phi_251_ = -1i;
                                 }
-                                let _e152 = phi_250_;
-                                phi_256_ = (_e39 | (select(0u, 1u, (_e152 > _e120.member_1)) << bitcast<u32>((_e54.member_1 & 31u))));
+                                let _e152 = phi_251_;
+                                phi_257_ = (_e39 | (select(0u, 1u, (_e152 > _e120.member_1)) << bitcast<u32>((_e54.member_1 & 31u))));
                             } else {
-                                phi_256_ = _e39;
+                                phi_257_ = _e39;
                             }
-                            let _e160 = phi_256_;
-                            phi_69_ = _e160;
+                            let _e160 = phi_257_;
+                            phi_70_ = _e160;
                         } else {
-                            phi_69_ = u32();
+                            phi_70_ = u32();
                         }
-                        let _e162 = phi_69_;
+                        let _e162 = phi_70_;
                         continue;
                         continuing {
-                            phi_65_ = _e52;
-                            phi_68_ = _e162;
-                            phi_277_ = false;
+                            phi_66_ = _e52;
+                            phi_69_ = _e162;
+                            phi_278_ = false;
                             break if !(_e58);
                         }
                     }
-                    let _e165 = phi_277_;
+                    let _e165 = phi_278_;
                     if _e165 {
                         break;
                     }

@@ -41,84 +41,86 @@ var<storage, read_write> global_4: type_20;
 var<storage, read_write> global_5: type_4;
 
 fn function_() {
-    var phi_140_: u32;
-    var phi_160_: array<u32, 2>;
-    var phi_174_: array<u32, 2>;
-    var phi_189_: u32;
-    var phi_190_: i32;
-    var phi_191_: u32;
-    var phi_198_: i32;
-    var phi_216_: array<u32, 2>;
-    var phi_230_: array<u32, 2>;
-    var phi_245_: u32;
-    var phi_246_: i32;
-    var phi_247_: u32;
-    var phi_254_: i32;
-    var phi_261_: type_23;
-    var phi_267_: type_7;
-    var phi_270_: i32;
-    var phi_268_: type_7;
-    var phi_293_: type_7;
-    var phi_319_: array<u32, 2>;
-    var phi_333_: array<u32, 2>;
-    var phi_348_: u32;
-    var phi_349_: i32;
-    var phi_350_: u32;
-    var phi_357_: i32;
-    var phi_363_: i32;
-    var phi_271_: i32;
-    var phi_365_: bool;
-    var phi_803_: bool;
+    var phi_105_: u32;
+    var phi_126_: u32;
+    var phi_143_: u32;
+    var phi_163_: array<u32, 2>;
+    var phi_177_: array<u32, 2>;
+    var phi_192_: u32;
+    var phi_193_: i32;
+    var phi_194_: u32;
+    var phi_201_: i32;
+    var phi_219_: array<u32, 2>;
+    var phi_233_: array<u32, 2>;
+    var phi_248_: u32;
+    var phi_249_: i32;
+    var phi_250_: u32;
+    var phi_257_: i32;
+    var phi_264_: type_23;
+    var phi_270_: type_7;
+    var phi_273_: i32;
+    var phi_271_: type_7;
+    var phi_296_: type_7;
+    var phi_322_: array<u32, 2>;
+    var phi_336_: array<u32, 2>;
+    var phi_351_: u32;
+    var phi_352_: i32;
+    var phi_353_: u32;
+    var phi_360_: i32;
+    var phi_366_: i32;
+    var phi_274_: i32;
+    var phi_368_: bool;
+    var phi_806_: bool;
     var local: i32;
-    var phi_375_: type_7;
-    var phi_378_: i32;
-    var phi_380_: i32;
-    var phi_376_: type_7;
-    var phi_403_: type_7;
-    var phi_433_: array<u32, 2>;
-    var phi_447_: array<u32, 2>;
-    var phi_462_: u32;
-    var phi_463_: i32;
-    var phi_464_: u32;
-    var phi_471_: i32;
-    var phi_485_: i32;
-    var phi_486_: i32;
-    var phi_379_: i32;
+    var phi_378_: type_7;
     var phi_381_: i32;
-    var phi_488_: bool;
-    var phi_826_: bool;
+    var phi_383_: i32;
+    var phi_379_: type_7;
+    var phi_406_: type_7;
+    var phi_436_: array<u32, 2>;
+    var phi_450_: array<u32, 2>;
+    var phi_465_: u32;
+    var phi_466_: i32;
+    var phi_467_: u32;
+    var phi_474_: i32;
+    var phi_488_: i32;
+    var phi_489_: i32;
+    var phi_382_: i32;
+    var phi_384_: i32;
+    var phi_491_: bool;
+    var phi_830_: bool;
     var local_1: i32;
-    var phi_507_: array<u32, 2>;
-    var phi_521_: array<u32, 2>;
-    var phi_536_: u32;
-    var phi_537_: i32;
-    var phi_538_: u32;
-    var phi_545_: i32;
-    var phi_548_: type_7;
-    var phi_551_: i32;
-    var phi_553_: i32;
-    var phi_549_: type_7;
-    var phi_576_: type_7;
-    var phi_610_: array<u32, 2>;
-    var phi_624_: array<u32, 2>;
-    var phi_639_: u32;
-    var phi_640_: i32;
-    var phi_641_: u32;
-    var phi_648_: i32;
-    var phi_660_: i32;
-    var phi_552_: i32;
-    var phi_661_: bool;
-    var phi_662_: bool;
-    var phi_837_: bool;
-    var phi_802_: bool;
-    var phi_800_: i32;
+    var phi_510_: array<u32, 2>;
+    var phi_524_: array<u32, 2>;
+    var phi_539_: u32;
+    var phi_540_: i32;
+    var phi_541_: u32;
+    var phi_548_: i32;
+    var phi_551_: type_7;
+    var phi_554_: i32;
+    var phi_556_: i32;
+    var phi_552_: type_7;
+    var phi_579_: type_7;
+    var phi_613_: array<u32, 2>;
+    var phi_627_: array<u32, 2>;
+    var phi_642_: u32;
+    var phi_643_: i32;
+    var phi_644_: u32;
+    var phi_651_: i32;
+    var phi_663_: i32;
+    var phi_555_: i32;
+    var phi_664_: bool;
+    var phi_665_: bool;
+    var phi_841_: bool;
+    var phi_805_: bool;
+    var phi_803_: i32;
     var local_2: i32;
-    var phi_700_: u32;
-    var phi_717_: u32;
-    var phi_723_: u32;
-    var phi_742_: u32;
-    var phi_759_: u32;
-    var phi_766_: u32;
+    var phi_703_: u32;
+    var phi_720_: u32;
+    var phi_726_: u32;
+    var phi_745_: u32;
+    var phi_762_: u32;
+    var phi_769_: u32;
     var local_3: i32;
     var local_4: i32;
 
@@ -137,576 +139,585 @@ fn function_() {
                     break;
                 }
                 let _e59 = global_3.member[_e55];
-                let _e61 = ((_e53 & 31u) & 31u);
-                if (((_e59 >> bitcast<u32>(_e61)) & 1u) == 1u) {
+                phi_105_ = _e59;
+            } else {
+                phi_105_ = 0u;
+            }
+            let _e61 = phi_105_;
+            let _e63 = ((_e53 & 31u) & 31u);
+            if (((_e61 >> bitcast<u32>(_e63)) & 1u) == 1u) {
+                if _e56 {
                     if _e56 {
-                        if _e56 {
+                    } else {
+                        break;
+                    }
+                    let _e70 = global_3.member[_e55];
+                    phi_126_ = _e70;
+                } else {
+                    phi_126_ = 0u;
+                }
+                let _e72 = phi_126_;
+                let _e77 = (_e55 < _e45);
+                if _e77 {
+                    if _e77 {
+                    } else {
+                        break;
+                    }
+                    let _e80 = global_1.member[_e55];
+                    phi_143_ = _e80;
+                } else {
+                    phi_143_ = 0u;
+                }
+                let _e82 = phi_143_;
+                let _e84 = (_e82 + countOneBits((_e72 & ~((4294967295u << bitcast<u32>(_e63))))));
+                let _e85 = (_e53 + 1u);
+                let _e86 = (_e85 < _e41);
+                if _e86 {
+                    let _e87 = (_e53 < _e41);
+                    if _e87 {
+                        if _e87 {
                         } else {
                             break;
                         }
+                        let _e90 = global_2.member[_e53];
+                        phi_163_ = _e90;
+                    } else {
+                        phi_163_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e71 = (_e55 < _e45);
-                    if _e71 {
-                        if _e71 {
+                    let _e92 = phi_163_;
+                    if _e86 {
+                        if _e86 {
                         } else {
                             break;
                         }
-                        let _e74 = global_1.member[_e55];
-                        phi_140_ = _e74;
+                        let _e97 = global_2.member[_e85];
+                        phi_177_ = _e97;
                     } else {
-                        phi_140_ = 0u;
+                        phi_177_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e76 = phi_140_;
-                    let _e78 = (_e76 + countOneBits((select(0u, _e59, _e56) & ~((4294967295u << bitcast<u32>(_e61))))));
-                    let _e79 = (_e53 + 1u);
-                    let _e80 = (_e79 < _e41);
-                    if _e80 {
-                        let _e81 = (_e53 < _e41);
-                        if _e81 {
-                            if _e81 {
-                            } else {
-                                break;
-                            }
-                            let _e84 = global_2.member[_e53];
-                            phi_160_ = _e84;
+                    let _e99 = phi_177_;
+                    let _e102 = (_e92[0] ^ _e99[0]);
+                    let _e103 = (_e92[1] ^ _e99[1]);
+                    if (_e102 == 0u) {
+                        let _e105 = (_e103 == 0u);
+                        if _e105 {
+                            phi_192_ = (_e53 ^ _e85);
                         } else {
-                            phi_160_ = array<u32, 2>(0u, 0u);
+                            phi_192_ = _e103;
                         }
-                        let _e86 = phi_160_;
-                        if _e80 {
-                            if _e80 {
-                            } else {
-                                break;
-                            }
-                            let _e91 = global_2.member[_e79];
-                            phi_174_ = _e91;
-                        } else {
-                            phi_174_ = array<u32, 2>(0u, 0u);
-                        }
-                        let _e93 = phi_174_;
-                        let _e96 = (_e86[0] ^ _e93[0]);
-                        let _e97 = (_e86[1] ^ _e93[1]);
-                        if (_e96 == 0u) {
-                            let _e99 = (_e97 == 0u);
-                            if _e99 {
-                                phi_189_ = (_e53 ^ _e79);
-                            } else {
-                                phi_189_ = _e97;
-                            }
-                            let _e102 = phi_189_;
-                            phi_190_ = select(32i, 64i, _e99);
-                            phi_191_ = _e102;
-                        } else {
-                            phi_190_ = 0i;
-                            phi_191_ = _e96;
-                        }
-                        let _e105 = phi_190_;
-                        let _e107 = phi_191_;
-                        phi_198_ = (_e105 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e107)), 32u, (_e107 == 0u))));
+                        let _e108 = phi_192_;
+                        phi_193_ = select(32i, 64i, _e105);
+                        phi_194_ = _e108;
                     } else {
-                        phi_198_ = -1i;
+                        phi_193_ = 0i;
+                        phi_194_ = _e102;
                     }
-                    let _e116 = phi_198_;
-                    let _e117 = (_e53 + 4294967295u);
-                    let _e118 = (_e117 < _e41);
-                    if _e118 {
-                        let _e119 = (_e53 < _e41);
-                        if _e119 {
-                            if _e119 {
-                            } else {
-                                break;
-                            }
-                            let _e122 = global_2.member[_e53];
-                            phi_216_ = _e122;
+                    let _e111 = phi_193_;
+                    let _e113 = phi_194_;
+                    phi_201_ = (_e111 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e113)), 32u, (_e113 == 0u))));
+                } else {
+                    phi_201_ = -1i;
+                }
+                let _e122 = phi_201_;
+                let _e123 = (_e53 + 4294967295u);
+                let _e124 = (_e123 < _e41);
+                if _e124 {
+                    let _e125 = (_e53 < _e41);
+                    if _e125 {
+                        if _e125 {
                         } else {
-                            phi_216_ = array<u32, 2>(0u, 0u);
+                            break;
                         }
-                        let _e124 = phi_216_;
-                        if _e118 {
-                            if _e118 {
-                            } else {
-                                break;
-                            }
-                            let _e129 = global_2.member[_e117];
-                            phi_230_ = _e129;
-                        } else {
-                            phi_230_ = array<u32, 2>(0u, 0u);
-                        }
-                        let _e131 = phi_230_;
-                        let _e134 = (_e124[0] ^ _e131[0]);
-                        let _e135 = (_e124[1] ^ _e131[1]);
-                        if (_e134 == 0u) {
-                            let _e137 = (_e135 == 0u);
-                            if _e137 {
-                                phi_245_ = (_e53 ^ _e117);
-                            } else {
-                                phi_245_ = _e135;
-                            }
-                            let _e140 = phi_245_;
-                            phi_246_ = select(32i, 64i, _e137);
-                            phi_247_ = _e140;
-                        } else {
-                            phi_246_ = 0i;
-                            phi_247_ = _e134;
-                        }
-                        let _e143 = phi_246_;
-                        let _e145 = phi_247_;
-                        phi_254_ = (_e143 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e145)), 32u, (_e145 == 0u))));
+                        let _e128 = global_2.member[_e53];
+                        phi_219_ = _e128;
                     } else {
-                        phi_254_ = -1i;
+                        phi_219_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e154 = phi_254_;
-                    if (_e116 > _e154) {
-                        phi_261_ = type_23(1i, _e154);
-                    } else {
-                        phi_261_ = type_23(-1i, _e116);
-                    }
-                    let _e159 = phi_261_;
-                    phi_267_ = type_7(0u, 31u);
-                    phi_270_ = 4i;
-                    loop {
-                        let _e163 = phi_267_;
-                        let _e165 = phi_270_;
-                        local = _e165;
-                        local_3 = _e165;
-                        if (_e163.member < _e163.member_1) {
-                            phi_268_ = type_7((_e163.member + 1u), _e163.member_1);
-                            phi_293_ = type_7(1u, _e163.member);
+                    let _e130 = phi_219_;
+                    if _e124 {
+                        if _e124 {
                         } else {
-                            phi_268_ = _e163;
-                            phi_293_ = type_7(0u, type_7().member_1);
+                            break;
                         }
-                        let _e178 = phi_268_;
-                        let _e180 = phi_293_;
-                        if (bitcast<i32>(_e180.member) != 0i) {
-                            let _e187 = (_e53 + bitcast<u32>(((2i * _e165) * _e159.member)));
-                            let _e188 = (_e187 < _e41);
-                            if _e188 {
-                                let _e189 = (_e53 < _e41);
-                                if _e189 {
-                                    if _e189 {
+                        let _e135 = global_2.member[_e123];
+                        phi_233_ = _e135;
+                    } else {
+                        phi_233_ = array<u32, 2>(0u, 0u);
+                    }
+                    let _e137 = phi_233_;
+                    let _e140 = (_e130[0] ^ _e137[0]);
+                    let _e141 = (_e130[1] ^ _e137[1]);
+                    if (_e140 == 0u) {
+                        let _e143 = (_e141 == 0u);
+                        if _e143 {
+                            phi_248_ = (_e53 ^ _e123);
+                        } else {
+                            phi_248_ = _e141;
+                        }
+                        let _e146 = phi_248_;
+                        phi_249_ = select(32i, 64i, _e143);
+                        phi_250_ = _e146;
+                    } else {
+                        phi_249_ = 0i;
+                        phi_250_ = _e140;
+                    }
+                    let _e149 = phi_249_;
+                    let _e151 = phi_250_;
+                    phi_257_ = (_e149 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e151)), 32u, (_e151 == 0u))));
+                } else {
+                    phi_257_ = -1i;
+                }
+                let _e160 = phi_257_;
+                if (_e122 > _e160) {
+                    phi_264_ = type_23(1i, _e160);
+                } else {
+                    phi_264_ = type_23(-1i, _e122);
+                }
+                let _e165 = phi_264_;
+                phi_270_ = type_7(0u, 31u);
+                phi_273_ = 4i;
+                loop {
+                    let _e169 = phi_270_;
+                    let _e171 = phi_273_;
+                    local = _e171;
+                    local_3 = _e171;
+                    if (_e169.member < _e169.member_1) {
+                        phi_271_ = type_7((_e169.member + 1u), _e169.member_1);
+                        phi_296_ = type_7(1u, _e169.member);
+                    } else {
+                        phi_271_ = _e169;
+                        phi_296_ = type_7(0u, type_7().member_1);
+                    }
+                    let _e184 = phi_271_;
+                    let _e186 = phi_296_;
+                    if (bitcast<i32>(_e186.member) != 0i) {
+                        let _e193 = (_e53 + bitcast<u32>(((2i * _e171) * _e165.member)));
+                        let _e194 = (_e193 < _e41);
+                        if _e194 {
+                            let _e195 = (_e53 < _e41);
+                            if _e195 {
+                                if _e195 {
+                                } else {
+                                    phi_806_ = true;
+                                    break;
+                                }
+                                let _e198 = global_2.member[_e53];
+                                phi_322_ = _e198;
+                            } else {
+                                phi_322_ = array<u32, 2>(0u, 0u);
+                            }
+                            let _e200 = phi_322_;
+                            if _e194 {
+                                if _e194 {
+                                } else {
+                                    phi_806_ = true;
+                                    break;
+                                }
+                                let _e205 = global_2.member[_e193];
+                                phi_336_ = _e205;
+                            } else {
+                                phi_336_ = array<u32, 2>(0u, 0u);
+                            }
+                            let _e207 = phi_336_;
+                            let _e210 = (_e200[0] ^ _e207[0]);
+                            let _e211 = (_e200[1] ^ _e207[1]);
+                            if (_e210 == 0u) {
+                                let _e213 = (_e211 == 0u);
+                                if _e213 {
+                                    phi_351_ = (_e53 ^ _e193);
+                                } else {
+                                    phi_351_ = _e211;
+                                }
+                                let _e216 = phi_351_;
+                                phi_352_ = select(32i, 64i, _e213);
+                                phi_353_ = _e216;
+                            } else {
+                                phi_352_ = 0i;
+                                phi_353_ = _e210;
+                            }
+                            let _e219 = phi_352_;
+                            let _e221 = phi_353_;
+                            phi_360_ = (_e219 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e221)), 32u, (_e221 == 0u))));
+                        } else {
+                            phi_360_ = -1i;
+                        }
+                        let _e230 = phi_360_;
+                        let _e231 = (_e230 <= _e165.member_1);
+                        if _e231 {
+                            phi_366_ = i32();
+                        } else {
+                            phi_366_ = (_e171 * 2i);
+                        }
+                        let _e234 = phi_366_;
+                        phi_274_ = _e234;
+                        phi_368_ = select(true, false, _e231);
+                    } else {
+                        phi_274_ = i32();
+                        phi_368_ = false;
+                    }
+                    let _e237 = phi_274_;
+                    let _e239 = phi_368_;
+                    continue;
+                    continuing {
+                        phi_270_ = _e184;
+                        phi_273_ = _e237;
+                        phi_806_ = false;
+                        break if !(_e239);
+                    }
+                }
+                let _e242 = phi_806_;
+                if _e242 {
+                    break;
+                }
+                let _e244 = local;
+                phi_378_ = type_7(0u, 31u);
+                phi_381_ = (_e244 / 2i);
+                let _e574 = local_3;
+                phi_383_ = _e574;
+                loop {
+                    let _e247 = phi_378_;
+                    let _e249 = phi_381_;
+                    let _e251 = phi_383_;
+                    local_1 = _e251;
+                    local_4 = _e251;
+                    if (_e247.member < _e247.member_1) {
+                        phi_379_ = type_7((_e247.member + 1u), _e247.member_1);
+                        phi_406_ = type_7(1u, _e247.member);
+                    } else {
+                        phi_379_ = _e247;
+                        phi_406_ = type_7(0u, type_7().member_1);
+                    }
+                    let _e264 = phi_379_;
+                    let _e266 = phi_406_;
+                    if (bitcast<i32>(_e266.member) != 0i) {
+                        let _e270 = (_e249 == 0i);
+                        if _e270 {
+                            phi_488_ = i32();
+                            phi_489_ = i32();
+                        } else {
+                            let _e271 = (_e251 + _e249);
+                            let _e274 = (_e53 + bitcast<u32>((_e271 * _e165.member)));
+                            let _e275 = (_e274 < _e41);
+                            if _e275 {
+                                let _e276 = (_e53 < _e41);
+                                if _e276 {
+                                    if _e276 {
                                     } else {
-                                        phi_803_ = true;
+                                        phi_830_ = true;
                                         break;
                                     }
-                                    let _e192 = global_2.member[_e53];
-                                    phi_319_ = _e192;
+                                    let _e279 = global_2.member[_e53];
+                                    phi_436_ = _e279;
                                 } else {
-                                    phi_319_ = array<u32, 2>(0u, 0u);
+                                    phi_436_ = array<u32, 2>(0u, 0u);
                                 }
-                                let _e194 = phi_319_;
-                                if _e188 {
-                                    if _e188 {
+                                let _e281 = phi_436_;
+                                if _e275 {
+                                    if _e275 {
                                     } else {
-                                        phi_803_ = true;
+                                        phi_830_ = true;
                                         break;
                                     }
-                                    let _e199 = global_2.member[_e187];
-                                    phi_333_ = _e199;
+                                    let _e286 = global_2.member[_e274];
+                                    phi_450_ = _e286;
                                 } else {
-                                    phi_333_ = array<u32, 2>(0u, 0u);
+                                    phi_450_ = array<u32, 2>(0u, 0u);
                                 }
-                                let _e201 = phi_333_;
-                                let _e204 = (_e194[0] ^ _e201[0]);
-                                let _e205 = (_e194[1] ^ _e201[1]);
-                                if (_e204 == 0u) {
-                                    let _e207 = (_e205 == 0u);
-                                    if _e207 {
-                                        phi_348_ = (_e53 ^ _e187);
+                                let _e288 = phi_450_;
+                                let _e291 = (_e281[0] ^ _e288[0]);
+                                let _e292 = (_e281[1] ^ _e288[1]);
+                                if (_e291 == 0u) {
+                                    let _e294 = (_e292 == 0u);
+                                    if _e294 {
+                                        phi_465_ = (_e53 ^ _e274);
                                     } else {
-                                        phi_348_ = _e205;
+                                        phi_465_ = _e292;
                                     }
-                                    let _e210 = phi_348_;
-                                    phi_349_ = select(32i, 64i, _e207);
-                                    phi_350_ = _e210;
+                                    let _e297 = phi_465_;
+                                    phi_466_ = select(32i, 64i, _e294);
+                                    phi_467_ = _e297;
                                 } else {
-                                    phi_349_ = 0i;
-                                    phi_350_ = _e204;
+                                    phi_466_ = 0i;
+                                    phi_467_ = _e291;
                                 }
-                                let _e213 = phi_349_;
-                                let _e215 = phi_350_;
-                                phi_357_ = (_e213 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e215)), 32u, (_e215 == 0u))));
+                                let _e300 = phi_466_;
+                                let _e302 = phi_467_;
+                                phi_474_ = (_e300 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e302)), 32u, (_e302 == 0u))));
                             } else {
-                                phi_357_ = -1i;
+                                phi_474_ = -1i;
                             }
-                            let _e224 = phi_357_;
-                            let _e225 = (_e224 <= _e159.member_1);
-                            if _e225 {
-                                phi_363_ = i32();
-                            } else {
-                                phi_363_ = (_e165 * 2i);
-                            }
-                            let _e228 = phi_363_;
-                            phi_271_ = _e228;
-                            phi_365_ = select(true, false, _e225);
-                        } else {
-                            phi_271_ = i32();
-                            phi_365_ = false;
+                            let _e311 = phi_474_;
+                            phi_488_ = (_e249 / 2i);
+                            phi_489_ = select(_e251, _e271, (_e311 > _e165.member_1));
                         }
-                        let _e231 = phi_271_;
-                        let _e233 = phi_365_;
-                        continue;
-                        continuing {
-                            phi_267_ = _e178;
-                            phi_270_ = _e231;
-                            phi_803_ = false;
-                            break if !(_e233);
-                        }
-                    }
-                    let _e236 = phi_803_;
-                    if _e236 {
-                        break;
-                    }
-                    let _e238 = local;
-                    phi_375_ = type_7(0u, 31u);
-                    phi_378_ = (_e238 / 2i);
-                    let _e566 = local_3;
-                    phi_380_ = _e566;
-                    loop {
-                        let _e241 = phi_375_;
-                        let _e243 = phi_378_;
-                        let _e245 = phi_380_;
-                        local_1 = _e245;
-                        local_4 = _e245;
-                        if (_e241.member < _e241.member_1) {
-                            phi_376_ = type_7((_e241.member + 1u), _e241.member_1);
-                            phi_403_ = type_7(1u, _e241.member);
-                        } else {
-                            phi_376_ = _e241;
-                            phi_403_ = type_7(0u, type_7().member_1);
-                        }
-                        let _e258 = phi_376_;
-                        let _e260 = phi_403_;
-                        if (bitcast<i32>(_e260.member) != 0i) {
-                            let _e264 = (_e243 == 0i);
-                            if _e264 {
-                                phi_485_ = i32();
-                                phi_486_ = i32();
-                            } else {
-                                let _e265 = (_e245 + _e243);
-                                let _e268 = (_e53 + bitcast<u32>((_e265 * _e159.member)));
-                                let _e269 = (_e268 < _e41);
-                                if _e269 {
-                                    let _e270 = (_e53 < _e41);
-                                    if _e270 {
-                                        if _e270 {
-                                        } else {
-                                            phi_826_ = true;
-                                            break;
-                                        }
-                                        let _e273 = global_2.member[_e53];
-                                        phi_433_ = _e273;
-                                    } else {
-                                        phi_433_ = array<u32, 2>(0u, 0u);
-                                    }
-                                    let _e275 = phi_433_;
-                                    if _e269 {
-                                        if _e269 {
-                                        } else {
-                                            phi_826_ = true;
-                                            break;
-                                        }
-                                        let _e280 = global_2.member[_e268];
-                                        phi_447_ = _e280;
-                                    } else {
-                                        phi_447_ = array<u32, 2>(0u, 0u);
-                                    }
-                                    let _e282 = phi_447_;
-                                    let _e285 = (_e275[0] ^ _e282[0]);
-                                    let _e286 = (_e275[1] ^ _e282[1]);
-                                    if (_e285 == 0u) {
-                                        let _e288 = (_e286 == 0u);
-                                        if _e288 {
-                                            phi_462_ = (_e53 ^ _e268);
-                                        } else {
-                                            phi_462_ = _e286;
-                                        }
-                                        let _e291 = phi_462_;
-                                        phi_463_ = select(32i, 64i, _e288);
-                                        phi_464_ = _e291;
-                                    } else {
-                                        phi_463_ = 0i;
-                                        phi_464_ = _e285;
-                                    }
-                                    let _e294 = phi_463_;
-                                    let _e296 = phi_464_;
-                                    phi_471_ = (_e294 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e296)), 32u, (_e296 == 0u))));
-                                } else {
-                                    phi_471_ = -1i;
-                                }
-                                let _e305 = phi_471_;
-                                phi_485_ = (_e243 / 2i);
-                                phi_486_ = select(_e245, _e265, (_e305 > _e159.member_1));
-                            }
-                            let _e310 = phi_485_;
-                            let _e312 = phi_486_;
-                            phi_379_ = _e310;
-                            phi_381_ = _e312;
-                            phi_488_ = select(true, false, _e264);
-                        } else {
-                            phi_379_ = i32();
-                            phi_381_ = i32();
-                            phi_488_ = false;
-                        }
-                        let _e315 = phi_379_;
-                        let _e317 = phi_381_;
-                        let _e319 = phi_488_;
-                        continue;
-                        continuing {
-                            phi_375_ = _e258;
-                            phi_378_ = _e315;
-                            phi_380_ = _e317;
-                            phi_826_ = _e236;
-                            break if !(_e319);
-                        }
-                    }
-                    let _e322 = phi_826_;
-                    if _e322 {
-                        break;
-                    }
-                    let _e324 = local_1;
-                    let _e327 = (_e53 + bitcast<u32>((_e324 * _e159.member)));
-                    let _e328 = (_e327 < _e41);
-                    if _e328 {
-                        let _e329 = (_e53 < _e41);
-                        if _e329 {
-                            if _e329 {
-                            } else {
-                                break;
-                            }
-                            let _e332 = global_2.member[_e53];
-                            phi_507_ = _e332;
-                        } else {
-                            phi_507_ = array<u32, 2>(0u, 0u);
-                        }
-                        let _e334 = phi_507_;
-                        if _e328 {
-                            if _e328 {
-                            } else {
-                                break;
-                            }
-                            let _e339 = global_2.member[_e327];
-                            phi_521_ = _e339;
-                        } else {
-                            phi_521_ = array<u32, 2>(0u, 0u);
-                        }
-                        let _e341 = phi_521_;
-                        let _e344 = (_e334[0] ^ _e341[0]);
-                        let _e345 = (_e334[1] ^ _e341[1]);
-                        if (_e344 == 0u) {
-                            let _e347 = (_e345 == 0u);
-                            if _e347 {
-                                phi_536_ = (_e53 ^ _e327);
-                            } else {
-                                phi_536_ = _e345;
-                            }
-                            let _e350 = phi_536_;
-                            phi_537_ = select(32i, 64i, _e347);
-                            phi_538_ = _e350;
-                        } else {
-                            phi_537_ = 0i;
-                            phi_538_ = _e344;
-                        }
-                        let _e353 = phi_537_;
-                        let _e355 = phi_538_;
-                        phi_545_ = (_e353 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e355)), 32u, (_e355 == 0u))));
+                        let _e316 = phi_488_;
+                        let _e318 = phi_489_;
+                        phi_382_ = _e316;
+                        phi_384_ = _e318;
+                        phi_491_ = select(true, false, _e270);
                     } else {
-                        phi_545_ = -1i;
+                        phi_382_ = i32();
+                        phi_384_ = i32();
+                        phi_491_ = false;
                     }
-                    let _e364 = phi_545_;
-                    phi_548_ = type_7(0u, 32u);
-                    let _e591 = local_4;
-                    phi_551_ = _e591;
-                    phi_553_ = 0i;
-                    loop {
-                        let _e366 = phi_548_;
-                        let _e368 = phi_551_;
-                        let _e370 = phi_553_;
-                        local_2 = _e370;
-                        if (_e366.member < _e366.member_1) {
-                            phi_549_ = type_7((_e366.member + 1u), _e366.member_1);
-                            phi_576_ = type_7(1u, _e366.member);
-                        } else {
-                            phi_549_ = _e366;
-                            phi_576_ = type_7(0u, type_7().member_1);
-                        }
-                        let _e383 = phi_549_;
-                        let _e385 = phi_576_;
-                        if (bitcast<i32>(_e385.member) != 0i) {
-                            let _e390 = ((_e368 + 1i) / 2i);
-                            let _e391 = (_e370 + _e390);
-                            let _e394 = (_e53 + bitcast<u32>((_e391 * _e159.member)));
-                            let _e395 = (_e394 < _e41);
-                            if _e395 {
-                                let _e396 = (_e53 < _e41);
-                                if _e396 {
-                                    if _e396 {
-                                    } else {
-                                        phi_837_ = true;
-                                        phi_802_ = bool();
-                                        phi_800_ = i32();
-                                        break;
-                                    }
-                                    let _e399 = global_2.member[_e53];
-                                    phi_610_ = _e399;
-                                } else {
-                                    phi_610_ = array<u32, 2>(0u, 0u);
-                                }
-                                let _e401 = phi_610_;
-                                if _e395 {
-                                    if _e395 {
-                                    } else {
-                                        phi_837_ = true;
-                                        phi_802_ = bool();
-                                        phi_800_ = i32();
-                                        break;
-                                    }
-                                    let _e406 = global_2.member[_e394];
-                                    phi_624_ = _e406;
-                                } else {
-                                    phi_624_ = array<u32, 2>(0u, 0u);
-                                }
-                                let _e408 = phi_624_;
-                                let _e411 = (_e401[0] ^ _e408[0]);
-                                let _e412 = (_e401[1] ^ _e408[1]);
-                                if (_e411 == 0u) {
-                                    let _e414 = (_e412 == 0u);
-                                    if _e414 {
-                                        phi_639_ = (_e53 ^ _e394);
-                                    } else {
-                                        phi_639_ = _e412;
-                                    }
-                                    let _e417 = phi_639_;
-                                    phi_640_ = select(32i, 64i, _e414);
-                                    phi_641_ = _e417;
-                                } else {
-                                    phi_640_ = 0i;
-                                    phi_641_ = _e411;
-                                }
-                                let _e420 = phi_640_;
-                                let _e422 = phi_641_;
-                                phi_648_ = (_e420 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e422)), 32u, (_e422 == 0u))));
-                            } else {
-                                phi_648_ = -1i;
-                            }
-                            let _e431 = phi_648_;
-                            let _e434 = (_e390 <= 1i);
-                            phi_660_ = select(_e370, _e391, (_e431 > _e364));
-                            phi_552_ = _e390;
-                            phi_661_ = select(true, false, _e434);
-                            phi_662_ = _e434;
-                        } else {
-                            phi_660_ = i32();
-                            phi_552_ = i32();
-                            phi_661_ = false;
-                            phi_662_ = false;
-                        }
-                        let _e437 = phi_660_;
-                        let _e439 = phi_552_;
-                        let _e441 = phi_661_;
-                        let _e443 = phi_662_;
-                        continue;
-                        continuing {
-                            phi_548_ = _e383;
-                            phi_551_ = _e439;
-                            phi_553_ = _e437;
-                            phi_837_ = _e322;
-                            phi_802_ = _e443;
-                            phi_800_ = _e437;
-                            break if !(_e441);
-                        }
+                    let _e321 = phi_382_;
+                    let _e323 = phi_384_;
+                    let _e325 = phi_491_;
+                    continue;
+                    continuing {
+                        phi_378_ = _e264;
+                        phi_381_ = _e321;
+                        phi_383_ = _e323;
+                        phi_830_ = _e242;
+                        break if !(_e325);
                     }
-                    let _e446 = phi_837_;
-                    let _e448 = phi_802_;
-                    let _e450 = phi_800_;
-                    if _e446 {
-                        break;
-                    }
-                    let _e452 = local_2;
-                    let _e454 = (_e159.member > 0i);
-                    let _e455 = select(_e327, _e53, _e454);
-                    let _e456 = select(_e53, _e327, _e454);
-                    let _e462 = ((_e53 + bitcast<u32>((select(_e452, _e450, _e448) * _e159.member))) - select(0u, 1u, (_e159.member < 0i)));
-                    let _e464 = ((_e462 - _e455) + 1u);
-                    if (_e464 > 4u) {
-                        let _e471 = (_e462 >> bitcast<u32>(5i));
-                        let _e472 = (_e471 < _e43);
-                        if _e472 {
-                            if _e472 {
-                            } else {
-                                break;
-                            }
-                            let _e475 = global_3.member[_e471];
-                            phi_700_ = _e475;
+                }
+                let _e328 = phi_830_;
+                if _e328 {
+                    break;
+                }
+                let _e330 = local_1;
+                let _e333 = (_e53 + bitcast<u32>((_e330 * _e165.member)));
+                let _e334 = (_e333 < _e41);
+                if _e334 {
+                    let _e335 = (_e53 < _e41);
+                    if _e335 {
+                        if _e335 {
                         } else {
-                            phi_700_ = 0u;
+                            break;
                         }
-                        let _e477 = phi_700_;
-                        let _e484 = (_e471 < _e45);
-                        if _e484 {
-                            if _e484 {
-                            } else {
-                                break;
-                            }
-                            let _e487 = global_1.member[_e471];
-                            phi_717_ = _e487;
-                        } else {
-                            phi_717_ = 0u;
-                        }
-                        let _e489 = phi_717_;
-                        phi_723_ = (_e489 + countOneBits((_e477 & ~((4294967295u << bitcast<u32>(((_e462 & 31u) & 31u)))))));
+                        let _e338 = global_2.member[_e53];
+                        phi_510_ = _e338;
                     } else {
-                        phi_723_ = ((2147483648u | (_e464 << bitcast<u32>(28u))) | _e455);
+                        phi_510_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e493 = phi_723_;
-                    let _e494 = (_e456 - _e462);
-                    if (_e494 > 4u) {
-                        let _e501 = (_e462 + 1u);
-                        let _e503 = (_e501 >> bitcast<u32>(5i));
-                        let _e504 = (_e503 < _e43);
-                        if _e504 {
-                            if _e504 {
-                            } else {
-                                break;
-                            }
-                            let _e507 = global_3.member[_e503];
-                            phi_742_ = _e507;
+                    let _e340 = phi_510_;
+                    if _e334 {
+                        if _e334 {
                         } else {
-                            phi_742_ = 0u;
+                            break;
                         }
-                        let _e509 = phi_742_;
-                        let _e516 = (_e503 < _e45);
-                        if _e516 {
-                            if _e516 {
-                            } else {
-                                break;
-                            }
-                            let _e519 = global_1.member[_e503];
-                            phi_759_ = _e519;
-                        } else {
-                            phi_759_ = 0u;
-                        }
-                        let _e521 = phi_759_;
-                        phi_766_ = (_e521 + countOneBits((_e509 & ~((4294967295u << bitcast<u32>(((_e501 & 31u) & 31u)))))));
+                        let _e345 = global_2.member[_e333];
+                        phi_524_ = _e345;
                     } else {
-                        phi_766_ = ((2147483648u | (_e494 << bitcast<u32>(28u))) | (_e462 + 1u));
+                        phi_524_ = array<u32, 2>(0u, 0u);
                     }
-                    let _e525 = phi_766_;
-                    let _e527 = (_e78 < arrayLength((&global_4.member)));
-                    if _e527 {
-                        let _e528 = (_e78 < arrayLength((&global_5.member)));
-                        if _e528 {
-                            if _e527 {
-                            } else {
-                                break;
-                            }
-                            global_4.member[_e78] = type_18(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), _e493, _e525, _e455, _e456);
-                            if _e528 {
-                            } else {
-                                break;
-                            }
-                            global_5.member[_e78] = _e462;
+                    let _e347 = phi_524_;
+                    let _e350 = (_e340[0] ^ _e347[0]);
+                    let _e351 = (_e340[1] ^ _e347[1]);
+                    if (_e350 == 0u) {
+                        let _e353 = (_e351 == 0u);
+                        if _e353 {
+                            phi_539_ = (_e53 ^ _e333);
+                        } else {
+                            phi_539_ = _e351;
                         }
+                        let _e356 = phi_539_;
+                        phi_540_ = select(32i, 64i, _e353);
+                        phi_541_ = _e356;
+                    } else {
+                        phi_540_ = 0i;
+                        phi_541_ = _e350;
+                    }
+                    let _e359 = phi_540_;
+                    let _e361 = phi_541_;
+                    phi_548_ = (_e359 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e361)), 32u, (_e361 == 0u))));
+                } else {
+                    phi_548_ = -1i;
+                }
+                let _e370 = phi_548_;
+                phi_551_ = type_7(0u, 32u);
+                let _e599 = local_4;
+                phi_554_ = _e599;
+                phi_556_ = 0i;
+                loop {
+                    let _e372 = phi_551_;
+                    let _e374 = phi_554_;
+                    let _e376 = phi_556_;
+                    local_2 = _e376;
+                    if (_e372.member < _e372.member_1) {
+                        phi_552_ = type_7((_e372.member + 1u), _e372.member_1);
+                        phi_579_ = type_7(1u, _e372.member);
+                    } else {
+                        phi_552_ = _e372;
+                        phi_579_ = type_7(0u, type_7().member_1);
+                    }
+                    let _e389 = phi_552_;
+                    let _e391 = phi_579_;
+                    if (bitcast<i32>(_e391.member) != 0i) {
+                        let _e396 = ((_e374 + 1i) / 2i);
+                        let _e397 = (_e376 + _e396);
+                        let _e400 = (_e53 + bitcast<u32>((_e397 * _e165.member)));
+                        let _e401 = (_e400 < _e41);
+                        if _e401 {
+                            let _e402 = (_e53 < _e41);
+                            if _e402 {
+                                if _e402 {
+                                } else {
+                                    phi_841_ = true;
+                                    phi_805_ = bool();
+                                    phi_803_ = i32();
+                                    break;
+                                }
+                                let _e405 = global_2.member[_e53];
+                                phi_613_ = _e405;
+                            } else {
+                                phi_613_ = array<u32, 2>(0u, 0u);
+                            }
+                            let _e407 = phi_613_;
+                            if _e401 {
+                                if _e401 {
+                                } else {
+                                    phi_841_ = true;
+                                    phi_805_ = bool();
+                                    phi_803_ = i32();
+                                    break;
+                                }
+                                let _e412 = global_2.member[_e400];
+                                phi_627_ = _e412;
+                            } else {
+                                phi_627_ = array<u32, 2>(0u, 0u);
+                            }
+                            let _e414 = phi_627_;
+                            let _e417 = (_e407[0] ^ _e414[0]);
+                            let _e418 = (_e407[1] ^ _e414[1]);
+                            if (_e417 == 0u) {
+                                let _e420 = (_e418 == 0u);
+                                if _e420 {
+                                    phi_642_ = (_e53 ^ _e400);
+                                } else {
+                                    phi_642_ = _e418;
+                                }
+                                let _e423 = phi_642_;
+                                phi_643_ = select(32i, 64i, _e420);
+                                phi_644_ = _e423;
+                            } else {
+                                phi_643_ = 0i;
+                                phi_644_ = _e417;
+                            }
+                            let _e426 = phi_643_;
+                            let _e428 = phi_644_;
+                            phi_651_ = (_e426 + bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e428)), 32u, (_e428 == 0u))));
+                        } else {
+                            phi_651_ = -1i;
+                        }
+                        let _e437 = phi_651_;
+                        let _e440 = (_e396 <= 1i);
+                        phi_663_ = select(_e376, _e397, (_e437 > _e370));
+                        phi_555_ = _e396;
+                        phi_664_ = select(true, false, _e440);
+                        phi_665_ = _e440;
+                    } else {
+                        phi_663_ = i32();
+                        phi_555_ = i32();
+                        phi_664_ = false;
+                        phi_665_ = false;
+                    }
+                    let _e443 = phi_663_;
+                    let _e445 = phi_555_;
+                    let _e447 = phi_664_;
+                    let _e449 = phi_665_;
+                    continue;
+                    continuing {
+                        phi_551_ = _e389;
+                        phi_554_ = _e445;
+                        phi_556_ = _e443;
+                        phi_841_ = _e328;
+                        phi_805_ = _e449;
+                        phi_803_ = _e443;
+                        break if !(_e447);
+                    }
+                }
+                let _e452 = phi_841_;
+                let _e454 = phi_805_;
+                let _e456 = phi_803_;
+                if _e452 {
+                    break;
+                }
+                let _e458 = local_2;
+                let _e460 = (_e165.member > 0i);
+                let _e461 = select(_e333, _e53, _e460);
+                let _e462 = select(_e53, _e333, _e460);
+                let _e468 = ((_e53 + bitcast<u32>((select(_e458, _e456, _e454) * _e165.member))) - select(0u, 1u, (_e165.member < 0i)));
+                let _e470 = ((_e468 - _e461) + 1u);
+                if (_e470 > 4u) {
+                    let _e477 = (_e468 >> bitcast<u32>(5i));
+                    let _e478 = (_e477 < _e43);
+                    if _e478 {
+                        if _e478 {
+                        } else {
+                            break;
+                        }
+                        let _e481 = global_3.member[_e477];
+                        phi_703_ = _e481;
+                    } else {
+                        phi_703_ = 0u;
+                    }
+                    let _e483 = phi_703_;
+                    let _e490 = (_e477 < _e45);
+                    if _e490 {
+                        if _e490 {
+                        } else {
+                            break;
+                        }
+                        let _e493 = global_1.member[_e477];
+                        phi_720_ = _e493;
+                    } else {
+                        phi_720_ = 0u;
+                    }
+                    let _e495 = phi_720_;
+                    phi_726_ = (_e495 + countOneBits((_e483 & ~((4294967295u << bitcast<u32>(((_e468 & 31u) & 31u)))))));
+                } else {
+                    phi_726_ = ((2147483648u | (_e470 << bitcast<u32>(28u))) | _e461);
+                }
+                let _e499 = phi_726_;
+                let _e500 = (_e462 - _e468);
+                if (_e500 > 4u) {
+                    let _e507 = (_e468 + 1u);
+                    let _e509 = (_e507 >> bitcast<u32>(5i));
+                    let _e510 = (_e509 < _e43);
+                    if _e510 {
+                        if _e510 {
+                        } else {
+                            break;
+                        }
+                        let _e513 = global_3.member[_e509];
+                        phi_745_ = _e513;
+                    } else {
+                        phi_745_ = 0u;
+                    }
+                    let _e515 = phi_745_;
+                    let _e522 = (_e509 < _e45);
+                    if _e522 {
+                        if _e522 {
+                        } else {
+                            break;
+                        }
+                        let _e525 = global_1.member[_e509];
+                        phi_762_ = _e525;
+                    } else {
+                        phi_762_ = 0u;
+                    }
+                    let _e527 = phi_762_;
+                    phi_769_ = (_e527 + countOneBits((_e515 & ~((4294967295u << bitcast<u32>(((_e507 & 31u) & 31u)))))));
+                } else {
+                    phi_769_ = ((2147483648u | (_e500 << bitcast<u32>(28u))) | (_e468 + 1u));
+                }
+                let _e531 = phi_769_;
+                let _e533 = (_e84 < arrayLength((&global_4.member)));
+                if _e533 {
+                    let _e534 = (_e84 < arrayLength((&global_5.member)));
+                    if _e534 {
+                        if _e533 {
+                        } else {
+                            break;
+                        }
+                        global_4.member[_e84] = type_18(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), _e499, _e531, _e461, _e462);
+                        if _e534 {
+                        } else {
+                            break;
+                        }
+                        global_5.member[_e84] = _e468;
                     }
                 }
             }

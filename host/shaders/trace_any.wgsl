@@ -20,21 +20,21 @@ struct type_18 {
     member: array<type_16>,
 }
 
-struct type_23 {
+struct type_26 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_24 {
+struct type_27 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
     member_3: f32,
 }
 
-struct type_29 {
+struct type_30 {
     member: array<array<f32, 4>, 3>,
     member_1: u32,
     member_2: u32,
@@ -42,18 +42,18 @@ struct type_29 {
     member_4: u32,
 }
 
-struct type_31 {
-    member: array<type_29>,
+struct type_32 {
+    member: array<type_30>,
 }
 
-struct type_41 {
+struct type_42 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
 struct type_44 {
-    member: array<type_24>,
+    member: array<type_27>,
 }
 
 struct type_46 {
@@ -65,7 +65,7 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_11;
 @group(0) @binding(1) 
-var<storage> global_2: type_31;
+var<storage> global_2: type_32;
 @group(0) @binding(2) 
 var<storage> global_3: type_18;
 @group(0) @binding(3) 
@@ -76,106 +76,106 @@ var<storage, read_write> global_5: type_4;
 fn function_() {
     var local: array<u32, 128>;
     var local_1: array<f32, 128>;
-    var phi_259_: i32;
     var phi_260_: i32;
-    var phi_270_: bool;
-    var phi_280_: u32;
+    var phi_261_: i32;
+    var phi_271_: bool;
     var phi_281_: u32;
-    var phi_283_: bool;
-    var phi_288_: u32;
-    var phi_332_: f32;
-    var phi_338_: f32;
-    var phi_349_: f32;
-    var phi_355_: f32;
-    var phi_378_: f32;
-    var phi_389_: f32;
-    var phi_398_: f32;
-    var phi_404_: f32;
-    var phi_415_: f32;
-    var phi_421_: f32;
-    var phi_444_: f32;
-    var phi_455_: f32;
-    var phi_464_: f32;
-    var phi_470_: f32;
-    var phi_481_: f32;
-    var phi_487_: f32;
-    var phi_510_: f32;
-    var phi_521_: f32;
-    var phi_621_: f32;
+    var phi_282_: u32;
+    var phi_284_: bool;
+    var phi_289_: u32;
+    var phi_333_: f32;
+    var phi_339_: f32;
+    var phi_350_: f32;
+    var phi_356_: f32;
+    var phi_379_: f32;
+    var phi_390_: f32;
+    var phi_399_: f32;
+    var phi_405_: f32;
+    var phi_416_: f32;
+    var phi_422_: f32;
+    var phi_445_: f32;
+    var phi_456_: f32;
+    var phi_465_: f32;
+    var phi_471_: f32;
+    var phi_482_: f32;
+    var phi_488_: f32;
+    var phi_511_: f32;
+    var phi_522_: f32;
     var phi_622_: f32;
-    var phi_1920_: bool;
-    var phi_633_: type_46;
-    var phi_636_: u32;
-    var phi_638_: u32;
-    var phi_640_: bool;
-    var phi_642_: u32;
-    var phi_653_: bool;
-    var phi_683_: u32;
-    var phi_684_: bool;
-    var phi_685_: u32;
-    var phi_1484_: type_41;
-    var phi_1828_: u32;
-    var phi_1854_: u32;
-    var phi_1855_: u32;
-    var phi_1856_: u32;
-    var phi_1858_: u32;
-    var phi_1859_: u32;
-    var phi_1860_: bool;
-    var phi_1869_: u32;
-    var phi_1874_: u32;
-    var phi_1875_: bool;
-    var phi_701_: type_46;
-    var phi_704_: type_7;
-    var phi_705_: type_7;
-    var phi_727_: type_7;
-    var phi_747_: u32;
-    var phi_835_: array<array<f32, 3>, 3>;
-    var phi_1306_: vec3<f32>;
-    var phi_1307_: vec3<f32>;
-    var phi_1338_: bool;
-    var phi_1347_: vec3<f32>;
-    var phi_1387_: type_23;
-    var phi_1389_: type_23;
-    var phi_1390_: bool;
-    var phi_1394_: type_23;
-    var phi_1395_: type_23;
-    var phi_1396_: type_23;
-    var phi_1397_: bool;
-    var phi_1401_: type_23;
-    var phi_1402_: bool;
-    var phi_1406_: type_23;
-    var phi_1407_: bool;
-    var phi_1411_: type_23;
-    var phi_1422_: type_46;
-    var phi_1423_: type_46;
-    var phi_702_: type_46;
-    var phi_1914_: bool;
-    var local_2: type_46;
-    var phi_2025_: bool;
-    var phi_1877_: type_46;
-    var phi_1878_: u32;
-    var phi_1879_: bool;
-    var phi_1880_: u32;
-    var phi_2024_: bool;
-    var phi_1881_: type_46;
-    var phi_1882_: u32;
-    var phi_1883_: u32;
-    var phi_1884_: bool;
-    var phi_1885_: u32;
-    var phi_2023_: bool;
-    var phi_1886_: type_46;
-    var phi_1887_: u32;
-    var phi_1888_: u32;
-    var phi_1889_: bool;
-    var phi_1890_: u32;
-    var phi_2022_: bool;
+    var phi_623_: f32;
+    var phi_1921_: bool;
     var phi_634_: type_46;
     var phi_637_: u32;
     var phi_639_: u32;
     var phi_641_: bool;
     var phi_643_: u32;
-    var phi_1891_: bool;
-    var phi_2021_: bool;
+    var phi_654_: bool;
+    var phi_684_: u32;
+    var phi_685_: bool;
+    var phi_686_: u32;
+    var phi_1485_: type_42;
+    var phi_1829_: u32;
+    var phi_1855_: u32;
+    var phi_1856_: u32;
+    var phi_1857_: u32;
+    var phi_1859_: u32;
+    var phi_1860_: u32;
+    var phi_1861_: bool;
+    var phi_1870_: u32;
+    var phi_1875_: u32;
+    var phi_1876_: bool;
+    var phi_702_: type_46;
+    var phi_705_: type_7;
+    var phi_706_: type_7;
+    var phi_728_: type_7;
+    var phi_748_: u32;
+    var phi_836_: array<array<f32, 3>, 3>;
+    var phi_1307_: vec3<f32>;
+    var phi_1308_: vec3<f32>;
+    var phi_1339_: bool;
+    var phi_1348_: vec3<f32>;
+    var phi_1388_: type_26;
+    var phi_1390_: type_26;
+    var phi_1391_: bool;
+    var phi_1395_: type_26;
+    var phi_1396_: type_26;
+    var phi_1397_: type_26;
+    var phi_1398_: bool;
+    var phi_1402_: type_26;
+    var phi_1403_: bool;
+    var phi_1407_: type_26;
+    var phi_1408_: bool;
+    var phi_1412_: type_26;
+    var phi_1423_: type_46;
+    var phi_1424_: type_46;
+    var phi_703_: type_46;
+    var phi_1915_: bool;
+    var local_2: type_46;
+    var phi_2026_: bool;
+    var phi_1878_: type_46;
+    var phi_1879_: u32;
+    var phi_1880_: bool;
+    var phi_1881_: u32;
+    var phi_2025_: bool;
+    var phi_1882_: type_46;
+    var phi_1883_: u32;
+    var phi_1884_: u32;
+    var phi_1885_: bool;
+    var phi_1886_: u32;
+    var phi_2024_: bool;
+    var phi_1887_: type_46;
+    var phi_1888_: u32;
+    var phi_1889_: u32;
+    var phi_1890_: bool;
+    var phi_1891_: u32;
+    var phi_2023_: bool;
+    var phi_635_: type_46;
+    var phi_638_: u32;
+    var phi_640_: u32;
+    var phi_642_: bool;
+    var phi_644_: u32;
+    var phi_1892_: bool;
+    var phi_2022_: bool;
     var local_3: type_46;
     var local_4: type_46;
 
@@ -219,43 +219,43 @@ fn function_() {
                     if _e153 {
                         let _e156 = (bitcast<u32>(bitcast<f32>(_e128)) & 2147483647u);
                         if (_e156 >= 8388608u) {
-                            phi_259_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
+                            phi_260_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_259_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
+                            phi_260_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
                         }
-                        let _e170 = phi_259_;
-                        phi_260_ = _e170;
+                        let _e170 = phi_260_;
+                        phi_261_ = _e170;
                     } else {
-                        phi_260_ = 0i;
+                        phi_261_ = 0i;
                     }
-                    let _e172 = phi_260_;
+                    let _e172 = phi_261_;
                     let _e173 = (_e89 == _e128);
                     if _e173 {
-                        phi_270_ = true;
+                        phi_271_ = true;
                     } else {
-                        phi_270_ = (_e96 == _e128);
+                        phi_271_ = (_e96 == _e128);
                     }
-                    let _e176 = phi_270_;
+                    let _e176 = phi_271_;
                     let _e177 = select(1u, 0u, _e173);
                     if _e176 {
                         let _e178 = (_e177 + 1u);
-                        phi_280_ = _e178;
                         phi_281_ = _e178;
-                        phi_283_ = select(true, false, (_e178 == 2u));
+                        phi_282_ = _e178;
+                        phi_284_ = select(true, false, (_e178 == 2u));
                     } else {
-                        phi_280_ = u32();
-                        phi_281_ = 0u;
-                        phi_283_ = true;
+                        phi_281_ = u32();
+                        phi_282_ = 0u;
+                        phi_284_ = true;
                     }
-                    let _e182 = phi_280_;
-                    let _e184 = phi_281_;
-                    let _e186 = phi_283_;
+                    let _e182 = phi_281_;
+                    let _e184 = phi_282_;
+                    let _e186 = phi_284_;
                     if _e186 {
-                        phi_288_ = (_e184 + 1u);
+                        phi_289_ = (_e184 + 1u);
                     } else {
-                        phi_288_ = 0u;
+                        phi_289_ = 0u;
                     }
-                    let _e190 = phi_288_;
+                    let _e190 = phi_289_;
                     let _e191 = select(_e182, _e184, _e186);
                     let _e192 = select(_e177, select(2u, _e177, _e176), _e186);
                     let _e193 = (_e79 / 2i);
@@ -268,140 +268,140 @@ fn function_() {
                     let _e221 = global_4.member[_e73].member;
                     let _e222 = (_e191 == 0u);
                     if _e222 {
-                        phi_332_ = _e221[0];
+                        phi_333_ = _e221[0];
                     } else {
-                        phi_332_ = _e221[1];
+                        phi_333_ = _e221[1];
                     }
-                    let _e226 = phi_332_;
+                    let _e226 = phi_333_;
                     let _e227 = (_e191 == 2u);
                     if _e227 {
-                        phi_338_ = _e221[2];
+                        phi_339_ = _e221[2];
                     } else {
-                        phi_338_ = _e226;
+                        phi_339_ = _e226;
                     }
-                    let _e230 = phi_338_;
+                    let _e230 = phi_339_;
                     let _e232 = ((_e230 * _e198) * _e204);
                     let _e233 = global_4.member[_e73].member_2;
                     if _e222 {
-                        phi_349_ = _e233[0];
+                        phi_350_ = _e233[0];
                     } else {
-                        phi_349_ = _e233[1];
+                        phi_350_ = _e233[1];
                     }
-                    let _e237 = phi_349_;
+                    let _e237 = phi_350_;
                     if _e227 {
-                        phi_355_ = _e233[2];
+                        phi_356_ = _e233[2];
                     } else {
-                        phi_355_ = _e237;
+                        phi_356_ = _e237;
                     }
-                    let _e240 = phi_355_;
+                    let _e240 = phi_356_;
                     let _e242 = ((_e240 * _e211) * _e217);
                     let _e246 = (bitcast<f32>((bitcast<u32>(_e242) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e246 {
                         let _e250 = (bitcast<f32>((bitcast<u32>(_e232) & 2147483647u)) * 0.00000011920929f);
-                        phi_378_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
+                        phi_379_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
                     } else {
-                        phi_378_ = 0f;
+                        phi_379_ = 0f;
                     }
-                    let _e254 = phi_378_;
+                    let _e254 = phi_379_;
                     let _e255 = (_e232 + _e254);
                     let _e256 = (_e232 - _e254);
                     let _e257 = select(_e242, 0f, _e246);
                     if _e246 {
-                        phi_389_ = 38685626000000000000000000f;
+                        phi_390_ = 38685626000000000000000000f;
                     } else {
-                        phi_389_ = (1f / _e242);
+                        phi_390_ = (1f / _e242);
                     }
-                    let _e260 = phi_389_;
+                    let _e260 = phi_390_;
                     let _e261 = (_e190 == 0u);
                     if _e261 {
-                        phi_398_ = _e221[0];
+                        phi_399_ = _e221[0];
                     } else {
-                        phi_398_ = _e221[1];
+                        phi_399_ = _e221[1];
                     }
-                    let _e265 = phi_398_;
+                    let _e265 = phi_399_;
                     let _e266 = (_e190 == 2u);
                     if _e266 {
-                        phi_404_ = _e221[2];
+                        phi_405_ = _e221[2];
                     } else {
-                        phi_404_ = _e265;
+                        phi_405_ = _e265;
                     }
-                    let _e269 = phi_404_;
+                    let _e269 = phi_405_;
                     let _e271 = ((_e269 * _e198) * _e204);
                     if _e261 {
-                        phi_415_ = _e233[0];
+                        phi_416_ = _e233[0];
                     } else {
-                        phi_415_ = _e233[1];
+                        phi_416_ = _e233[1];
                     }
-                    let _e275 = phi_415_;
+                    let _e275 = phi_416_;
                     if _e266 {
-                        phi_421_ = _e233[2];
+                        phi_422_ = _e233[2];
                     } else {
-                        phi_421_ = _e275;
+                        phi_422_ = _e275;
                     }
-                    let _e278 = phi_421_;
+                    let _e278 = phi_422_;
                     let _e280 = ((_e278 * _e211) * _e217);
                     let _e284 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e284 {
                         let _e288 = (bitcast<f32>((bitcast<u32>(_e271) & 2147483647u)) * 0.00000011920929f);
-                        phi_444_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
+                        phi_445_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
                     } else {
-                        phi_444_ = 0f;
+                        phi_445_ = 0f;
                     }
-                    let _e292 = phi_444_;
+                    let _e292 = phi_445_;
                     let _e293 = (_e271 + _e292);
                     let _e294 = (_e271 - _e292);
                     let _e295 = select(_e280, 0f, _e284);
                     if _e284 {
-                        phi_455_ = 38685626000000000000000000f;
+                        phi_456_ = 38685626000000000000000000f;
                     } else {
-                        phi_455_ = (1f / _e280);
+                        phi_456_ = (1f / _e280);
                     }
-                    let _e298 = phi_455_;
+                    let _e298 = phi_456_;
                     let _e299 = (_e192 == 0u);
                     if _e299 {
-                        phi_464_ = _e221[0];
+                        phi_465_ = _e221[0];
                     } else {
-                        phi_464_ = _e221[1];
+                        phi_465_ = _e221[1];
                     }
-                    let _e303 = phi_464_;
+                    let _e303 = phi_465_;
                     let _e304 = (_e192 == 2u);
                     if _e304 {
-                        phi_470_ = _e221[2];
+                        phi_471_ = _e221[2];
                     } else {
-                        phi_470_ = _e303;
+                        phi_471_ = _e303;
                     }
-                    let _e307 = phi_470_;
+                    let _e307 = phi_471_;
                     let _e309 = ((_e307 * _e198) * _e204);
                     if _e299 {
-                        phi_481_ = _e233[0];
+                        phi_482_ = _e233[0];
                     } else {
-                        phi_481_ = _e233[1];
+                        phi_482_ = _e233[1];
                     }
-                    let _e313 = phi_481_;
+                    let _e313 = phi_482_;
                     if _e304 {
-                        phi_487_ = _e233[2];
+                        phi_488_ = _e233[2];
                     } else {
-                        phi_487_ = _e313;
+                        phi_488_ = _e313;
                     }
-                    let _e316 = phi_487_;
+                    let _e316 = phi_488_;
                     let _e318 = ((_e316 * _e211) * _e217);
                     let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e322 {
                         let _e326 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_510_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
+                        phi_511_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
                     } else {
-                        phi_510_ = 0f;
+                        phi_511_ = 0f;
                     }
-                    let _e330 = phi_510_;
+                    let _e330 = phi_511_;
                     let _e331 = (_e309 + _e330);
                     let _e332 = (_e309 - _e330);
                     let _e333 = select(_e318, 0f, _e322);
                     if _e322 {
-                        phi_521_ = 38685626000000000000000000f;
+                        phi_522_ = 38685626000000000000000000f;
                     } else {
-                        phi_521_ = (1f / _e318);
+                        phi_522_ = (1f / _e318);
                     }
-                    let _e336 = phi_521_;
+                    let _e336 = phi_522_;
                     let _e339 = bitcast<f32>((bitcast<u32>(_e232) & 2147483647u));
                     let _e342 = bitcast<f32>((bitcast<u32>(_e271) & 2147483647u));
                     let _e344 = select(_e342, _e339, (_e339 > _e342));
@@ -415,106 +415,106 @@ fn function_() {
                         let _e370 = select(340282350000000000000000000000000000000f, _e368, (_e368 < 340282350000000000000000000000000000000f));
                         let _e375 = (((_e147 * _e360) * _e360) * _e367);
                         let _e377 = select(340282350000000000000000000000000000000f, _e375, (_e375 < 340282350000000000000000000000000000000f));
-                        phi_621_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
-                        phi_622_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
+                        phi_622_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
+                        phi_623_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_621_ = 0f;
-                        phi_622_ = 1f;
+                        phi_622_ = 0f;
+                        phi_623_ = 1f;
                     }
-                    let _e381 = phi_621_;
-                    let _e383 = phi_622_;
+                    let _e381 = phi_622_;
+                    let _e383 = phi_623_;
                     local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_1920_ = false;
-                    phi_633_ = type_46(_e381, false);
-                    phi_636_ = select(0u, 2147483648u, (_e63 == 0u));
-                    phi_638_ = ((3u * _e63) + 1u);
-                    phi_640_ = (_e383 <= _e381);
-                    phi_642_ = 0u;
+                    phi_1921_ = false;
+                    phi_634_ = type_46(_e381, false);
+                    phi_637_ = select(0u, 2147483648u, (_e63 == 0u));
+                    phi_639_ = ((3u * _e63) + 1u);
+                    phi_641_ = (_e383 <= _e381);
+                    phi_643_ = 0u;
                     loop {
-                        let _e391 = phi_1920_;
-                        let _e393 = phi_633_;
-                        let _e395 = phi_636_;
-                        let _e397 = phi_638_;
-                        let _e399 = phi_640_;
-                        let _e401 = phi_642_;
+                        let _e391 = phi_1921_;
+                        let _e393 = phi_634_;
+                        let _e395 = phi_637_;
+                        let _e397 = phi_639_;
+                        let _e399 = phi_641_;
+                        let _e401 = phi_643_;
                         local_3 = _e393;
                         if _e399 {
-                            phi_653_ = true;
+                            phi_654_ = true;
                         } else {
-                            phi_653_ = (_e401 > 0u);
+                            phi_654_ = (_e401 > 0u);
                         }
-                        let _e404 = phi_653_;
+                        let _e404 = phi_654_;
                         if _e404 {
                             let _e405 = (_e397 > 0u);
                             if _e405 {
                                 if _e399 {
-                                    phi_683_ = _e395;
-                                    phi_684_ = _e399;
-                                    phi_685_ = _e401;
+                                    phi_684_ = _e395;
+                                    phi_685_ = _e399;
+                                    phi_686_ = _e401;
                                 } else {
                                     let _e406 = (_e401 - 1u);
                                     let _e407 = (_e406 % 128u);
                                     let _e408 = (_e407 < 128u);
                                     if _e408 {
                                     } else {
-                                        phi_2021_ = true;
+                                        phi_2022_ = true;
                                         break;
                                     }
                                     let _e410 = local[_e407];
                                     if _e408 {
                                     } else {
-                                        phi_2021_ = true;
+                                        phi_2022_ = true;
                                         break;
                                     }
                                     let _e412 = local_1[_e407];
-                                    phi_683_ = _e410;
-                                    phi_684_ = (_e412 <= _e393.member);
-                                    phi_685_ = _e406;
+                                    phi_684_ = _e410;
+                                    phi_685_ = (_e412 <= _e393.member);
+                                    phi_686_ = _e406;
                                 }
-                                let _e416 = phi_683_;
-                                let _e418 = phi_684_;
-                                let _e420 = phi_685_;
+                                let _e416 = phi_684_;
+                                let _e418 = phi_685_;
+                                let _e420 = phi_686_;
                                 if _e418 {
                                     let _e424 = (_e416 & 268435455u);
                                     if ((_e416 & 2147483648u) != 0u) {
-                                        phi_701_ = _e393;
-                                        phi_704_ = type_7(_e424, (_e424 + ((_e416 >> bitcast<u32>(28u)) & 7u)));
+                                        phi_702_ = _e393;
+                                        phi_705_ = type_7(_e424, (_e424 + ((_e416 >> bitcast<u32>(28u)) & 7u)));
                                         loop {
-                                            let _e619 = phi_701_;
-                                            let _e621 = phi_704_;
+                                            let _e619 = phi_702_;
+                                            let _e621 = phi_705_;
                                             local_2 = _e619;
                                             local_4 = _e619;
                                             if (_e621.member < _e621.member_1) {
-                                                phi_705_ = type_7((_e621.member + 1u), _e621.member_1);
-                                                phi_727_ = type_7(1u, _e621.member);
+                                                phi_706_ = type_7((_e621.member + 1u), _e621.member_1);
+                                                phi_728_ = type_7(1u, _e621.member);
                                             } else {
-                                                phi_705_ = _e621;
-                                                phi_727_ = type_7(0u, type_7().member_1);
+                                                phi_706_ = _e621;
+                                                phi_728_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e634 = phi_705_;
-                                            let _e636 = phi_727_;
+                                            let _e634 = phi_706_;
+                                            let _e636 = phi_728_;
                                             let _e640 = (bitcast<i32>(_e636.member) != 0i);
                                             if _e640 {
                                                 let _e641 = (_e636.member_1 < _e65);
                                                 if _e641 {
                                                     if _e641 {
                                                     } else {
-                                                        phi_1914_ = true;
+                                                        phi_1915_ = true;
                                                         break;
                                                     }
                                                     let _e645 = global_3.member[_e636.member_1].member_1;
-                                                    phi_747_ = _e645;
+                                                    phi_748_ = _e645;
                                                 } else {
-                                                    phi_747_ = 4294967295u;
+                                                    phi_748_ = 4294967295u;
                                                 }
-                                                let _e647 = phi_747_;
+                                                let _e647 = phi_748_;
                                                 if (_e636.member_1 >= _e65) {
-                                                    phi_835_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_836_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e641 {
                                                     } else {
-                                                        phi_1914_ = true;
+                                                        phi_1915_ = true;
                                                         break;
                                                     }
                                                     let _e649 = (_e191 % 3u);
@@ -522,67 +522,67 @@ fn function_() {
                                                     let _e651 = (_e192 % 3u);
                                                     if (_e649 < 9u) {
                                                     } else {
-                                                        phi_1914_ = true;
+                                                        phi_1915_ = true;
                                                         break;
                                                     }
                                                     let _e657 = global_3.member[_e636.member_1].member[_e649];
                                                     if (_e650 < 9u) {
                                                     } else {
-                                                        phi_1914_ = true;
+                                                        phi_1915_ = true;
                                                         break;
                                                     }
                                                     let _e663 = global_3.member[_e636.member_1].member[_e650];
                                                     if (_e651 < 9u) {
                                                     } else {
-                                                        phi_1914_ = true;
+                                                        phi_1915_ = true;
                                                         break;
                                                     }
                                                     let _e669 = global_3.member[_e636.member_1].member[_e651];
                                                     let _e671 = (3u + _e649);
                                                     if (_e671 < 9u) {
                                                     } else {
-                                                        phi_1914_ = true;
+                                                        phi_1915_ = true;
                                                         break;
                                                     }
                                                     let _e677 = global_3.member[_e636.member_1].member[_e671];
                                                     let _e678 = (3u + _e650);
                                                     if (_e678 < 9u) {
                                                     } else {
-                                                        phi_1914_ = true;
+                                                        phi_1915_ = true;
                                                         break;
                                                     }
                                                     let _e684 = global_3.member[_e636.member_1].member[_e678];
                                                     let _e685 = (3u + _e651);
                                                     if (_e685 < 9u) {
                                                     } else {
-                                                        phi_1914_ = true;
+                                                        phi_1915_ = true;
                                                         break;
                                                     }
                                                     let _e691 = global_3.member[_e636.member_1].member[_e685];
                                                     let _e693 = (6u + _e649);
                                                     if (_e693 < 9u) {
                                                     } else {
-                                                        phi_1914_ = true;
+                                                        phi_1915_ = true;
                                                         break;
                                                     }
                                                     let _e699 = global_3.member[_e636.member_1].member[_e693];
                                                     let _e700 = (6u + _e650);
                                                     if (_e700 < 9u) {
                                                     } else {
-                                                        phi_1914_ = true;
+                                                        phi_1915_ = true;
                                                         break;
                                                     }
                                                     let _e706 = global_3.member[_e636.member_1].member[_e700];
                                                     let _e707 = (6u + _e651);
                                                     if (_e707 < 9u) {
                                                     } else {
-                                                        phi_1914_ = true;
+                                                        phi_1915_ = true;
                                                         break;
                                                     }
                                                     let _e713 = global_3.member[_e636.member_1].member[_e707];
-                                                    phi_835_ = array<array<f32, 3>, 3>(array<f32, 3>(_e657, _e663, _e669), array<f32, 3>(_e677, _e684, _e691), array<f32, 3>(_e699, _e706, _e713));
+                                                    phi_836_ = array<array<f32, 3>, 3>(array<f32, 3>(_e657, _e663, _e669), array<f32, 3>(_e677, _e684, _e691), array<f32, 3>(_e699, _e706, _e713));
                                                 }
-                                                let _e717 = phi_835_;
+                                                let _e717 = phi_836_;
                                                 let _e725 = (_e717[0][2] - _e309);
                                                 let _e728 = (((_e717[0][0] - _e232) * _e333) - (_e725 * _e257));
                                                 let _e731 = (((_e717[0][1] - _e271) * _e333) - (_e725 * _e295));
@@ -609,8 +609,8 @@ fn function_() {
                                                     let _e787 = select(0f, _e785, (_e785 > 0f));
                                                     let _e789 = ((_e779 + _e783) + _e787);
                                                     if (_e789 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1401_ = type_23();
-                                                        phi_1402_ = true;
+                                                        phi_1402_ = type_26();
+                                                        phi_1403_ = true;
                                                     } else {
                                                         let _e792 = select(_e717[1][0], _e717[0][0], (_e717[0][0] < _e717[1][0]));
                                                         let _e796 = select(_e717[1][0], _e717[0][0], (_e717[0][0] > _e717[1][0]));
@@ -637,12 +637,12 @@ fn function_() {
                                                         let _e847 = -(_e828);
                                                         let _e853 = select(_e383, _e838, (_e838 > _e383));
                                                         if (_e853 > (_e846 + (select(_e847, _e830, (_e830 > _e847)) * 0.0000019073523f))) {
-                                                            phi_1396_ = type_23();
-                                                            phi_1397_ = true;
+                                                            phi_1397_ = type_26();
+                                                            phi_1398_ = true;
                                                         } else {
                                                             let _e855 = (_e853 > _e619.member);
                                                             if _e855 {
-                                                                phi_1395_ = type_23();
+                                                                phi_1396_ = type_26();
                                                             } else {
                                                                 let _e859 = (_e717[1][0] - _e717[0][0]);
                                                                 let _e860 = (_e717[1][1] - _e717[0][1]);
@@ -674,30 +674,30 @@ fn function_() {
                                                                 let _e911 = select(_e896, _e883, (_e883 > _e896));
                                                                 let _e913 = select(_e909, _e911, (_e911 > _e909));
                                                                 if (_e883 == _e913) {
-                                                                    phi_1306_ = _e866;
-                                                                    phi_1307_ = _e870;
+                                                                    phi_1307_ = _e866;
+                                                                    phi_1308_ = _e870;
                                                                 } else {
                                                                     let _e916 = vec3((_e896 == _e913));
-                                                                    phi_1306_ = select(_e862, _e870, _e916);
-                                                                    phi_1307_ = select(_e866, _e862, _e916);
+                                                                    phi_1307_ = select(_e862, _e870, _e916);
+                                                                    phi_1308_ = select(_e866, _e862, _e916);
                                                                 }
-                                                                let _e920 = phi_1306_;
-                                                                let _e922 = phi_1307_;
+                                                                let _e920 = phi_1307_;
+                                                                let _e922 = phi_1308_;
                                                                 let _e929 = ((_e920.y * _e922.z) - (_e922.y * _e920.z));
                                                                 let _e934 = ((_e920.z * _e922.x) - (_e922.z * _e920.x));
                                                                 let _e937 = ((_e920.x * _e922.y) - (_e922.x * _e920.y));
                                                                 if (_e779 >= _e783) {
-                                                                    phi_1338_ = select(true, false, (_e779 >= _e787));
+                                                                    phi_1339_ = select(true, false, (_e779 >= _e787));
                                                                 } else {
-                                                                    phi_1338_ = true;
+                                                                    phi_1339_ = true;
                                                                 }
-                                                                let _e942 = phi_1338_;
+                                                                let _e942 = phi_1339_;
                                                                 if _e942 {
-                                                                    phi_1347_ = select(vec3<f32>(_e717[2][0], _e717[2][1], _e717[2][2]), vec3<f32>(_e717[1][0], _e717[1][1], _e717[1][2]), vec3((_e783 >= _e787)));
+                                                                    phi_1348_ = select(vec3<f32>(_e717[2][0], _e717[2][1], _e717[2][2]), vec3<f32>(_e717[1][0], _e717[1][1], _e717[1][2]), vec3((_e783 >= _e787)));
                                                                 } else {
-                                                                    phi_1347_ = vec3<f32>(_e717[0][0], _e717[0][1], _e717[0][2]);
+                                                                    phi_1348_ = vec3<f32>(_e717[0][0], _e717[0][1], _e717[0][2]);
                                                                 }
-                                                                let _e947 = phi_1347_;
+                                                                let _e947 = phi_1348_;
                                                                 let _e964 = ((((_e929 * (_e947.x - _e232)) + (_e934 * (_e947.y - _e271))) + (_e937 * (_e947.z - _e309))) / (((_e929 * _e257) + (_e934 * _e295)) + (_e937 * _e333)));
                                                                 let _e966 = select(_e846, _e964, (_e964 < _e846));
                                                                 let _e968 = select(_e838, _e966, (_e966 > _e838));
@@ -705,124 +705,124 @@ fn function_() {
                                                                     let _e970 = (_e968 <= _e619.member);
                                                                     if _e970 {
                                                                         let _e971 = (1f / _e789);
-                                                                        phi_1387_ = type_23(_e968, (_e783 * _e971), (_e787 * _e971), _e647);
+                                                                        phi_1388_ = type_26(_e968, (_e783 * _e971), (_e787 * _e971), _e647);
                                                                     } else {
-                                                                        phi_1387_ = type_23();
+                                                                        phi_1388_ = type_26();
                                                                     }
-                                                                    let _e976 = phi_1387_;
-                                                                    phi_1389_ = _e976;
-                                                                    phi_1390_ = select(true, false, _e970);
+                                                                    let _e976 = phi_1388_;
+                                                                    phi_1390_ = _e976;
+                                                                    phi_1391_ = select(true, false, _e970);
                                                                 } else {
-                                                                    phi_1389_ = type_23();
-                                                                    phi_1390_ = true;
+                                                                    phi_1390_ = type_26();
+                                                                    phi_1391_ = true;
                                                                 }
-                                                                let _e979 = phi_1389_;
-                                                                let _e981 = phi_1390_;
+                                                                let _e979 = phi_1390_;
+                                                                let _e981 = phi_1391_;
                                                                 if _e981 {
-                                                                    phi_1394_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1395_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1394_ = _e979;
+                                                                    phi_1395_ = _e979;
                                                                 }
-                                                                let _e983 = phi_1394_;
-                                                                phi_1395_ = _e983;
+                                                                let _e983 = phi_1395_;
+                                                                phi_1396_ = _e983;
                                                             }
-                                                            let _e985 = phi_1395_;
-                                                            phi_1396_ = _e985;
-                                                            phi_1397_ = _e855;
+                                                            let _e985 = phi_1396_;
+                                                            phi_1397_ = _e985;
+                                                            phi_1398_ = _e855;
                                                         }
-                                                        let _e987 = phi_1396_;
-                                                        let _e989 = phi_1397_;
-                                                        phi_1401_ = _e987;
-                                                        phi_1402_ = _e989;
+                                                        let _e987 = phi_1397_;
+                                                        let _e989 = phi_1398_;
+                                                        phi_1402_ = _e987;
+                                                        phi_1403_ = _e989;
                                                     }
-                                                    let _e991 = phi_1401_;
-                                                    let _e993 = phi_1402_;
-                                                    phi_1406_ = _e991;
-                                                    phi_1407_ = _e993;
+                                                    let _e991 = phi_1402_;
+                                                    let _e993 = phi_1403_;
+                                                    phi_1407_ = _e991;
+                                                    phi_1408_ = _e993;
                                                 } else {
-                                                    phi_1406_ = type_23();
-                                                    phi_1407_ = true;
+                                                    phi_1407_ = type_26();
+                                                    phi_1408_ = true;
                                                 }
-                                                let _e995 = phi_1406_;
-                                                let _e997 = phi_1407_;
+                                                let _e995 = phi_1407_;
+                                                let _e997 = phi_1408_;
                                                 if _e997 {
-                                                    phi_1411_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1412_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1411_ = _e995;
+                                                    phi_1412_ = _e995;
                                                 }
-                                                let _e999 = phi_1411_;
+                                                let _e999 = phi_1412_;
                                                 if (_e999.member_3 != 4294967295u) {
                                                     if (_e647 != 4294967295u) {
-                                                        phi_1422_ = type_46(_e619.member, true);
+                                                        phi_1423_ = type_46(_e619.member, true);
                                                     } else {
-                                                        phi_1422_ = _e619;
+                                                        phi_1423_ = _e619;
                                                     }
-                                                    let _e1007 = phi_1422_;
-                                                    phi_1423_ = _e1007;
+                                                    let _e1007 = phi_1423_;
+                                                    phi_1424_ = _e1007;
                                                 } else {
-                                                    phi_1423_ = _e619;
+                                                    phi_1424_ = _e619;
                                                 }
-                                                let _e1009 = phi_1423_;
-                                                phi_702_ = _e1009;
+                                                let _e1009 = phi_1424_;
+                                                phi_703_ = _e1009;
                                             } else {
-                                                phi_702_ = type_46();
+                                                phi_703_ = type_46();
                                             }
-                                            let _e1011 = phi_702_;
+                                            let _e1011 = phi_703_;
                                             continue;
                                             continuing {
-                                                phi_701_ = _e1011;
-                                                phi_704_ = _e634;
-                                                phi_1914_ = _e391;
+                                                phi_702_ = _e1011;
+                                                phi_705_ = _e634;
+                                                phi_1915_ = _e391;
                                                 break if !(_e640);
                                             }
                                         }
-                                        let _e1014 = phi_1914_;
-                                        phi_2021_ = _e1014;
+                                        let _e1014 = phi_1915_;
+                                        phi_2022_ = _e1014;
                                         if _e1014 {
                                             break;
                                         }
                                         let _e1016 = local_2;
-                                        phi_2025_ = _e1014;
+                                        phi_2026_ = _e1014;
                                         let _e1154 = local_4;
-                                        phi_1877_ = _e1154;
-                                        phi_1878_ = _e416;
-                                        phi_1879_ = false;
-                                        phi_1880_ = select(_e420, 0u, _e1016.member_1);
+                                        phi_1878_ = _e1154;
+                                        phi_1879_ = _e416;
+                                        phi_1880_ = false;
+                                        phi_1881_ = select(_e420, 0u, _e1016.member_1);
                                     } else {
                                         if (_e416 >= _e63) {
-                                            phi_1484_ = type_41(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1485_ = type_42(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e416 < _e63) {
                                             } else {
-                                                phi_2021_ = true;
+                                                phi_2022_ = true;
                                                 break;
                                             }
                                             let _e430 = (_e191 % 3u);
                                             if (_e430 < 3u) {
                                             } else {
-                                                phi_2021_ = true;
+                                                phi_2022_ = true;
                                                 break;
                                             }
                                             let _e436 = global_2.member[_e416].member[_e430];
                                             let _e442 = (_e190 % 3u);
                                             if (_e442 < 3u) {
                                             } else {
-                                                phi_2021_ = true;
+                                                phi_2022_ = true;
                                                 break;
                                             }
                                             let _e448 = global_2.member[_e416].member[_e442];
                                             let _e454 = (_e192 % 3u);
                                             if (_e454 < 3u) {
                                             } else {
-                                                phi_2021_ = true;
+                                                phi_2022_ = true;
                                                 break;
                                             }
                                             let _e460 = global_2.member[_e416].member[_e454];
                                             let _e470 = global_2.member[_e416].member_1;
                                             let _e474 = global_2.member[_e416].member_2;
-                                            phi_1484_ = type_41(array<vec4<f32>, 3>(vec4<f32>(_e436[0], _e436[1], _e436[2], _e436[3]), vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3])), _e470, _e474);
+                                            phi_1485_ = type_42(array<vec4<f32>, 3>(vec4<f32>(_e436[0], _e436[1], _e436[2], _e436[3]), vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3])), _e470, _e474);
                                         }
-                                        let _e477 = phi_1484_;
+                                        let _e477 = phi_1485_;
                                         let _e489 = ((_e477.member[0].x - _e255) * _e260);
                                         let _e490 = ((_e477.member[0].y - _e255) * _e260);
                                         let _e491 = ((_e477.member[0].z - _e256) * _e260);
@@ -865,152 +865,152 @@ fn function_() {
                                         if _e577 {
                                             if _e578 {
                                                 if _e579 {
-                                                    phi_1828_ = _e477.member_2;
+                                                    phi_1829_ = _e477.member_2;
                                                 } else {
-                                                    phi_1828_ = _e477.member_1;
+                                                    phi_1829_ = _e477.member_1;
                                                 }
-                                                let _e583 = phi_1828_;
+                                                let _e583 = phi_1829_;
                                                 let _e584 = (_e420 % 128u);
                                                 let _e585 = (_e584 < 128u);
                                                 if _e585 {
                                                 } else {
-                                                    phi_2021_ = true;
+                                                    phi_2022_ = true;
                                                     break;
                                                 }
                                                 local[_e584] = _e583;
                                                 if _e585 {
                                                 } else {
-                                                    phi_2021_ = true;
+                                                    phi_2022_ = true;
                                                     break;
                                                 }
                                                 local_1[_e584] = select(_e572, _e570, (_e570 > _e572));
                                                 if _e579 {
-                                                    phi_1854_ = _e477.member_1;
+                                                    phi_1855_ = _e477.member_1;
                                                 } else {
-                                                    phi_1854_ = _e477.member_2;
+                                                    phi_1855_ = _e477.member_2;
                                                 }
-                                                let _e594 = phi_1854_;
-                                                phi_1855_ = _e594;
-                                                phi_1856_ = (_e420 + 1u);
+                                                let _e594 = phi_1855_;
+                                                phi_1856_ = _e594;
+                                                phi_1857_ = (_e420 + 1u);
                                             } else {
-                                                phi_1855_ = u32();
                                                 phi_1856_ = u32();
+                                                phi_1857_ = u32();
                                             }
-                                            let _e596 = phi_1855_;
-                                            let _e598 = phi_1856_;
-                                            phi_1858_ = _e596;
-                                            phi_1859_ = _e598;
-                                            phi_1860_ = select(true, false, _e578);
+                                            let _e596 = phi_1856_;
+                                            let _e598 = phi_1857_;
+                                            phi_1859_ = _e596;
+                                            phi_1860_ = _e598;
+                                            phi_1861_ = select(true, false, _e578);
                                         } else {
-                                            phi_1858_ = u32();
                                             phi_1859_ = u32();
-                                            phi_1860_ = true;
+                                            phi_1860_ = u32();
+                                            phi_1861_ = true;
                                         }
-                                        let _e601 = phi_1858_;
-                                        let _e603 = phi_1859_;
-                                        let _e605 = phi_1860_;
+                                        let _e601 = phi_1859_;
+                                        let _e603 = phi_1860_;
+                                        let _e605 = phi_1861_;
                                         if _e605 {
                                             if _e577 {
-                                                phi_1869_ = _e477.member_1;
+                                                phi_1870_ = _e477.member_1;
                                             } else {
-                                                phi_1869_ = _e477.member_2;
+                                                phi_1870_ = _e477.member_2;
                                             }
-                                            let _e609 = phi_1869_;
-                                            phi_1874_ = _e609;
-                                            phi_1875_ = select(_e578, true, _e577);
+                                            let _e609 = phi_1870_;
+                                            phi_1875_ = _e609;
+                                            phi_1876_ = select(_e578, true, _e577);
                                         } else {
-                                            phi_1874_ = _e601;
-                                            phi_1875_ = _e418;
+                                            phi_1875_ = _e601;
+                                            phi_1876_ = _e418;
                                         }
-                                        let _e612 = phi_1874_;
-                                        let _e614 = phi_1875_;
-                                        phi_2025_ = _e391;
-                                        phi_1877_ = _e393;
-                                        phi_1878_ = _e612;
-                                        phi_1879_ = _e614;
-                                        phi_1880_ = select(_e603, _e420, _e605);
+                                        let _e612 = phi_1875_;
+                                        let _e614 = phi_1876_;
+                                        phi_2026_ = _e391;
+                                        phi_1878_ = _e393;
+                                        phi_1879_ = _e612;
+                                        phi_1880_ = _e614;
+                                        phi_1881_ = select(_e603, _e420, _e605);
                                     }
-                                    let _e1020 = phi_2025_;
-                                    let _e1022 = phi_1877_;
-                                    let _e1024 = phi_1878_;
-                                    let _e1026 = phi_1879_;
-                                    let _e1028 = phi_1880_;
-                                    phi_2024_ = _e1020;
-                                    phi_1881_ = _e1022;
-                                    phi_1882_ = _e1024;
-                                    phi_1883_ = (_e397 - 1u);
-                                    phi_1884_ = _e1026;
-                                    phi_1885_ = _e1028;
+                                    let _e1020 = phi_2026_;
+                                    let _e1022 = phi_1878_;
+                                    let _e1024 = phi_1879_;
+                                    let _e1026 = phi_1880_;
+                                    let _e1028 = phi_1881_;
+                                    phi_2025_ = _e1020;
+                                    phi_1882_ = _e1022;
+                                    phi_1883_ = _e1024;
+                                    phi_1884_ = (_e397 - 1u);
+                                    phi_1885_ = _e1026;
+                                    phi_1886_ = _e1028;
                                 } else {
-                                    phi_2024_ = _e391;
-                                    phi_1881_ = _e393;
-                                    phi_1882_ = _e416;
-                                    phi_1883_ = _e397;
-                                    phi_1884_ = _e418;
-                                    phi_1885_ = _e420;
+                                    phi_2025_ = _e391;
+                                    phi_1882_ = _e393;
+                                    phi_1883_ = _e416;
+                                    phi_1884_ = _e397;
+                                    phi_1885_ = _e418;
+                                    phi_1886_ = _e420;
                                 }
-                                let _e1030 = phi_2024_;
-                                let _e1032 = phi_1881_;
-                                let _e1034 = phi_1882_;
-                                let _e1036 = phi_1883_;
-                                let _e1038 = phi_1884_;
-                                let _e1040 = phi_1885_;
-                                phi_2023_ = _e1030;
-                                phi_1886_ = _e1032;
-                                phi_1887_ = _e1034;
-                                phi_1888_ = _e1036;
-                                phi_1889_ = _e1038;
-                                phi_1890_ = _e1040;
+                                let _e1030 = phi_2025_;
+                                let _e1032 = phi_1882_;
+                                let _e1034 = phi_1883_;
+                                let _e1036 = phi_1884_;
+                                let _e1038 = phi_1885_;
+                                let _e1040 = phi_1886_;
+                                phi_2024_ = _e1030;
+                                phi_1887_ = _e1032;
+                                phi_1888_ = _e1034;
+                                phi_1889_ = _e1036;
+                                phi_1890_ = _e1038;
+                                phi_1891_ = _e1040;
                             } else {
-                                phi_2023_ = _e391;
-                                phi_1886_ = type_46();
-                                phi_1887_ = u32();
+                                phi_2024_ = _e391;
+                                phi_1887_ = type_46();
                                 phi_1888_ = u32();
-                                phi_1889_ = bool();
-                                phi_1890_ = u32();
+                                phi_1889_ = u32();
+                                phi_1890_ = bool();
+                                phi_1891_ = u32();
                             }
-                            let _e1042 = phi_2023_;
-                            let _e1044 = phi_1886_;
-                            let _e1046 = phi_1887_;
-                            let _e1048 = phi_1888_;
-                            let _e1050 = phi_1889_;
-                            let _e1052 = phi_1890_;
-                            phi_2022_ = _e1042;
-                            phi_634_ = _e1044;
-                            phi_637_ = _e1046;
-                            phi_639_ = _e1048;
-                            phi_641_ = _e1050;
-                            phi_643_ = _e1052;
-                            phi_1891_ = _e405;
+                            let _e1042 = phi_2024_;
+                            let _e1044 = phi_1887_;
+                            let _e1046 = phi_1888_;
+                            let _e1048 = phi_1889_;
+                            let _e1050 = phi_1890_;
+                            let _e1052 = phi_1891_;
+                            phi_2023_ = _e1042;
+                            phi_635_ = _e1044;
+                            phi_638_ = _e1046;
+                            phi_640_ = _e1048;
+                            phi_642_ = _e1050;
+                            phi_644_ = _e1052;
+                            phi_1892_ = _e405;
                         } else {
-                            phi_2022_ = _e391;
-                            phi_634_ = type_46();
-                            phi_637_ = u32();
-                            phi_639_ = u32();
-                            phi_641_ = bool();
-                            phi_643_ = u32();
-                            phi_1891_ = false;
+                            phi_2023_ = _e391;
+                            phi_635_ = type_46();
+                            phi_638_ = u32();
+                            phi_640_ = u32();
+                            phi_642_ = bool();
+                            phi_644_ = u32();
+                            phi_1892_ = false;
                         }
-                        let _e1054 = phi_2022_;
-                        let _e1056 = phi_634_;
-                        let _e1058 = phi_637_;
-                        let _e1060 = phi_639_;
-                        let _e1062 = phi_641_;
-                        let _e1064 = phi_643_;
-                        let _e1066 = phi_1891_;
+                        let _e1054 = phi_2023_;
+                        let _e1056 = phi_635_;
+                        let _e1058 = phi_638_;
+                        let _e1060 = phi_640_;
+                        let _e1062 = phi_642_;
+                        let _e1064 = phi_644_;
+                        let _e1066 = phi_1892_;
                         continue;
                         continuing {
-                            phi_1920_ = _e1054;
-                            phi_633_ = _e1056;
-                            phi_636_ = _e1058;
-                            phi_638_ = _e1060;
-                            phi_640_ = _e1062;
-                            phi_642_ = _e1064;
-                            phi_2021_ = _e1054;
+                            phi_1921_ = _e1054;
+                            phi_634_ = _e1056;
+                            phi_637_ = _e1058;
+                            phi_639_ = _e1060;
+                            phi_641_ = _e1062;
+                            phi_643_ = _e1064;
+                            phi_2022_ = _e1054;
                             break if !(_e1066);
                         }
                     }
-                    let _e1069 = phi_2021_;
+                    let _e1069 = phi_2022_;
                     if _e1069 {
                         break;
                     }

@@ -20,21 +20,21 @@ struct type_21 {
     member: array<array<u32, 2>>,
 }
 
-struct type_24 {
+struct type_27 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_25 {
+struct type_28 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
     member_3: f32,
 }
 
-struct type_30 {
+struct type_31 {
     member: array<array<f32, 4>, 3>,
     member_1: u32,
     member_2: u32,
@@ -42,27 +42,27 @@ struct type_30 {
     member_4: u32,
 }
 
-struct type_32 {
-    member: array<type_30>,
+struct type_33 {
+    member: array<type_31>,
 }
 
-struct type_40 {
-    member: type_24,
+struct type_41 {
+    member: type_27,
     member_1: f32,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
 struct type_46 {
-    member: array<type_25>,
+    member: array<type_28>,
 }
 
 struct type_48 {
-    member: type_40,
+    member: type_41,
     member_1: u32,
     member_2: u32,
 }
@@ -71,7 +71,7 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_8;
 @group(0) @binding(1) 
-var<storage> global_2: type_32;
+var<storage> global_2: type_33;
 @group(0) @binding(2) 
 var<storage> global_3: type_15;
 @group(0) @binding(3) 
@@ -82,108 +82,108 @@ var<storage, read_write> global_5: type_21;
 fn function_() {
     var local: array<u32, 128>;
     var local_1: array<f32, 128>;
-    var phi_262_: i32;
     var phi_263_: i32;
-    var phi_273_: bool;
-    var phi_283_: u32;
+    var phi_264_: i32;
+    var phi_274_: bool;
     var phi_284_: u32;
-    var phi_286_: bool;
-    var phi_291_: u32;
-    var phi_335_: f32;
-    var phi_341_: f32;
-    var phi_352_: f32;
-    var phi_358_: f32;
-    var phi_381_: f32;
-    var phi_392_: f32;
-    var phi_401_: f32;
-    var phi_407_: f32;
-    var phi_418_: f32;
-    var phi_424_: f32;
-    var phi_447_: f32;
-    var phi_458_: f32;
-    var phi_467_: f32;
-    var phi_473_: f32;
-    var phi_484_: f32;
-    var phi_490_: f32;
-    var phi_513_: f32;
-    var phi_524_: f32;
-    var phi_624_: f32;
+    var phi_285_: u32;
+    var phi_287_: bool;
+    var phi_292_: u32;
+    var phi_336_: f32;
+    var phi_342_: f32;
+    var phi_353_: f32;
+    var phi_359_: f32;
+    var phi_382_: f32;
+    var phi_393_: f32;
+    var phi_402_: f32;
+    var phi_408_: f32;
+    var phi_419_: f32;
+    var phi_425_: f32;
+    var phi_448_: f32;
+    var phi_459_: f32;
+    var phi_468_: f32;
+    var phi_474_: f32;
+    var phi_485_: f32;
+    var phi_491_: f32;
+    var phi_514_: f32;
+    var phi_525_: f32;
     var phi_625_: f32;
-    var phi_1954_: bool;
-    var phi_637_: type_48;
-    var phi_640_: u32;
-    var phi_642_: u32;
-    var phi_644_: bool;
-    var phi_646_: u32;
-    var phi_657_: bool;
-    var phi_687_: u32;
-    var phi_688_: bool;
-    var phi_689_: u32;
-    var phi_1516_: type_43;
-    var phi_1860_: u32;
-    var phi_1886_: u32;
-    var phi_1887_: u32;
-    var phi_1888_: u32;
-    var phi_1890_: u32;
-    var phi_1891_: u32;
-    var phi_1892_: bool;
-    var phi_1901_: u32;
-    var phi_1906_: u32;
-    var phi_1907_: bool;
-    var phi_705_: type_48;
-    var phi_708_: type_4;
-    var phi_709_: type_4;
-    var phi_731_: type_4;
-    var phi_754_: u32;
-    var phi_842_: array<array<f32, 3>, 3>;
-    var phi_1313_: vec3<f32>;
-    var phi_1314_: vec3<f32>;
-    var phi_1345_: bool;
-    var phi_1354_: vec3<f32>;
-    var phi_1394_: type_24;
-    var phi_1396_: type_24;
-    var phi_1397_: bool;
-    var phi_1401_: type_24;
-    var phi_1402_: type_24;
-    var phi_1403_: type_24;
-    var phi_1404_: bool;
-    var phi_1408_: type_24;
-    var phi_1409_: bool;
-    var phi_1413_: type_24;
-    var phi_1414_: bool;
-    var phi_1418_: type_24;
-    var phi_1443_: bool;
-    var phi_1444_: bool;
-    var phi_1451_: type_48;
-    var phi_1452_: type_48;
-    var phi_1453_: type_48;
-    var phi_706_: type_48;
-    var phi_1948_: bool;
-    var phi_2062_: bool;
-    var phi_1909_: type_48;
-    var phi_1910_: u32;
-    var phi_1911_: bool;
-    var phi_1912_: u32;
-    var phi_2061_: bool;
-    var phi_1913_: type_48;
-    var phi_1914_: u32;
-    var phi_1915_: u32;
-    var phi_1916_: bool;
-    var phi_1917_: u32;
-    var phi_2060_: bool;
-    var phi_1918_: type_48;
-    var phi_1919_: u32;
-    var phi_1920_: u32;
-    var phi_1921_: bool;
-    var phi_1922_: u32;
-    var phi_2059_: bool;
+    var phi_626_: f32;
+    var phi_1955_: bool;
     var phi_638_: type_48;
     var phi_641_: u32;
     var phi_643_: u32;
     var phi_645_: bool;
     var phi_647_: u32;
-    var phi_1923_: bool;
-    var phi_2058_: bool;
+    var phi_658_: bool;
+    var phi_688_: u32;
+    var phi_689_: bool;
+    var phi_690_: u32;
+    var phi_1517_: type_44;
+    var phi_1861_: u32;
+    var phi_1887_: u32;
+    var phi_1888_: u32;
+    var phi_1889_: u32;
+    var phi_1891_: u32;
+    var phi_1892_: u32;
+    var phi_1893_: bool;
+    var phi_1902_: u32;
+    var phi_1907_: u32;
+    var phi_1908_: bool;
+    var phi_706_: type_48;
+    var phi_709_: type_4;
+    var phi_710_: type_4;
+    var phi_732_: type_4;
+    var phi_755_: u32;
+    var phi_843_: array<array<f32, 3>, 3>;
+    var phi_1314_: vec3<f32>;
+    var phi_1315_: vec3<f32>;
+    var phi_1346_: bool;
+    var phi_1355_: vec3<f32>;
+    var phi_1395_: type_27;
+    var phi_1397_: type_27;
+    var phi_1398_: bool;
+    var phi_1402_: type_27;
+    var phi_1403_: type_27;
+    var phi_1404_: type_27;
+    var phi_1405_: bool;
+    var phi_1409_: type_27;
+    var phi_1410_: bool;
+    var phi_1414_: type_27;
+    var phi_1415_: bool;
+    var phi_1419_: type_27;
+    var phi_1444_: bool;
+    var phi_1445_: bool;
+    var phi_1452_: type_48;
+    var phi_1453_: type_48;
+    var phi_1454_: type_48;
+    var phi_707_: type_48;
+    var phi_1949_: bool;
+    var phi_2063_: bool;
+    var phi_1910_: type_48;
+    var phi_1911_: u32;
+    var phi_1912_: bool;
+    var phi_1913_: u32;
+    var phi_2062_: bool;
+    var phi_1914_: type_48;
+    var phi_1915_: u32;
+    var phi_1916_: u32;
+    var phi_1917_: bool;
+    var phi_1918_: u32;
+    var phi_2061_: bool;
+    var phi_1919_: type_48;
+    var phi_1920_: u32;
+    var phi_1921_: u32;
+    var phi_1922_: bool;
+    var phi_1923_: u32;
+    var phi_2060_: bool;
+    var phi_639_: type_48;
+    var phi_642_: u32;
+    var phi_644_: u32;
+    var phi_646_: bool;
+    var phi_648_: u32;
+    var phi_1924_: bool;
+    var phi_2059_: bool;
     var local_2: type_48;
     var local_3: type_48;
     var local_4: type_48;
@@ -228,43 +228,43 @@ fn function_() {
                     if _e153 {
                         let _e156 = (bitcast<u32>(bitcast<f32>(_e128)) & 2147483647u);
                         if (_e156 >= 8388608u) {
-                            phi_262_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
+                            phi_263_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_262_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
+                            phi_263_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
                         }
-                        let _e170 = phi_262_;
-                        phi_263_ = _e170;
+                        let _e170 = phi_263_;
+                        phi_264_ = _e170;
                     } else {
-                        phi_263_ = 0i;
+                        phi_264_ = 0i;
                     }
-                    let _e172 = phi_263_;
+                    let _e172 = phi_264_;
                     let _e173 = (_e89 == _e128);
                     if _e173 {
-                        phi_273_ = true;
+                        phi_274_ = true;
                     } else {
-                        phi_273_ = (_e96 == _e128);
+                        phi_274_ = (_e96 == _e128);
                     }
-                    let _e176 = phi_273_;
+                    let _e176 = phi_274_;
                     let _e177 = select(1u, 0u, _e173);
                     if _e176 {
                         let _e178 = (_e177 + 1u);
-                        phi_283_ = _e178;
                         phi_284_ = _e178;
-                        phi_286_ = select(true, false, (_e178 == 2u));
+                        phi_285_ = _e178;
+                        phi_287_ = select(true, false, (_e178 == 2u));
                     } else {
-                        phi_283_ = u32();
-                        phi_284_ = 0u;
-                        phi_286_ = true;
+                        phi_284_ = u32();
+                        phi_285_ = 0u;
+                        phi_287_ = true;
                     }
-                    let _e182 = phi_283_;
-                    let _e184 = phi_284_;
-                    let _e186 = phi_286_;
+                    let _e182 = phi_284_;
+                    let _e184 = phi_285_;
+                    let _e186 = phi_287_;
                     if _e186 {
-                        phi_291_ = (_e184 + 1u);
+                        phi_292_ = (_e184 + 1u);
                     } else {
-                        phi_291_ = 0u;
+                        phi_292_ = 0u;
                     }
-                    let _e190 = phi_291_;
+                    let _e190 = phi_292_;
                     let _e191 = select(_e182, _e184, _e186);
                     let _e192 = select(_e177, select(2u, _e177, _e176), _e186);
                     let _e193 = (_e79 / 2i);
@@ -277,140 +277,140 @@ fn function_() {
                     let _e221 = global_4.member[_e73].member;
                     let _e222 = (_e191 == 0u);
                     if _e222 {
-                        phi_335_ = _e221[0];
+                        phi_336_ = _e221[0];
                     } else {
-                        phi_335_ = _e221[1];
+                        phi_336_ = _e221[1];
                     }
-                    let _e226 = phi_335_;
+                    let _e226 = phi_336_;
                     let _e227 = (_e191 == 2u);
                     if _e227 {
-                        phi_341_ = _e221[2];
+                        phi_342_ = _e221[2];
                     } else {
-                        phi_341_ = _e226;
+                        phi_342_ = _e226;
                     }
-                    let _e230 = phi_341_;
+                    let _e230 = phi_342_;
                     let _e232 = ((_e230 * _e198) * _e204);
                     let _e233 = global_4.member[_e73].member_2;
                     if _e222 {
-                        phi_352_ = _e233[0];
+                        phi_353_ = _e233[0];
                     } else {
-                        phi_352_ = _e233[1];
+                        phi_353_ = _e233[1];
                     }
-                    let _e237 = phi_352_;
+                    let _e237 = phi_353_;
                     if _e227 {
-                        phi_358_ = _e233[2];
+                        phi_359_ = _e233[2];
                     } else {
-                        phi_358_ = _e237;
+                        phi_359_ = _e237;
                     }
-                    let _e240 = phi_358_;
+                    let _e240 = phi_359_;
                     let _e242 = ((_e240 * _e211) * _e217);
                     let _e246 = (bitcast<f32>((bitcast<u32>(_e242) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e246 {
                         let _e250 = (bitcast<f32>((bitcast<u32>(_e232) & 2147483647u)) * 0.00000011920929f);
-                        phi_381_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
+                        phi_382_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
                     } else {
-                        phi_381_ = 0f;
+                        phi_382_ = 0f;
                     }
-                    let _e254 = phi_381_;
+                    let _e254 = phi_382_;
                     let _e255 = (_e232 + _e254);
                     let _e256 = (_e232 - _e254);
                     let _e257 = select(_e242, 0f, _e246);
                     if _e246 {
-                        phi_392_ = 38685626000000000000000000f;
+                        phi_393_ = 38685626000000000000000000f;
                     } else {
-                        phi_392_ = (1f / _e242);
+                        phi_393_ = (1f / _e242);
                     }
-                    let _e260 = phi_392_;
+                    let _e260 = phi_393_;
                     let _e261 = (_e190 == 0u);
                     if _e261 {
-                        phi_401_ = _e221[0];
+                        phi_402_ = _e221[0];
                     } else {
-                        phi_401_ = _e221[1];
+                        phi_402_ = _e221[1];
                     }
-                    let _e265 = phi_401_;
+                    let _e265 = phi_402_;
                     let _e266 = (_e190 == 2u);
                     if _e266 {
-                        phi_407_ = _e221[2];
+                        phi_408_ = _e221[2];
                     } else {
-                        phi_407_ = _e265;
+                        phi_408_ = _e265;
                     }
-                    let _e269 = phi_407_;
+                    let _e269 = phi_408_;
                     let _e271 = ((_e269 * _e198) * _e204);
                     if _e261 {
-                        phi_418_ = _e233[0];
+                        phi_419_ = _e233[0];
                     } else {
-                        phi_418_ = _e233[1];
+                        phi_419_ = _e233[1];
                     }
-                    let _e275 = phi_418_;
+                    let _e275 = phi_419_;
                     if _e266 {
-                        phi_424_ = _e233[2];
+                        phi_425_ = _e233[2];
                     } else {
-                        phi_424_ = _e275;
+                        phi_425_ = _e275;
                     }
-                    let _e278 = phi_424_;
+                    let _e278 = phi_425_;
                     let _e280 = ((_e278 * _e211) * _e217);
                     let _e284 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e284 {
                         let _e288 = (bitcast<f32>((bitcast<u32>(_e271) & 2147483647u)) * 0.00000011920929f);
-                        phi_447_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
+                        phi_448_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
                     } else {
-                        phi_447_ = 0f;
+                        phi_448_ = 0f;
                     }
-                    let _e292 = phi_447_;
+                    let _e292 = phi_448_;
                     let _e293 = (_e271 + _e292);
                     let _e294 = (_e271 - _e292);
                     let _e295 = select(_e280, 0f, _e284);
                     if _e284 {
-                        phi_458_ = 38685626000000000000000000f;
+                        phi_459_ = 38685626000000000000000000f;
                     } else {
-                        phi_458_ = (1f / _e280);
+                        phi_459_ = (1f / _e280);
                     }
-                    let _e298 = phi_458_;
+                    let _e298 = phi_459_;
                     let _e299 = (_e192 == 0u);
                     if _e299 {
-                        phi_467_ = _e221[0];
+                        phi_468_ = _e221[0];
                     } else {
-                        phi_467_ = _e221[1];
+                        phi_468_ = _e221[1];
                     }
-                    let _e303 = phi_467_;
+                    let _e303 = phi_468_;
                     let _e304 = (_e192 == 2u);
                     if _e304 {
-                        phi_473_ = _e221[2];
+                        phi_474_ = _e221[2];
                     } else {
-                        phi_473_ = _e303;
+                        phi_474_ = _e303;
                     }
-                    let _e307 = phi_473_;
+                    let _e307 = phi_474_;
                     let _e309 = ((_e307 * _e198) * _e204);
                     if _e299 {
-                        phi_484_ = _e233[0];
+                        phi_485_ = _e233[0];
                     } else {
-                        phi_484_ = _e233[1];
+                        phi_485_ = _e233[1];
                     }
-                    let _e313 = phi_484_;
+                    let _e313 = phi_485_;
                     if _e304 {
-                        phi_490_ = _e233[2];
+                        phi_491_ = _e233[2];
                     } else {
-                        phi_490_ = _e313;
+                        phi_491_ = _e313;
                     }
-                    let _e316 = phi_490_;
+                    let _e316 = phi_491_;
                     let _e318 = ((_e316 * _e211) * _e217);
                     let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e322 {
                         let _e326 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_513_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
+                        phi_514_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
                     } else {
-                        phi_513_ = 0f;
+                        phi_514_ = 0f;
                     }
-                    let _e330 = phi_513_;
+                    let _e330 = phi_514_;
                     let _e331 = (_e309 + _e330);
                     let _e332 = (_e309 - _e330);
                     let _e333 = select(_e318, 0f, _e322);
                     if _e322 {
-                        phi_524_ = 38685626000000000000000000f;
+                        phi_525_ = 38685626000000000000000000f;
                     } else {
-                        phi_524_ = (1f / _e318);
+                        phi_525_ = (1f / _e318);
                     }
-                    let _e336 = phi_524_;
+                    let _e336 = phi_525_;
                     let _e339 = bitcast<f32>((bitcast<u32>(_e232) & 2147483647u));
                     let _e342 = bitcast<f32>((bitcast<u32>(_e271) & 2147483647u));
                     let _e344 = select(_e342, _e339, (_e339 > _e342));
@@ -424,85 +424,85 @@ fn function_() {
                         let _e370 = select(340282350000000000000000000000000000000f, _e368, (_e368 < 340282350000000000000000000000000000000f));
                         let _e375 = (((_e147 * _e360) * _e360) * _e367);
                         let _e377 = select(340282350000000000000000000000000000000f, _e375, (_e375 < 340282350000000000000000000000000000000f));
-                        phi_624_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
-                        phi_625_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
+                        phi_625_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
+                        phi_626_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_624_ = 0f;
-                        phi_625_ = 1f;
+                        phi_625_ = 0f;
+                        phi_626_ = 1f;
                     }
-                    let _e381 = phi_624_;
-                    let _e383 = phi_625_;
+                    let _e381 = phi_625_;
+                    let _e383 = phi_626_;
                     local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_1954_ = false;
-                    phi_637_ = type_48(type_40(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e381), 0u, 0u);
-                    phi_640_ = select(0u, 2147483648u, (_e63 == 0u));
-                    phi_642_ = ((3u * _e63) + 1u);
-                    phi_644_ = (_e383 <= _e381);
-                    phi_646_ = 0u;
+                    phi_1955_ = false;
+                    phi_638_ = type_48(type_41(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e381), 0u, 0u);
+                    phi_641_ = select(0u, 2147483648u, (_e63 == 0u));
+                    phi_643_ = ((3u * _e63) + 1u);
+                    phi_645_ = (_e383 <= _e381);
+                    phi_647_ = 0u;
                     loop {
-                        let _e392 = phi_1954_;
-                        let _e394 = phi_637_;
-                        let _e396 = phi_640_;
-                        let _e398 = phi_642_;
-                        let _e400 = phi_644_;
-                        let _e402 = phi_646_;
+                        let _e392 = phi_1955_;
+                        let _e394 = phi_638_;
+                        let _e396 = phi_641_;
+                        let _e398 = phi_643_;
+                        let _e400 = phi_645_;
+                        let _e402 = phi_647_;
                         local_2 = _e394;
                         local_3 = _e394;
                         if _e400 {
-                            phi_657_ = true;
+                            phi_658_ = true;
                         } else {
-                            phi_657_ = (_e402 > 0u);
+                            phi_658_ = (_e402 > 0u);
                         }
-                        let _e405 = phi_657_;
+                        let _e405 = phi_658_;
                         if _e405 {
                             let _e406 = (_e398 > 0u);
                             if _e406 {
                                 if _e400 {
-                                    phi_687_ = _e396;
-                                    phi_688_ = _e400;
-                                    phi_689_ = _e402;
+                                    phi_688_ = _e396;
+                                    phi_689_ = _e400;
+                                    phi_690_ = _e402;
                                 } else {
                                     let _e407 = (_e402 - 1u);
                                     let _e408 = (_e407 % 128u);
                                     let _e409 = (_e408 < 128u);
                                     if _e409 {
                                     } else {
-                                        phi_2058_ = true;
+                                        phi_2059_ = true;
                                         break;
                                     }
                                     let _e411 = local[_e408];
                                     if _e409 {
                                     } else {
-                                        phi_2058_ = true;
+                                        phi_2059_ = true;
                                         break;
                                     }
                                     let _e413 = local_1[_e408];
-                                    phi_687_ = _e411;
-                                    phi_688_ = (_e413 <= _e394.member.member_1);
-                                    phi_689_ = _e407;
+                                    phi_688_ = _e411;
+                                    phi_689_ = (_e413 <= _e394.member.member_1);
+                                    phi_690_ = _e407;
                                 }
-                                let _e418 = phi_687_;
-                                let _e420 = phi_688_;
-                                let _e422 = phi_689_;
+                                let _e418 = phi_688_;
+                                let _e420 = phi_689_;
+                                let _e422 = phi_690_;
                                 if _e420 {
                                     let _e426 = (_e418 & 268435455u);
                                     if ((_e418 & 2147483648u) != 0u) {
-                                        phi_705_ = _e394;
-                                        phi_708_ = type_4(_e426, (_e426 + ((_e418 >> bitcast<u32>(28u)) & 7u)));
+                                        phi_706_ = _e394;
+                                        phi_709_ = type_4(_e426, (_e426 + ((_e418 >> bitcast<u32>(28u)) & 7u)));
                                         loop {
-                                            let _e628 = phi_705_;
-                                            let _e630 = phi_708_;
+                                            let _e628 = phi_706_;
+                                            let _e630 = phi_709_;
                                             local_4 = _e628;
                                             if (_e630.member < _e630.member_1) {
-                                                phi_709_ = type_4((_e630.member + 1u), _e630.member_1);
-                                                phi_731_ = type_4(1u, _e630.member);
+                                                phi_710_ = type_4((_e630.member + 1u), _e630.member_1);
+                                                phi_732_ = type_4(1u, _e630.member);
                                             } else {
-                                                phi_709_ = _e630;
-                                                phi_731_ = type_4(0u, type_4().member_1);
+                                                phi_710_ = _e630;
+                                                phi_732_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e643 = phi_709_;
-                                            let _e645 = phi_731_;
+                                            let _e643 = phi_710_;
+                                            let _e645 = phi_732_;
                                             let _e649 = (bitcast<i32>(_e645.member) != 0i);
                                             if _e649 {
                                                 let _e655 = type_48(_e628.member, _e628.member_1, (_e628.member_2 + 1u));
@@ -510,21 +510,21 @@ fn function_() {
                                                 if _e656 {
                                                     if _e656 {
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1949_ = true;
                                                         break;
                                                     }
                                                     let _e660 = global_3.member[_e645.member_1].member_1;
-                                                    phi_754_ = _e660;
+                                                    phi_755_ = _e660;
                                                 } else {
-                                                    phi_754_ = 4294967295u;
+                                                    phi_755_ = 4294967295u;
                                                 }
-                                                let _e662 = phi_754_;
+                                                let _e662 = phi_755_;
                                                 if (_e645.member_1 >= _e65) {
-                                                    phi_842_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_843_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e656 {
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1949_ = true;
                                                         break;
                                                     }
                                                     let _e664 = (_e191 % 3u);
@@ -532,67 +532,67 @@ fn function_() {
                                                     let _e666 = (_e192 % 3u);
                                                     if (_e664 < 9u) {
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1949_ = true;
                                                         break;
                                                     }
                                                     let _e672 = global_3.member[_e645.member_1].member[_e664];
                                                     if (_e665 < 9u) {
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1949_ = true;
                                                         break;
                                                     }
                                                     let _e678 = global_3.member[_e645.member_1].member[_e665];
                                                     if (_e666 < 9u) {
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1949_ = true;
                                                         break;
                                                     }
                                                     let _e684 = global_3.member[_e645.member_1].member[_e666];
                                                     let _e686 = (3u + _e664);
                                                     if (_e686 < 9u) {
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1949_ = true;
                                                         break;
                                                     }
                                                     let _e692 = global_3.member[_e645.member_1].member[_e686];
                                                     let _e693 = (3u + _e665);
                                                     if (_e693 < 9u) {
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1949_ = true;
                                                         break;
                                                     }
                                                     let _e699 = global_3.member[_e645.member_1].member[_e693];
                                                     let _e700 = (3u + _e666);
                                                     if (_e700 < 9u) {
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1949_ = true;
                                                         break;
                                                     }
                                                     let _e706 = global_3.member[_e645.member_1].member[_e700];
                                                     let _e708 = (6u + _e664);
                                                     if (_e708 < 9u) {
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1949_ = true;
                                                         break;
                                                     }
                                                     let _e714 = global_3.member[_e645.member_1].member[_e708];
                                                     let _e715 = (6u + _e665);
                                                     if (_e715 < 9u) {
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1949_ = true;
                                                         break;
                                                     }
                                                     let _e721 = global_3.member[_e645.member_1].member[_e715];
                                                     let _e722 = (6u + _e666);
                                                     if (_e722 < 9u) {
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1949_ = true;
                                                         break;
                                                     }
                                                     let _e728 = global_3.member[_e645.member_1].member[_e722];
-                                                    phi_842_ = array<array<f32, 3>, 3>(array<f32, 3>(_e672, _e678, _e684), array<f32, 3>(_e692, _e699, _e706), array<f32, 3>(_e714, _e721, _e728));
+                                                    phi_843_ = array<array<f32, 3>, 3>(array<f32, 3>(_e672, _e678, _e684), array<f32, 3>(_e692, _e699, _e706), array<f32, 3>(_e714, _e721, _e728));
                                                 }
-                                                let _e732 = phi_842_;
+                                                let _e732 = phi_843_;
                                                 let _e741 = (_e732[0][2] - _e309);
                                                 let _e744 = (((_e732[0][0] - _e232) * _e333) - (_e741 * _e257));
                                                 let _e747 = (((_e732[0][1] - _e271) * _e333) - (_e741 * _e295));
@@ -619,8 +619,8 @@ fn function_() {
                                                     let _e803 = select(0f, _e801, (_e801 > 0f));
                                                     let _e805 = ((_e795 + _e799) + _e803);
                                                     if (_e805 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1408_ = type_24();
-                                                        phi_1409_ = true;
+                                                        phi_1409_ = type_27();
+                                                        phi_1410_ = true;
                                                     } else {
                                                         let _e808 = select(_e732[1][0], _e732[0][0], (_e732[0][0] < _e732[1][0]));
                                                         let _e812 = select(_e732[1][0], _e732[0][0], (_e732[0][0] > _e732[1][0]));
@@ -647,12 +647,12 @@ fn function_() {
                                                         let _e863 = -(_e844);
                                                         let _e869 = select(_e383, _e854, (_e854 > _e383));
                                                         if (_e869 > (_e862 + (select(_e863, _e846, (_e846 > _e863)) * 0.0000019073523f))) {
-                                                            phi_1403_ = type_24();
-                                                            phi_1404_ = true;
+                                                            phi_1404_ = type_27();
+                                                            phi_1405_ = true;
                                                         } else {
                                                             let _e871 = (_e869 > _e628.member.member_1);
                                                             if _e871 {
-                                                                phi_1402_ = type_24();
+                                                                phi_1403_ = type_27();
                                                             } else {
                                                                 let _e875 = (_e732[1][0] - _e732[0][0]);
                                                                 let _e876 = (_e732[1][1] - _e732[0][1]);
@@ -684,30 +684,30 @@ fn function_() {
                                                                 let _e927 = select(_e912, _e899, (_e899 > _e912));
                                                                 let _e929 = select(_e925, _e927, (_e927 > _e925));
                                                                 if (_e899 == _e929) {
-                                                                    phi_1313_ = _e882;
-                                                                    phi_1314_ = _e886;
+                                                                    phi_1314_ = _e882;
+                                                                    phi_1315_ = _e886;
                                                                 } else {
                                                                     let _e932 = vec3((_e912 == _e929));
-                                                                    phi_1313_ = select(_e878, _e886, _e932);
-                                                                    phi_1314_ = select(_e882, _e878, _e932);
+                                                                    phi_1314_ = select(_e878, _e886, _e932);
+                                                                    phi_1315_ = select(_e882, _e878, _e932);
                                                                 }
-                                                                let _e936 = phi_1313_;
-                                                                let _e938 = phi_1314_;
+                                                                let _e936 = phi_1314_;
+                                                                let _e938 = phi_1315_;
                                                                 let _e945 = ((_e936.y * _e938.z) - (_e938.y * _e936.z));
                                                                 let _e950 = ((_e936.z * _e938.x) - (_e938.z * _e936.x));
                                                                 let _e953 = ((_e936.x * _e938.y) - (_e938.x * _e936.y));
                                                                 if (_e795 >= _e799) {
-                                                                    phi_1345_ = select(true, false, (_e795 >= _e803));
+                                                                    phi_1346_ = select(true, false, (_e795 >= _e803));
                                                                 } else {
-                                                                    phi_1345_ = true;
+                                                                    phi_1346_ = true;
                                                                 }
-                                                                let _e958 = phi_1345_;
+                                                                let _e958 = phi_1346_;
                                                                 if _e958 {
-                                                                    phi_1354_ = select(vec3<f32>(_e732[2][0], _e732[2][1], _e732[2][2]), vec3<f32>(_e732[1][0], _e732[1][1], _e732[1][2]), vec3((_e799 >= _e803)));
+                                                                    phi_1355_ = select(vec3<f32>(_e732[2][0], _e732[2][1], _e732[2][2]), vec3<f32>(_e732[1][0], _e732[1][1], _e732[1][2]), vec3((_e799 >= _e803)));
                                                                 } else {
-                                                                    phi_1354_ = vec3<f32>(_e732[0][0], _e732[0][1], _e732[0][2]);
+                                                                    phi_1355_ = vec3<f32>(_e732[0][0], _e732[0][1], _e732[0][2]);
                                                                 }
-                                                                let _e963 = phi_1354_;
+                                                                let _e963 = phi_1355_;
                                                                 let _e980 = ((((_e945 * (_e963.x - _e232)) + (_e950 * (_e963.y - _e271))) + (_e953 * (_e963.z - _e309))) / (((_e945 * _e257) + (_e950 * _e295)) + (_e953 * _e333)));
                                                                 let _e982 = select(_e862, _e980, (_e980 < _e862));
                                                                 let _e984 = select(_e854, _e982, (_e982 > _e854));
@@ -715,141 +715,141 @@ fn function_() {
                                                                     let _e986 = (_e984 <= _e628.member.member_1);
                                                                     if _e986 {
                                                                         let _e987 = (1f / _e805);
-                                                                        phi_1394_ = type_24(_e984, (_e799 * _e987), (_e803 * _e987), _e662);
+                                                                        phi_1395_ = type_27(_e984, (_e799 * _e987), (_e803 * _e987), _e662);
                                                                     } else {
-                                                                        phi_1394_ = type_24();
+                                                                        phi_1395_ = type_27();
                                                                     }
-                                                                    let _e992 = phi_1394_;
-                                                                    phi_1396_ = _e992;
-                                                                    phi_1397_ = select(true, false, _e986);
+                                                                    let _e992 = phi_1395_;
+                                                                    phi_1397_ = _e992;
+                                                                    phi_1398_ = select(true, false, _e986);
                                                                 } else {
-                                                                    phi_1396_ = type_24();
-                                                                    phi_1397_ = true;
+                                                                    phi_1397_ = type_27();
+                                                                    phi_1398_ = true;
                                                                 }
-                                                                let _e995 = phi_1396_;
-                                                                let _e997 = phi_1397_;
+                                                                let _e995 = phi_1397_;
+                                                                let _e997 = phi_1398_;
                                                                 if _e997 {
-                                                                    phi_1401_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1402_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1401_ = _e995;
+                                                                    phi_1402_ = _e995;
                                                                 }
-                                                                let _e999 = phi_1401_;
-                                                                phi_1402_ = _e999;
+                                                                let _e999 = phi_1402_;
+                                                                phi_1403_ = _e999;
                                                             }
-                                                            let _e1001 = phi_1402_;
-                                                            phi_1403_ = _e1001;
-                                                            phi_1404_ = _e871;
+                                                            let _e1001 = phi_1403_;
+                                                            phi_1404_ = _e1001;
+                                                            phi_1405_ = _e871;
                                                         }
-                                                        let _e1003 = phi_1403_;
-                                                        let _e1005 = phi_1404_;
-                                                        phi_1408_ = _e1003;
-                                                        phi_1409_ = _e1005;
+                                                        let _e1003 = phi_1404_;
+                                                        let _e1005 = phi_1405_;
+                                                        phi_1409_ = _e1003;
+                                                        phi_1410_ = _e1005;
                                                     }
-                                                    let _e1007 = phi_1408_;
-                                                    let _e1009 = phi_1409_;
-                                                    phi_1413_ = _e1007;
-                                                    phi_1414_ = _e1009;
+                                                    let _e1007 = phi_1409_;
+                                                    let _e1009 = phi_1410_;
+                                                    phi_1414_ = _e1007;
+                                                    phi_1415_ = _e1009;
                                                 } else {
-                                                    phi_1413_ = type_24();
-                                                    phi_1414_ = true;
+                                                    phi_1414_ = type_27();
+                                                    phi_1415_ = true;
                                                 }
-                                                let _e1011 = phi_1413_;
-                                                let _e1013 = phi_1414_;
+                                                let _e1011 = phi_1414_;
+                                                let _e1013 = phi_1415_;
                                                 if _e1013 {
-                                                    phi_1418_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1419_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1418_ = _e1011;
+                                                    phi_1419_ = _e1011;
                                                 }
-                                                let _e1015 = phi_1418_;
+                                                let _e1015 = phi_1419_;
                                                 if (_e1015.member_3 != 4294967295u) {
                                                     if (_e662 != 4294967295u) {
                                                         if (_e1015.member < _e628.member.member.member) {
-                                                            phi_1444_ = true;
+                                                            phi_1445_ = true;
                                                         } else {
                                                             if (_e1015.member == _e628.member.member.member) {
-                                                                phi_1443_ = (_e1015.member_3 < _e628.member.member.member_3);
+                                                                phi_1444_ = (_e1015.member_3 < _e628.member.member.member_3);
                                                             } else {
-                                                                phi_1443_ = false;
+                                                                phi_1444_ = false;
                                                             }
-                                                            let _e1030 = phi_1443_;
-                                                            phi_1444_ = _e1030;
+                                                            let _e1030 = phi_1444_;
+                                                            phi_1445_ = _e1030;
                                                         }
-                                                        let _e1032 = phi_1444_;
+                                                        let _e1032 = phi_1445_;
                                                         if _e1032 {
-                                                            phi_1451_ = type_48(type_40(_e1015, _e1015.member), _e655.member_1, _e655.member_2);
+                                                            phi_1452_ = type_48(type_41(_e1015, _e1015.member), _e655.member_1, _e655.member_2);
                                                         } else {
-                                                            phi_1451_ = _e655;
+                                                            phi_1452_ = _e655;
                                                         }
-                                                        let _e1039 = phi_1451_;
-                                                        phi_1452_ = _e1039;
+                                                        let _e1039 = phi_1452_;
+                                                        phi_1453_ = _e1039;
                                                     } else {
-                                                        phi_1452_ = _e655;
+                                                        phi_1453_ = _e655;
                                                     }
-                                                    let _e1041 = phi_1452_;
-                                                    phi_1453_ = _e1041;
+                                                    let _e1041 = phi_1453_;
+                                                    phi_1454_ = _e1041;
                                                 } else {
-                                                    phi_1453_ = _e655;
+                                                    phi_1454_ = _e655;
                                                 }
-                                                let _e1043 = phi_1453_;
-                                                phi_706_ = _e1043;
+                                                let _e1043 = phi_1454_;
+                                                phi_707_ = _e1043;
                                             } else {
-                                                phi_706_ = type_48();
+                                                phi_707_ = type_48();
                                             }
-                                            let _e1045 = phi_706_;
+                                            let _e1045 = phi_707_;
                                             continue;
                                             continuing {
-                                                phi_705_ = _e1045;
-                                                phi_708_ = _e643;
-                                                phi_1948_ = _e392;
+                                                phi_706_ = _e1045;
+                                                phi_709_ = _e643;
+                                                phi_1949_ = _e392;
                                                 break if !(_e649);
                                             }
                                         }
-                                        let _e1048 = phi_1948_;
-                                        phi_2058_ = _e1048;
+                                        let _e1048 = phi_1949_;
+                                        phi_2059_ = _e1048;
                                         if _e1048 {
                                             break;
                                         }
-                                        phi_2062_ = _e1048;
+                                        phi_2063_ = _e1048;
                                         let _e1192 = local_4;
-                                        phi_1909_ = _e1192;
-                                        phi_1910_ = _e418;
-                                        phi_1911_ = false;
-                                        phi_1912_ = _e422;
+                                        phi_1910_ = _e1192;
+                                        phi_1911_ = _e418;
+                                        phi_1912_ = false;
+                                        phi_1913_ = _e422;
                                     } else {
                                         if (_e418 >= _e63) {
-                                            phi_1516_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1517_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e418 < _e63) {
                                             } else {
-                                                phi_2058_ = true;
+                                                phi_2059_ = true;
                                                 break;
                                             }
                                             let _e438 = (_e191 % 3u);
                                             if (_e438 < 3u) {
                                             } else {
-                                                phi_2058_ = true;
+                                                phi_2059_ = true;
                                                 break;
                                             }
                                             let _e444 = global_2.member[_e418].member[_e438];
                                             let _e450 = (_e190 % 3u);
                                             if (_e450 < 3u) {
                                             } else {
-                                                phi_2058_ = true;
+                                                phi_2059_ = true;
                                                 break;
                                             }
                                             let _e456 = global_2.member[_e418].member[_e450];
                                             let _e462 = (_e192 % 3u);
                                             if (_e462 < 3u) {
                                             } else {
-                                                phi_2058_ = true;
+                                                phi_2059_ = true;
                                                 break;
                                             }
                                             let _e468 = global_2.member[_e418].member[_e462];
                                             let _e478 = global_2.member[_e418].member_1;
                                             let _e482 = global_2.member[_e418].member_2;
-                                            phi_1516_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e444[0], _e444[1], _e444[2], _e444[3]), vec4<f32>(_e456[0], _e456[1], _e456[2], _e456[3]), vec4<f32>(_e468[0], _e468[1], _e468[2], _e468[3])), _e478, _e482);
+                                            phi_1517_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e444[0], _e444[1], _e444[2], _e444[3]), vec4<f32>(_e456[0], _e456[1], _e456[2], _e456[3]), vec4<f32>(_e468[0], _e468[1], _e468[2], _e468[3])), _e478, _e482);
                                         }
-                                        let _e485 = phi_1516_;
+                                        let _e485 = phi_1517_;
                                         let _e498 = ((_e485.member[0].x - _e255) * _e260);
                                         let _e499 = ((_e485.member[0].y - _e255) * _e260);
                                         let _e500 = ((_e485.member[0].z - _e256) * _e260);
@@ -892,152 +892,152 @@ fn function_() {
                                         if _e586 {
                                             if _e587 {
                                                 if _e588 {
-                                                    phi_1860_ = _e485.member_2;
+                                                    phi_1861_ = _e485.member_2;
                                                 } else {
-                                                    phi_1860_ = _e485.member_1;
+                                                    phi_1861_ = _e485.member_1;
                                                 }
-                                                let _e592 = phi_1860_;
+                                                let _e592 = phi_1861_;
                                                 let _e593 = (_e422 % 128u);
                                                 let _e594 = (_e593 < 128u);
                                                 if _e594 {
                                                 } else {
-                                                    phi_2058_ = true;
+                                                    phi_2059_ = true;
                                                     break;
                                                 }
                                                 local[_e593] = _e592;
                                                 if _e594 {
                                                 } else {
-                                                    phi_2058_ = true;
+                                                    phi_2059_ = true;
                                                     break;
                                                 }
                                                 local_1[_e593] = select(_e581, _e579, (_e579 > _e581));
                                                 if _e588 {
-                                                    phi_1886_ = _e485.member_1;
+                                                    phi_1887_ = _e485.member_1;
                                                 } else {
-                                                    phi_1886_ = _e485.member_2;
+                                                    phi_1887_ = _e485.member_2;
                                                 }
-                                                let _e603 = phi_1886_;
-                                                phi_1887_ = _e603;
-                                                phi_1888_ = (_e422 + 1u);
+                                                let _e603 = phi_1887_;
+                                                phi_1888_ = _e603;
+                                                phi_1889_ = (_e422 + 1u);
                                             } else {
-                                                phi_1887_ = u32();
                                                 phi_1888_ = u32();
+                                                phi_1889_ = u32();
                                             }
-                                            let _e605 = phi_1887_;
-                                            let _e607 = phi_1888_;
-                                            phi_1890_ = _e605;
-                                            phi_1891_ = _e607;
-                                            phi_1892_ = select(true, false, _e587);
+                                            let _e605 = phi_1888_;
+                                            let _e607 = phi_1889_;
+                                            phi_1891_ = _e605;
+                                            phi_1892_ = _e607;
+                                            phi_1893_ = select(true, false, _e587);
                                         } else {
-                                            phi_1890_ = u32();
                                             phi_1891_ = u32();
-                                            phi_1892_ = true;
+                                            phi_1892_ = u32();
+                                            phi_1893_ = true;
                                         }
-                                        let _e610 = phi_1890_;
-                                        let _e612 = phi_1891_;
-                                        let _e614 = phi_1892_;
+                                        let _e610 = phi_1891_;
+                                        let _e612 = phi_1892_;
+                                        let _e614 = phi_1893_;
                                         if _e614 {
                                             if _e586 {
-                                                phi_1901_ = _e485.member_1;
+                                                phi_1902_ = _e485.member_1;
                                             } else {
-                                                phi_1901_ = _e485.member_2;
+                                                phi_1902_ = _e485.member_2;
                                             }
-                                            let _e618 = phi_1901_;
-                                            phi_1906_ = _e618;
-                                            phi_1907_ = select(_e587, true, _e586);
+                                            let _e618 = phi_1902_;
+                                            phi_1907_ = _e618;
+                                            phi_1908_ = select(_e587, true, _e586);
                                         } else {
-                                            phi_1906_ = _e610;
-                                            phi_1907_ = _e420;
+                                            phi_1907_ = _e610;
+                                            phi_1908_ = _e420;
                                         }
-                                        let _e621 = phi_1906_;
-                                        let _e623 = phi_1907_;
-                                        phi_2062_ = _e392;
-                                        phi_1909_ = type_48(_e394.member, (_e394.member_1 + 1u), _e394.member_2);
-                                        phi_1910_ = _e621;
-                                        phi_1911_ = _e623;
-                                        phi_1912_ = select(_e612, _e422, _e614);
+                                        let _e621 = phi_1907_;
+                                        let _e623 = phi_1908_;
+                                        phi_2063_ = _e392;
+                                        phi_1910_ = type_48(_e394.member, (_e394.member_1 + 1u), _e394.member_2);
+                                        phi_1911_ = _e621;
+                                        phi_1912_ = _e623;
+                                        phi_1913_ = select(_e612, _e422, _e614);
                                     }
-                                    let _e1050 = phi_2062_;
-                                    let _e1052 = phi_1909_;
-                                    let _e1054 = phi_1910_;
-                                    let _e1056 = phi_1911_;
-                                    let _e1058 = phi_1912_;
-                                    phi_2061_ = _e1050;
-                                    phi_1913_ = _e1052;
-                                    phi_1914_ = _e1054;
-                                    phi_1915_ = (_e398 - 1u);
-                                    phi_1916_ = _e1056;
-                                    phi_1917_ = _e1058;
+                                    let _e1050 = phi_2063_;
+                                    let _e1052 = phi_1910_;
+                                    let _e1054 = phi_1911_;
+                                    let _e1056 = phi_1912_;
+                                    let _e1058 = phi_1913_;
+                                    phi_2062_ = _e1050;
+                                    phi_1914_ = _e1052;
+                                    phi_1915_ = _e1054;
+                                    phi_1916_ = (_e398 - 1u);
+                                    phi_1917_ = _e1056;
+                                    phi_1918_ = _e1058;
                                 } else {
-                                    phi_2061_ = _e392;
-                                    phi_1913_ = _e394;
-                                    phi_1914_ = _e418;
-                                    phi_1915_ = _e398;
-                                    phi_1916_ = _e420;
-                                    phi_1917_ = _e422;
+                                    phi_2062_ = _e392;
+                                    phi_1914_ = _e394;
+                                    phi_1915_ = _e418;
+                                    phi_1916_ = _e398;
+                                    phi_1917_ = _e420;
+                                    phi_1918_ = _e422;
                                 }
-                                let _e1060 = phi_2061_;
-                                let _e1062 = phi_1913_;
-                                let _e1064 = phi_1914_;
-                                let _e1066 = phi_1915_;
-                                let _e1068 = phi_1916_;
-                                let _e1070 = phi_1917_;
-                                phi_2060_ = _e1060;
-                                phi_1918_ = _e1062;
-                                phi_1919_ = _e1064;
-                                phi_1920_ = _e1066;
-                                phi_1921_ = _e1068;
-                                phi_1922_ = _e1070;
+                                let _e1060 = phi_2062_;
+                                let _e1062 = phi_1914_;
+                                let _e1064 = phi_1915_;
+                                let _e1066 = phi_1916_;
+                                let _e1068 = phi_1917_;
+                                let _e1070 = phi_1918_;
+                                phi_2061_ = _e1060;
+                                phi_1919_ = _e1062;
+                                phi_1920_ = _e1064;
+                                phi_1921_ = _e1066;
+                                phi_1922_ = _e1068;
+                                phi_1923_ = _e1070;
                             } else {
-                                phi_2060_ = _e392;
-                                phi_1918_ = type_48();
-                                phi_1919_ = u32();
+                                phi_2061_ = _e392;
+                                phi_1919_ = type_48();
                                 phi_1920_ = u32();
-                                phi_1921_ = bool();
-                                phi_1922_ = u32();
+                                phi_1921_ = u32();
+                                phi_1922_ = bool();
+                                phi_1923_ = u32();
                             }
-                            let _e1072 = phi_2060_;
-                            let _e1074 = phi_1918_;
-                            let _e1076 = phi_1919_;
-                            let _e1078 = phi_1920_;
-                            let _e1080 = phi_1921_;
-                            let _e1082 = phi_1922_;
-                            phi_2059_ = _e1072;
-                            phi_638_ = _e1074;
-                            phi_641_ = _e1076;
-                            phi_643_ = _e1078;
-                            phi_645_ = _e1080;
-                            phi_647_ = _e1082;
-                            phi_1923_ = _e406;
+                            let _e1072 = phi_2061_;
+                            let _e1074 = phi_1919_;
+                            let _e1076 = phi_1920_;
+                            let _e1078 = phi_1921_;
+                            let _e1080 = phi_1922_;
+                            let _e1082 = phi_1923_;
+                            phi_2060_ = _e1072;
+                            phi_639_ = _e1074;
+                            phi_642_ = _e1076;
+                            phi_644_ = _e1078;
+                            phi_646_ = _e1080;
+                            phi_648_ = _e1082;
+                            phi_1924_ = _e406;
                         } else {
-                            phi_2059_ = _e392;
-                            phi_638_ = type_48();
-                            phi_641_ = u32();
-                            phi_643_ = u32();
-                            phi_645_ = bool();
-                            phi_647_ = u32();
-                            phi_1923_ = false;
+                            phi_2060_ = _e392;
+                            phi_639_ = type_48();
+                            phi_642_ = u32();
+                            phi_644_ = u32();
+                            phi_646_ = bool();
+                            phi_648_ = u32();
+                            phi_1924_ = false;
                         }
-                        let _e1084 = phi_2059_;
-                        let _e1086 = phi_638_;
-                        let _e1088 = phi_641_;
-                        let _e1090 = phi_643_;
-                        let _e1092 = phi_645_;
-                        let _e1094 = phi_647_;
-                        let _e1096 = phi_1923_;
+                        let _e1084 = phi_2060_;
+                        let _e1086 = phi_639_;
+                        let _e1088 = phi_642_;
+                        let _e1090 = phi_644_;
+                        let _e1092 = phi_646_;
+                        let _e1094 = phi_648_;
+                        let _e1096 = phi_1924_;
                         continue;
                         continuing {
-                            phi_1954_ = _e1084;
-                            phi_637_ = _e1086;
-                            phi_640_ = _e1088;
-                            phi_642_ = _e1090;
-                            phi_644_ = _e1092;
-                            phi_646_ = _e1094;
-                            phi_2058_ = _e1084;
+                            phi_1955_ = _e1084;
+                            phi_638_ = _e1086;
+                            phi_641_ = _e1088;
+                            phi_643_ = _e1090;
+                            phi_645_ = _e1092;
+                            phi_647_ = _e1094;
+                            phi_2059_ = _e1084;
                             break if !(_e1096);
                         }
                     }
-                    let _e1099 = phi_2058_;
+                    let _e1099 = phi_2059_;
                     if _e1099 {
                         break;
                     }

@@ -16,21 +16,21 @@ struct type_15 {
     member: array<type_13>,
 }
 
-struct type_20 {
+struct type_23 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_21 {
+struct type_24 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
     member_3: f32,
 }
 
-struct type_26 {
+struct type_27 {
     member: array<array<f32, 4>, 3>,
     member_1: u32,
     member_2: u32,
@@ -38,29 +38,29 @@ struct type_26 {
     member_4: u32,
 }
 
-struct type_28 {
-    member: array<type_26>,
+struct type_29 {
+    member: array<type_27>,
 }
 
-struct type_38 {
+struct type_39 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
 struct type_41 {
-    member: array<type_21>,
+    member: array<type_24>,
 }
 
 struct type_45 {
-    member: array<array<type_20, 8>>,
+    member: array<array<type_23, 8>>,
 }
 
 var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_8;
 @group(0) @binding(1) 
-var<storage> global_2: type_28;
+var<storage> global_2: type_29;
 @group(0) @binding(2) 
 var<storage> global_3: type_15;
 @group(0) @binding(3) 
@@ -69,128 +69,128 @@ var<storage> global_4: type_41;
 var<storage, read_write> global_5: type_45;
 
 fn function_() {
-    var local: array<type_20, 8>;
+    var local: array<type_23, 8>;
     var local_1: array<u32, 128>;
     var local_2: array<f32, 128>;
-    var phi_269_: i32;
     var phi_270_: i32;
-    var phi_280_: bool;
-    var phi_290_: u32;
+    var phi_271_: i32;
+    var phi_281_: bool;
     var phi_291_: u32;
-    var phi_293_: bool;
-    var phi_298_: u32;
-    var phi_342_: f32;
-    var phi_348_: f32;
-    var phi_359_: f32;
-    var phi_365_: f32;
-    var phi_388_: f32;
-    var phi_399_: f32;
-    var phi_408_: f32;
-    var phi_414_: f32;
-    var phi_425_: f32;
-    var phi_431_: f32;
-    var phi_454_: f32;
-    var phi_465_: f32;
-    var phi_474_: f32;
-    var phi_480_: f32;
-    var phi_491_: f32;
-    var phi_497_: f32;
-    var phi_520_: f32;
-    var phi_531_: f32;
-    var phi_631_: f32;
+    var phi_292_: u32;
+    var phi_294_: bool;
+    var phi_299_: u32;
+    var phi_343_: f32;
+    var phi_349_: f32;
+    var phi_360_: f32;
+    var phi_366_: f32;
+    var phi_389_: f32;
+    var phi_400_: f32;
+    var phi_409_: f32;
+    var phi_415_: f32;
+    var phi_426_: f32;
+    var phi_432_: f32;
+    var phi_455_: f32;
+    var phi_466_: f32;
+    var phi_475_: f32;
+    var phi_481_: f32;
+    var phi_492_: f32;
+    var phi_498_: f32;
+    var phi_521_: f32;
+    var phi_532_: f32;
     var phi_632_: f32;
-    var phi_2251_: bool;
-    var phi_2231_: f32;
-    var phi_696_: u32;
-    var phi_699_: u32;
-    var phi_701_: bool;
-    var phi_703_: u32;
-    var phi_714_: bool;
-    var phi_745_: u32;
-    var phi_746_: bool;
-    var phi_747_: u32;
-    var phi_1635_: type_38;
-    var phi_1980_: u32;
-    var phi_2006_: u32;
-    var phi_2007_: u32;
-    var phi_2008_: u32;
-    var phi_2010_: u32;
-    var phi_2011_: u32;
-    var phi_2012_: bool;
-    var phi_2021_: u32;
-    var phi_2026_: u32;
-    var phi_2027_: bool;
-    var phi_2248_: bool;
-    var phi_2238_: f32;
-    var phi_763_: type_4;
-    var phi_764_: type_4;
-    var phi_787_: type_4;
-    var phi_807_: u32;
-    var phi_895_: array<array<f32, 3>, 3>;
-    var phi_1367_: vec3<f32>;
-    var phi_1368_: vec3<f32>;
-    var phi_1399_: bool;
-    var phi_1408_: vec3<f32>;
-    var phi_1448_: type_20;
-    var phi_1450_: type_20;
-    var phi_1451_: bool;
-    var phi_1455_: type_20;
-    var phi_1456_: type_20;
-    var phi_1457_: type_20;
-    var phi_1458_: bool;
-    var phi_1462_: type_20;
-    var phi_1463_: bool;
-    var phi_1467_: type_20;
-    var phi_1468_: bool;
-    var phi_1472_: type_20;
-    var phi_1484_: type_4;
-    var phi_1487_: type_20;
-    var phi_1485_: type_4;
-    var phi_1510_: type_4;
-    var phi_1542_: bool;
-    var phi_1543_: bool;
-    var phi_1564_: type_20;
-    var phi_1488_: type_20;
-    var phi_2239_: bool;
-    var phi_2502_: f32;
-    var phi_2501_: f32;
-    var phi_2352_: bool;
-    var phi_2500_: f32;
-    var phi_2351_: bool;
-    var phi_2499_: f32;
-    var phi_2350_: bool;
-    var phi_2439_: f32;
-    var phi_2349_: bool;
-    var phi_2404_: f32;
-    var phi_2358_: bool;
-    var phi_2029_: u32;
-    var phi_2030_: bool;
-    var phi_2031_: u32;
-    var phi_2403_: f32;
-    var phi_2357_: bool;
-    var phi_2032_: u32;
-    var phi_2033_: u32;
-    var phi_2034_: bool;
-    var phi_2035_: u32;
-    var phi_2402_: f32;
-    var phi_2356_: bool;
-    var phi_2036_: u32;
-    var phi_2037_: u32;
-    var phi_2038_: bool;
-    var phi_2039_: u32;
-    var phi_2401_: f32;
-    var phi_2355_: bool;
+    var phi_633_: f32;
+    var phi_2252_: bool;
+    var phi_2232_: f32;
     var phi_697_: u32;
     var phi_700_: u32;
     var phi_702_: bool;
     var phi_704_: u32;
-    var phi_2040_: bool;
-    var phi_2354_: bool;
-    var phi_2047_: type_4;
+    var phi_715_: bool;
+    var phi_746_: u32;
+    var phi_747_: bool;
+    var phi_748_: u32;
+    var phi_1636_: type_39;
+    var phi_1981_: u32;
+    var phi_2007_: u32;
+    var phi_2008_: u32;
+    var phi_2009_: u32;
+    var phi_2011_: u32;
+    var phi_2012_: u32;
+    var phi_2013_: bool;
+    var phi_2022_: u32;
+    var phi_2027_: u32;
+    var phi_2028_: bool;
+    var phi_2249_: bool;
+    var phi_2239_: f32;
+    var phi_764_: type_4;
+    var phi_765_: type_4;
+    var phi_788_: type_4;
+    var phi_808_: u32;
+    var phi_896_: array<array<f32, 3>, 3>;
+    var phi_1368_: vec3<f32>;
+    var phi_1369_: vec3<f32>;
+    var phi_1400_: bool;
+    var phi_1409_: vec3<f32>;
+    var phi_1449_: type_23;
+    var phi_1451_: type_23;
+    var phi_1452_: bool;
+    var phi_1456_: type_23;
+    var phi_1457_: type_23;
+    var phi_1458_: type_23;
+    var phi_1459_: bool;
+    var phi_1463_: type_23;
+    var phi_1464_: bool;
+    var phi_1468_: type_23;
+    var phi_1469_: bool;
+    var phi_1473_: type_23;
+    var phi_1485_: type_4;
+    var phi_1488_: type_23;
+    var phi_1486_: type_4;
+    var phi_1511_: type_4;
+    var phi_1543_: bool;
+    var phi_1544_: bool;
+    var phi_1565_: type_23;
+    var phi_1489_: type_23;
+    var phi_2240_: bool;
+    var phi_2503_: f32;
+    var phi_2502_: f32;
+    var phi_2353_: bool;
+    var phi_2501_: f32;
+    var phi_2352_: bool;
+    var phi_2500_: f32;
+    var phi_2351_: bool;
+    var phi_2440_: f32;
+    var phi_2350_: bool;
+    var phi_2405_: f32;
+    var phi_2359_: bool;
+    var phi_2030_: u32;
+    var phi_2031_: bool;
+    var phi_2032_: u32;
+    var phi_2404_: f32;
+    var phi_2358_: bool;
+    var phi_2033_: u32;
+    var phi_2034_: u32;
+    var phi_2035_: bool;
+    var phi_2036_: u32;
+    var phi_2403_: f32;
+    var phi_2357_: bool;
+    var phi_2037_: u32;
+    var phi_2038_: u32;
+    var phi_2039_: bool;
+    var phi_2040_: u32;
+    var phi_2402_: f32;
+    var phi_2356_: bool;
+    var phi_698_: u32;
+    var phi_701_: u32;
+    var phi_703_: bool;
+    var phi_705_: u32;
+    var phi_2041_: bool;
+    var phi_2355_: bool;
     var phi_2048_: type_4;
-    var phi_2071_: type_4;
-    var phi_2137_: type_20;
-    var phi_2394_: bool;
+    var phi_2049_: type_4;
+    var phi_2072_: type_4;
+    var phi_2138_: type_23;
+    var phi_2395_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -232,43 +232,43 @@ fn function_() {
                     if _e157 {
                         let _e160 = (bitcast<u32>(bitcast<f32>(_e132)) & 2147483647u);
                         if (_e160 >= 8388608u) {
-                            phi_269_ = (bitcast<i32>((_e160 >> bitcast<u32>(23i))) - 127i);
+                            phi_270_ = (bitcast<i32>((_e160 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_269_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e160)), 32u, (_e160 == 0u))));
+                            phi_270_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e160)), 32u, (_e160 == 0u))));
                         }
-                        let _e174 = phi_269_;
-                        phi_270_ = _e174;
+                        let _e174 = phi_270_;
+                        phi_271_ = _e174;
                     } else {
-                        phi_270_ = 0i;
+                        phi_271_ = 0i;
                     }
-                    let _e176 = phi_270_;
+                    let _e176 = phi_271_;
                     let _e177 = (_e93 == _e132);
                     if _e177 {
-                        phi_280_ = true;
+                        phi_281_ = true;
                     } else {
-                        phi_280_ = (_e100 == _e132);
+                        phi_281_ = (_e100 == _e132);
                     }
-                    let _e180 = phi_280_;
+                    let _e180 = phi_281_;
                     let _e181 = select(1u, 0u, _e177);
                     if _e180 {
                         let _e182 = (_e181 + 1u);
-                        phi_290_ = _e182;
                         phi_291_ = _e182;
-                        phi_293_ = select(true, false, (_e182 == 2u));
+                        phi_292_ = _e182;
+                        phi_294_ = select(true, false, (_e182 == 2u));
                     } else {
-                        phi_290_ = u32();
-                        phi_291_ = 0u;
-                        phi_293_ = true;
+                        phi_291_ = u32();
+                        phi_292_ = 0u;
+                        phi_294_ = true;
                     }
-                    let _e186 = phi_290_;
-                    let _e188 = phi_291_;
-                    let _e190 = phi_293_;
+                    let _e186 = phi_291_;
+                    let _e188 = phi_292_;
+                    let _e190 = phi_294_;
                     if _e190 {
-                        phi_298_ = (_e188 + 1u);
+                        phi_299_ = (_e188 + 1u);
                     } else {
-                        phi_298_ = 0u;
+                        phi_299_ = 0u;
                     }
-                    let _e194 = phi_298_;
+                    let _e194 = phi_299_;
                     let _e195 = select(_e186, _e188, _e190);
                     let _e196 = select(_e181, select(2u, _e181, _e180), _e190);
                     let _e197 = (_e83 / 2i);
@@ -281,140 +281,140 @@ fn function_() {
                     let _e225 = global_4.member[_e77].member;
                     let _e226 = (_e195 == 0u);
                     if _e226 {
-                        phi_342_ = _e225[0];
+                        phi_343_ = _e225[0];
                     } else {
-                        phi_342_ = _e225[1];
+                        phi_343_ = _e225[1];
                     }
-                    let _e230 = phi_342_;
+                    let _e230 = phi_343_;
                     let _e231 = (_e195 == 2u);
                     if _e231 {
-                        phi_348_ = _e225[2];
+                        phi_349_ = _e225[2];
                     } else {
-                        phi_348_ = _e230;
+                        phi_349_ = _e230;
                     }
-                    let _e234 = phi_348_;
+                    let _e234 = phi_349_;
                     let _e236 = ((_e234 * _e202) * _e208);
                     let _e237 = global_4.member[_e77].member_2;
                     if _e226 {
-                        phi_359_ = _e237[0];
+                        phi_360_ = _e237[0];
                     } else {
-                        phi_359_ = _e237[1];
+                        phi_360_ = _e237[1];
                     }
-                    let _e241 = phi_359_;
+                    let _e241 = phi_360_;
                     if _e231 {
-                        phi_365_ = _e237[2];
+                        phi_366_ = _e237[2];
                     } else {
-                        phi_365_ = _e241;
+                        phi_366_ = _e241;
                     }
-                    let _e244 = phi_365_;
+                    let _e244 = phi_366_;
                     let _e246 = ((_e244 * _e215) * _e221);
                     let _e250 = (bitcast<f32>((bitcast<u32>(_e246) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e250 {
                         let _e254 = (bitcast<f32>((bitcast<u32>(_e236) & 2147483647u)) * 0.00000011920929f);
-                        phi_388_ = select(0.00000000000011368684f, _e254, (_e254 > 0.00000000000011368684f));
+                        phi_389_ = select(0.00000000000011368684f, _e254, (_e254 > 0.00000000000011368684f));
                     } else {
-                        phi_388_ = 0f;
+                        phi_389_ = 0f;
                     }
-                    let _e258 = phi_388_;
+                    let _e258 = phi_389_;
                     let _e259 = (_e236 + _e258);
                     let _e260 = (_e236 - _e258);
                     let _e261 = select(_e246, 0f, _e250);
                     if _e250 {
-                        phi_399_ = 38685626000000000000000000f;
+                        phi_400_ = 38685626000000000000000000f;
                     } else {
-                        phi_399_ = (1f / _e246);
+                        phi_400_ = (1f / _e246);
                     }
-                    let _e264 = phi_399_;
+                    let _e264 = phi_400_;
                     let _e265 = (_e194 == 0u);
                     if _e265 {
-                        phi_408_ = _e225[0];
+                        phi_409_ = _e225[0];
                     } else {
-                        phi_408_ = _e225[1];
+                        phi_409_ = _e225[1];
                     }
-                    let _e269 = phi_408_;
+                    let _e269 = phi_409_;
                     let _e270 = (_e194 == 2u);
                     if _e270 {
-                        phi_414_ = _e225[2];
+                        phi_415_ = _e225[2];
                     } else {
-                        phi_414_ = _e269;
+                        phi_415_ = _e269;
                     }
-                    let _e273 = phi_414_;
+                    let _e273 = phi_415_;
                     let _e275 = ((_e273 * _e202) * _e208);
                     if _e265 {
-                        phi_425_ = _e237[0];
+                        phi_426_ = _e237[0];
                     } else {
-                        phi_425_ = _e237[1];
+                        phi_426_ = _e237[1];
                     }
-                    let _e279 = phi_425_;
+                    let _e279 = phi_426_;
                     if _e270 {
-                        phi_431_ = _e237[2];
+                        phi_432_ = _e237[2];
                     } else {
-                        phi_431_ = _e279;
+                        phi_432_ = _e279;
                     }
-                    let _e282 = phi_431_;
+                    let _e282 = phi_432_;
                     let _e284 = ((_e282 * _e215) * _e221);
                     let _e288 = (bitcast<f32>((bitcast<u32>(_e284) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e288 {
                         let _e292 = (bitcast<f32>((bitcast<u32>(_e275) & 2147483647u)) * 0.00000011920929f);
-                        phi_454_ = select(0.00000000000011368684f, _e292, (_e292 > 0.00000000000011368684f));
+                        phi_455_ = select(0.00000000000011368684f, _e292, (_e292 > 0.00000000000011368684f));
                     } else {
-                        phi_454_ = 0f;
+                        phi_455_ = 0f;
                     }
-                    let _e296 = phi_454_;
+                    let _e296 = phi_455_;
                     let _e297 = (_e275 + _e296);
                     let _e298 = (_e275 - _e296);
                     let _e299 = select(_e284, 0f, _e288);
                     if _e288 {
-                        phi_465_ = 38685626000000000000000000f;
+                        phi_466_ = 38685626000000000000000000f;
                     } else {
-                        phi_465_ = (1f / _e284);
+                        phi_466_ = (1f / _e284);
                     }
-                    let _e302 = phi_465_;
+                    let _e302 = phi_466_;
                     let _e303 = (_e196 == 0u);
                     if _e303 {
-                        phi_474_ = _e225[0];
+                        phi_475_ = _e225[0];
                     } else {
-                        phi_474_ = _e225[1];
+                        phi_475_ = _e225[1];
                     }
-                    let _e307 = phi_474_;
+                    let _e307 = phi_475_;
                     let _e308 = (_e196 == 2u);
                     if _e308 {
-                        phi_480_ = _e225[2];
+                        phi_481_ = _e225[2];
                     } else {
-                        phi_480_ = _e307;
+                        phi_481_ = _e307;
                     }
-                    let _e311 = phi_480_;
+                    let _e311 = phi_481_;
                     let _e313 = ((_e311 * _e202) * _e208);
                     if _e303 {
-                        phi_491_ = _e237[0];
+                        phi_492_ = _e237[0];
                     } else {
-                        phi_491_ = _e237[1];
+                        phi_492_ = _e237[1];
                     }
-                    let _e317 = phi_491_;
+                    let _e317 = phi_492_;
                     if _e308 {
-                        phi_497_ = _e237[2];
+                        phi_498_ = _e237[2];
                     } else {
-                        phi_497_ = _e317;
+                        phi_498_ = _e317;
                     }
-                    let _e320 = phi_497_;
+                    let _e320 = phi_498_;
                     let _e322 = ((_e320 * _e215) * _e221);
                     let _e326 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e326 {
                         let _e330 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) * 0.00000011920929f);
-                        phi_520_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
+                        phi_521_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
                     } else {
-                        phi_520_ = 0f;
+                        phi_521_ = 0f;
                     }
-                    let _e334 = phi_520_;
+                    let _e334 = phi_521_;
                     let _e335 = (_e313 + _e334);
                     let _e336 = (_e313 - _e334);
                     let _e337 = select(_e322, 0f, _e326);
                     if _e326 {
-                        phi_531_ = 38685626000000000000000000f;
+                        phi_532_ = 38685626000000000000000000f;
                     } else {
-                        phi_531_ = (1f / _e322);
+                        phi_532_ = (1f / _e322);
                     }
-                    let _e340 = phi_531_;
+                    let _e340 = phi_532_;
                     let _e343 = bitcast<f32>((bitcast<u32>(_e236) & 2147483647u));
                     let _e346 = bitcast<f32>((bitcast<u32>(_e275) & 2147483647u));
                     let _e348 = select(_e346, _e343, (_e343 > _e346));
@@ -428,108 +428,108 @@ fn function_() {
                         let _e374 = select(340282350000000000000000000000000000000f, _e372, (_e372 < 340282350000000000000000000000000000000f));
                         let _e379 = (((_e151 * _e364) * _e364) * _e371);
                         let _e381 = select(340282350000000000000000000000000000000f, _e379, (_e379 < 340282350000000000000000000000000000000f));
-                        phi_631_ = select(-340282350000000000000000000000000000000f, _e381, (_e381 > -340282350000000000000000000000000000000f));
-                        phi_632_ = select(-340282350000000000000000000000000000000f, _e374, (_e374 > -340282350000000000000000000000000000000f));
+                        phi_632_ = select(-340282350000000000000000000000000000000f, _e381, (_e381 > -340282350000000000000000000000000000000f));
+                        phi_633_ = select(-340282350000000000000000000000000000000f, _e374, (_e374 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_631_ = 0f;
-                        phi_632_ = 1f;
+                        phi_632_ = 0f;
+                        phi_633_ = 1f;
                     }
-                    let _e385 = phi_631_;
-                    let _e387 = phi_632_;
-                    local = array<type_20, 8>(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
+                    let _e385 = phi_632_;
+                    let _e387 = phi_633_;
+                    local = array<type_23, 8>(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2251_ = false;
-                    phi_2231_ = _e385;
-                    phi_696_ = select(0u, 2147483648u, (_e67 == 0u));
-                    phi_699_ = ((3u * _e67) + 1u);
-                    phi_701_ = (_e387 <= _e385);
-                    phi_703_ = 0u;
+                    phi_2252_ = false;
+                    phi_2232_ = _e385;
+                    phi_697_ = select(0u, 2147483648u, (_e67 == 0u));
+                    phi_700_ = ((3u * _e67) + 1u);
+                    phi_702_ = (_e387 <= _e385);
+                    phi_704_ = 0u;
                     loop {
-                        let _e394 = phi_2251_;
-                        let _e396 = phi_2231_;
-                        let _e398 = phi_696_;
-                        let _e400 = phi_699_;
-                        let _e402 = phi_701_;
-                        let _e404 = phi_703_;
+                        let _e394 = phi_2252_;
+                        let _e396 = phi_2232_;
+                        let _e398 = phi_697_;
+                        let _e400 = phi_700_;
+                        let _e402 = phi_702_;
+                        let _e404 = phi_704_;
                         if _e402 {
-                            phi_714_ = true;
+                            phi_715_ = true;
                         } else {
-                            phi_714_ = (_e404 > 0u);
+                            phi_715_ = (_e404 > 0u);
                         }
-                        let _e407 = phi_714_;
+                        let _e407 = phi_715_;
                         if _e407 {
                             let _e408 = (_e400 > 0u);
                             if _e408 {
                                 if _e402 {
-                                    phi_745_ = _e398;
-                                    phi_746_ = _e402;
-                                    phi_747_ = _e404;
+                                    phi_746_ = _e398;
+                                    phi_747_ = _e402;
+                                    phi_748_ = _e404;
                                 } else {
                                     let _e409 = (_e404 - 1u);
                                     let _e410 = (_e409 % 128u);
                                     let _e411 = (_e410 < 128u);
                                     if _e411 {
                                     } else {
-                                        phi_2354_ = true;
+                                        phi_2355_ = true;
                                         break;
                                     }
                                     let _e413 = local_1[_e410];
                                     if _e411 {
                                     } else {
-                                        phi_2354_ = true;
+                                        phi_2355_ = true;
                                         break;
                                     }
                                     let _e415 = local_2[_e410];
-                                    phi_745_ = _e413;
-                                    phi_746_ = (_e415 <= _e396);
-                                    phi_747_ = _e409;
+                                    phi_746_ = _e413;
+                                    phi_747_ = (_e415 <= _e396);
+                                    phi_748_ = _e409;
                                 }
-                                let _e418 = phi_745_;
-                                let _e420 = phi_746_;
-                                let _e422 = phi_747_;
+                                let _e418 = phi_746_;
+                                let _e420 = phi_747_;
+                                let _e422 = phi_748_;
                                 if _e420 {
                                     let _e426 = (_e418 & 268435455u);
                                     if ((_e418 & 2147483648u) != 0u) {
-                                        phi_2248_ = _e394;
-                                        phi_2238_ = _e396;
-                                        phi_763_ = type_4(_e426, (_e426 + ((_e418 >> bitcast<u32>(28u)) & 7u)));
+                                        phi_2249_ = _e394;
+                                        phi_2239_ = _e396;
+                                        phi_764_ = type_4(_e426, (_e426 + ((_e418 >> bitcast<u32>(28u)) & 7u)));
                                         loop {
-                                            let _e620 = phi_2248_;
-                                            let _e622 = phi_2238_;
-                                            let _e624 = phi_763_;
+                                            let _e620 = phi_2249_;
+                                            let _e622 = phi_2239_;
+                                            let _e624 = phi_764_;
                                             if (_e624.member < _e624.member_1) {
-                                                phi_764_ = type_4((_e624.member + 1u), _e624.member_1);
-                                                phi_787_ = type_4(1u, _e624.member);
+                                                phi_765_ = type_4((_e624.member + 1u), _e624.member_1);
+                                                phi_788_ = type_4(1u, _e624.member);
                                             } else {
-                                                phi_764_ = _e624;
-                                                phi_787_ = type_4(0u, type_4().member_1);
+                                                phi_765_ = _e624;
+                                                phi_788_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e637 = phi_764_;
-                                            let _e639 = phi_787_;
+                                            let _e637 = phi_765_;
+                                            let _e639 = phi_788_;
                                             let _e643 = (bitcast<i32>(_e639.member) != 0i);
                                             if _e643 {
                                                 let _e644 = (_e639.member_1 < _e69);
                                                 if _e644 {
                                                     if _e644 {
                                                     } else {
-                                                        phi_2439_ = _e622;
-                                                        phi_2349_ = true;
+                                                        phi_2440_ = _e622;
+                                                        phi_2350_ = true;
                                                         break;
                                                     }
                                                     let _e648 = global_3.member[_e639.member_1].member_1;
-                                                    phi_807_ = _e648;
+                                                    phi_808_ = _e648;
                                                 } else {
-                                                    phi_807_ = 4294967295u;
+                                                    phi_808_ = 4294967295u;
                                                 }
-                                                let _e650 = phi_807_;
+                                                let _e650 = phi_808_;
                                                 if (_e639.member_1 >= _e69) {
-                                                    phi_895_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_896_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e644 {
                                                     } else {
-                                                        phi_2439_ = _e622;
-                                                        phi_2349_ = true;
+                                                        phi_2440_ = _e622;
+                                                        phi_2350_ = true;
                                                         break;
                                                     }
                                                     let _e652 = (_e195 % 3u);
@@ -537,76 +537,76 @@ fn function_() {
                                                     let _e654 = (_e196 % 3u);
                                                     if (_e652 < 9u) {
                                                     } else {
-                                                        phi_2439_ = _e622;
-                                                        phi_2349_ = true;
+                                                        phi_2440_ = _e622;
+                                                        phi_2350_ = true;
                                                         break;
                                                     }
                                                     let _e660 = global_3.member[_e639.member_1].member[_e652];
                                                     if (_e653 < 9u) {
                                                     } else {
-                                                        phi_2439_ = _e622;
-                                                        phi_2349_ = true;
+                                                        phi_2440_ = _e622;
+                                                        phi_2350_ = true;
                                                         break;
                                                     }
                                                     let _e666 = global_3.member[_e639.member_1].member[_e653];
                                                     if (_e654 < 9u) {
                                                     } else {
-                                                        phi_2439_ = _e622;
-                                                        phi_2349_ = true;
+                                                        phi_2440_ = _e622;
+                                                        phi_2350_ = true;
                                                         break;
                                                     }
                                                     let _e672 = global_3.member[_e639.member_1].member[_e654];
                                                     let _e674 = (3u + _e652);
                                                     if (_e674 < 9u) {
                                                     } else {
-                                                        phi_2439_ = _e622;
-                                                        phi_2349_ = true;
+                                                        phi_2440_ = _e622;
+                                                        phi_2350_ = true;
                                                         break;
                                                     }
                                                     let _e680 = global_3.member[_e639.member_1].member[_e674];
                                                     let _e681 = (3u + _e653);
                                                     if (_e681 < 9u) {
                                                     } else {
-                                                        phi_2439_ = _e622;
-                                                        phi_2349_ = true;
+                                                        phi_2440_ = _e622;
+                                                        phi_2350_ = true;
                                                         break;
                                                     }
                                                     let _e687 = global_3.member[_e639.member_1].member[_e681];
                                                     let _e688 = (3u + _e654);
                                                     if (_e688 < 9u) {
                                                     } else {
-                                                        phi_2439_ = _e622;
-                                                        phi_2349_ = true;
+                                                        phi_2440_ = _e622;
+                                                        phi_2350_ = true;
                                                         break;
                                                     }
                                                     let _e694 = global_3.member[_e639.member_1].member[_e688];
                                                     let _e696 = (6u + _e652);
                                                     if (_e696 < 9u) {
                                                     } else {
-                                                        phi_2439_ = _e622;
-                                                        phi_2349_ = true;
+                                                        phi_2440_ = _e622;
+                                                        phi_2350_ = true;
                                                         break;
                                                     }
                                                     let _e702 = global_3.member[_e639.member_1].member[_e696];
                                                     let _e703 = (6u + _e653);
                                                     if (_e703 < 9u) {
                                                     } else {
-                                                        phi_2439_ = _e622;
-                                                        phi_2349_ = true;
+                                                        phi_2440_ = _e622;
+                                                        phi_2350_ = true;
                                                         break;
                                                     }
                                                     let _e709 = global_3.member[_e639.member_1].member[_e703];
                                                     let _e710 = (6u + _e654);
                                                     if (_e710 < 9u) {
                                                     } else {
-                                                        phi_2439_ = _e622;
-                                                        phi_2349_ = true;
+                                                        phi_2440_ = _e622;
+                                                        phi_2350_ = true;
                                                         break;
                                                     }
                                                     let _e716 = global_3.member[_e639.member_1].member[_e710];
-                                                    phi_895_ = array<array<f32, 3>, 3>(array<f32, 3>(_e660, _e666, _e672), array<f32, 3>(_e680, _e687, _e694), array<f32, 3>(_e702, _e709, _e716));
+                                                    phi_896_ = array<array<f32, 3>, 3>(array<f32, 3>(_e660, _e666, _e672), array<f32, 3>(_e680, _e687, _e694), array<f32, 3>(_e702, _e709, _e716));
                                                 }
-                                                let _e720 = phi_895_;
+                                                let _e720 = phi_896_;
                                                 let _e727 = (_e720[0][2] - _e313);
                                                 let _e730 = (((_e720[0][0] - _e236) * _e337) - (_e727 * _e261));
                                                 let _e733 = (((_e720[0][1] - _e275) * _e337) - (_e727 * _e299));
@@ -633,8 +633,8 @@ fn function_() {
                                                     let _e789 = select(0f, _e787, (_e787 > 0f));
                                                     let _e791 = ((_e781 + _e785) + _e789);
                                                     if (_e791 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1462_ = type_20();
-                                                        phi_1463_ = true;
+                                                        phi_1463_ = type_23();
+                                                        phi_1464_ = true;
                                                     } else {
                                                         let _e794 = select(_e720[1][0], _e720[0][0], (_e720[0][0] < _e720[1][0]));
                                                         let _e798 = select(_e720[1][0], _e720[0][0], (_e720[0][0] > _e720[1][0]));
@@ -661,12 +661,12 @@ fn function_() {
                                                         let _e849 = -(_e830);
                                                         let _e855 = select(_e387, _e840, (_e840 > _e387));
                                                         if (_e855 > (_e848 + (select(_e849, _e832, (_e832 > _e849)) * 0.0000019073523f))) {
-                                                            phi_1457_ = type_20();
-                                                            phi_1458_ = true;
+                                                            phi_1458_ = type_23();
+                                                            phi_1459_ = true;
                                                         } else {
                                                             let _e857 = (_e855 > _e622);
                                                             if _e857 {
-                                                                phi_1456_ = type_20();
+                                                                phi_1457_ = type_23();
                                                             } else {
                                                                 let _e861 = (_e720[1][0] - _e720[0][0]);
                                                                 let _e862 = (_e720[1][1] - _e720[0][1]);
@@ -698,30 +698,30 @@ fn function_() {
                                                                 let _e913 = select(_e898, _e885, (_e885 > _e898));
                                                                 let _e915 = select(_e911, _e913, (_e913 > _e911));
                                                                 if (_e885 == _e915) {
-                                                                    phi_1367_ = _e868;
-                                                                    phi_1368_ = _e872;
+                                                                    phi_1368_ = _e868;
+                                                                    phi_1369_ = _e872;
                                                                 } else {
                                                                     let _e918 = vec3((_e898 == _e915));
-                                                                    phi_1367_ = select(_e864, _e872, _e918);
-                                                                    phi_1368_ = select(_e868, _e864, _e918);
+                                                                    phi_1368_ = select(_e864, _e872, _e918);
+                                                                    phi_1369_ = select(_e868, _e864, _e918);
                                                                 }
-                                                                let _e922 = phi_1367_;
-                                                                let _e924 = phi_1368_;
+                                                                let _e922 = phi_1368_;
+                                                                let _e924 = phi_1369_;
                                                                 let _e931 = ((_e922.y * _e924.z) - (_e924.y * _e922.z));
                                                                 let _e936 = ((_e922.z * _e924.x) - (_e924.z * _e922.x));
                                                                 let _e939 = ((_e922.x * _e924.y) - (_e924.x * _e922.y));
                                                                 if (_e781 >= _e785) {
-                                                                    phi_1399_ = select(true, false, (_e781 >= _e789));
+                                                                    phi_1400_ = select(true, false, (_e781 >= _e789));
                                                                 } else {
-                                                                    phi_1399_ = true;
+                                                                    phi_1400_ = true;
                                                                 }
-                                                                let _e944 = phi_1399_;
+                                                                let _e944 = phi_1400_;
                                                                 if _e944 {
-                                                                    phi_1408_ = select(vec3<f32>(_e720[2][0], _e720[2][1], _e720[2][2]), vec3<f32>(_e720[1][0], _e720[1][1], _e720[1][2]), vec3((_e785 >= _e789)));
+                                                                    phi_1409_ = select(vec3<f32>(_e720[2][0], _e720[2][1], _e720[2][2]), vec3<f32>(_e720[1][0], _e720[1][1], _e720[1][2]), vec3((_e785 >= _e789)));
                                                                 } else {
-                                                                    phi_1408_ = vec3<f32>(_e720[0][0], _e720[0][1], _e720[0][2]);
+                                                                    phi_1409_ = vec3<f32>(_e720[0][0], _e720[0][1], _e720[0][2]);
                                                                 }
-                                                                let _e949 = phi_1408_;
+                                                                let _e949 = phi_1409_;
                                                                 let _e966 = ((((_e931 * (_e949.x - _e236)) + (_e936 * (_e949.y - _e275))) + (_e939 * (_e949.z - _e313))) / (((_e931 * _e261) + (_e936 * _e299)) + (_e939 * _e337)));
                                                                 let _e968 = select(_e848, _e966, (_e966 < _e848));
                                                                 let _e970 = select(_e840, _e968, (_e968 > _e840));
@@ -729,211 +729,211 @@ fn function_() {
                                                                     let _e972 = (_e970 <= _e622);
                                                                     if _e972 {
                                                                         let _e973 = (1f / _e791);
-                                                                        phi_1448_ = type_20(_e970, (_e785 * _e973), (_e789 * _e973), _e650);
+                                                                        phi_1449_ = type_23(_e970, (_e785 * _e973), (_e789 * _e973), _e650);
                                                                     } else {
-                                                                        phi_1448_ = type_20();
+                                                                        phi_1449_ = type_23();
                                                                     }
-                                                                    let _e978 = phi_1448_;
-                                                                    phi_1450_ = _e978;
-                                                                    phi_1451_ = select(true, false, _e972);
+                                                                    let _e978 = phi_1449_;
+                                                                    phi_1451_ = _e978;
+                                                                    phi_1452_ = select(true, false, _e972);
                                                                 } else {
-                                                                    phi_1450_ = type_20();
-                                                                    phi_1451_ = true;
+                                                                    phi_1451_ = type_23();
+                                                                    phi_1452_ = true;
                                                                 }
-                                                                let _e981 = phi_1450_;
-                                                                let _e983 = phi_1451_;
+                                                                let _e981 = phi_1451_;
+                                                                let _e983 = phi_1452_;
                                                                 if _e983 {
-                                                                    phi_1455_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1456_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1455_ = _e981;
+                                                                    phi_1456_ = _e981;
                                                                 }
-                                                                let _e985 = phi_1455_;
-                                                                phi_1456_ = _e985;
+                                                                let _e985 = phi_1456_;
+                                                                phi_1457_ = _e985;
                                                             }
-                                                            let _e987 = phi_1456_;
-                                                            phi_1457_ = _e987;
-                                                            phi_1458_ = _e857;
+                                                            let _e987 = phi_1457_;
+                                                            phi_1458_ = _e987;
+                                                            phi_1459_ = _e857;
                                                         }
-                                                        let _e989 = phi_1457_;
-                                                        let _e991 = phi_1458_;
-                                                        phi_1462_ = _e989;
-                                                        phi_1463_ = _e991;
+                                                        let _e989 = phi_1458_;
+                                                        let _e991 = phi_1459_;
+                                                        phi_1463_ = _e989;
+                                                        phi_1464_ = _e991;
                                                     }
-                                                    let _e993 = phi_1462_;
-                                                    let _e995 = phi_1463_;
-                                                    phi_1467_ = _e993;
-                                                    phi_1468_ = _e995;
+                                                    let _e993 = phi_1463_;
+                                                    let _e995 = phi_1464_;
+                                                    phi_1468_ = _e993;
+                                                    phi_1469_ = _e995;
                                                 } else {
-                                                    phi_1467_ = type_20();
-                                                    phi_1468_ = true;
+                                                    phi_1468_ = type_23();
+                                                    phi_1469_ = true;
                                                 }
-                                                let _e997 = phi_1467_;
-                                                let _e999 = phi_1468_;
+                                                let _e997 = phi_1468_;
+                                                let _e999 = phi_1469_;
                                                 if _e999 {
-                                                    phi_1472_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1473_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1472_ = _e997;
+                                                    phi_1473_ = _e997;
                                                 }
-                                                let _e1001 = phi_1472_;
+                                                let _e1001 = phi_1473_;
                                                 if (_e1001.member_3 != 4294967295u) {
                                                     if (_e650 != 4294967295u) {
-                                                        phi_1484_ = type_4(0u, 8u);
-                                                        phi_1487_ = _e1001;
+                                                        phi_1485_ = type_4(0u, 8u);
+                                                        phi_1488_ = _e1001;
                                                         loop {
-                                                            let _e1006 = phi_1484_;
-                                                            let _e1008 = phi_1487_;
+                                                            let _e1006 = phi_1485_;
+                                                            let _e1008 = phi_1488_;
                                                             if (_e1006.member < _e1006.member_1) {
-                                                                phi_1485_ = type_4((_e1006.member + 1u), _e1006.member_1);
-                                                                phi_1510_ = type_4(1u, _e1006.member);
+                                                                phi_1486_ = type_4((_e1006.member + 1u), _e1006.member_1);
+                                                                phi_1511_ = type_4(1u, _e1006.member);
                                                             } else {
-                                                                phi_1485_ = _e1006;
-                                                                phi_1510_ = type_4(0u, type_4().member_1);
+                                                                phi_1486_ = _e1006;
+                                                                phi_1511_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1021 = phi_1485_;
-                                                            let _e1023 = phi_1510_;
+                                                            let _e1021 = phi_1486_;
+                                                            let _e1023 = phi_1511_;
                                                             let _e1027 = (bitcast<i32>(_e1023.member) != 0i);
                                                             if _e1027 {
                                                                 let _e1028 = (_e1023.member_1 < 8u);
                                                                 if _e1028 {
                                                                 } else {
-                                                                    phi_2239_ = true;
+                                                                    phi_2240_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1033 = local[_e1023.member_1].member;
                                                                 if (_e1008.member < _e1033) {
-                                                                    phi_1543_ = true;
+                                                                    phi_1544_ = true;
                                                                 } else {
                                                                     let _e1035 = local[_e1023.member_1].member;
                                                                     if (_e1008.member == _e1035) {
                                                                         let _e1040 = local[_e1023.member_1].member_3;
-                                                                        phi_1542_ = (_e1008.member_3 < _e1040);
+                                                                        phi_1543_ = (_e1008.member_3 < _e1040);
                                                                     } else {
-                                                                        phi_1542_ = false;
+                                                                        phi_1543_ = false;
                                                                     }
-                                                                    let _e1043 = phi_1542_;
-                                                                    phi_1543_ = _e1043;
+                                                                    let _e1043 = phi_1543_;
+                                                                    phi_1544_ = _e1043;
                                                                 }
-                                                                let _e1045 = phi_1543_;
+                                                                let _e1045 = phi_1544_;
                                                                 if _e1045 {
                                                                     if _e1028 {
                                                                     } else {
-                                                                        phi_2239_ = true;
+                                                                        phi_2240_ = true;
                                                                         break;
                                                                     }
                                                                     let _e1046 = local[_e1023.member_1];
-                                                                    local[_e1023.member_1] = type_20(_e1008.member, _e1008.member_1, _e1008.member_2, _e1008.member_3);
-                                                                    phi_1564_ = type_20(_e1046.member, _e1046.member_1, _e1046.member_2, _e1046.member_3);
+                                                                    local[_e1023.member_1] = type_23(_e1008.member, _e1008.member_1, _e1008.member_2, _e1008.member_3);
+                                                                    phi_1565_ = type_23(_e1046.member, _e1046.member_1, _e1046.member_2, _e1046.member_3);
                                                                 } else {
-                                                                    phi_1564_ = _e1008;
+                                                                    phi_1565_ = _e1008;
                                                                 }
-                                                                let _e1057 = phi_1564_;
-                                                                phi_1488_ = _e1057;
+                                                                let _e1057 = phi_1565_;
+                                                                phi_1489_ = _e1057;
                                                             } else {
-                                                                phi_1488_ = type_20();
+                                                                phi_1489_ = type_23();
                                                             }
-                                                            let _e1059 = phi_1488_;
+                                                            let _e1059 = phi_1489_;
                                                             continue;
                                                             continuing {
-                                                                phi_1484_ = _e1021;
-                                                                phi_1487_ = _e1059;
-                                                                phi_2239_ = _e620;
+                                                                phi_1485_ = _e1021;
+                                                                phi_1488_ = _e1059;
+                                                                phi_2240_ = _e620;
                                                                 break if !(_e1027);
                                                             }
                                                         }
-                                                        let _e1062 = phi_2239_;
-                                                        phi_2439_ = _e622;
-                                                        phi_2349_ = _e1062;
+                                                        let _e1062 = phi_2240_;
+                                                        phi_2440_ = _e622;
+                                                        phi_2350_ = _e1062;
                                                         if _e1062 {
                                                             break;
                                                         }
                                                         let _e1065 = local[7u].member_3;
                                                         if (_e1065 != 4294967295u) {
                                                             let _e1069 = local[7u].member;
-                                                            phi_2502_ = _e1069;
+                                                            phi_2503_ = _e1069;
                                                         } else {
-                                                            phi_2502_ = _e622;
+                                                            phi_2503_ = _e622;
                                                         }
-                                                        let _e1071 = phi_2502_;
-                                                        phi_2501_ = _e1071;
-                                                        phi_2352_ = _e1062;
+                                                        let _e1071 = phi_2503_;
+                                                        phi_2502_ = _e1071;
+                                                        phi_2353_ = _e1062;
                                                     } else {
-                                                        phi_2501_ = _e622;
-                                                        phi_2352_ = _e620;
+                                                        phi_2502_ = _e622;
+                                                        phi_2353_ = _e620;
                                                     }
-                                                    let _e1073 = phi_2501_;
-                                                    let _e1075 = phi_2352_;
-                                                    phi_2500_ = _e1073;
-                                                    phi_2351_ = _e1075;
+                                                    let _e1073 = phi_2502_;
+                                                    let _e1075 = phi_2353_;
+                                                    phi_2501_ = _e1073;
+                                                    phi_2352_ = _e1075;
                                                 } else {
-                                                    phi_2500_ = _e622;
-                                                    phi_2351_ = _e620;
+                                                    phi_2501_ = _e622;
+                                                    phi_2352_ = _e620;
                                                 }
-                                                let _e1077 = phi_2500_;
-                                                let _e1079 = phi_2351_;
-                                                phi_2499_ = _e1077;
-                                                phi_2350_ = _e1079;
+                                                let _e1077 = phi_2501_;
+                                                let _e1079 = phi_2352_;
+                                                phi_2500_ = _e1077;
+                                                phi_2351_ = _e1079;
                                             } else {
-                                                phi_2499_ = _e622;
-                                                phi_2350_ = _e620;
+                                                phi_2500_ = _e622;
+                                                phi_2351_ = _e620;
                                             }
-                                            let _e1081 = phi_2499_;
-                                            let _e1083 = phi_2350_;
+                                            let _e1081 = phi_2500_;
+                                            let _e1083 = phi_2351_;
                                             continue;
                                             continuing {
-                                                phi_2248_ = _e1083;
-                                                phi_2238_ = _e1081;
-                                                phi_763_ = _e637;
-                                                phi_2439_ = _e1081;
-                                                phi_2349_ = _e1083;
+                                                phi_2249_ = _e1083;
+                                                phi_2239_ = _e1081;
+                                                phi_764_ = _e637;
+                                                phi_2440_ = _e1081;
+                                                phi_2350_ = _e1083;
                                                 break if !(_e643);
                                             }
                                         }
-                                        let _e1086 = phi_2439_;
-                                        let _e1088 = phi_2349_;
-                                        phi_2354_ = _e1088;
+                                        let _e1086 = phi_2440_;
+                                        let _e1088 = phi_2350_;
+                                        phi_2355_ = _e1088;
                                         if _e1088 {
                                             break;
                                         }
-                                        phi_2404_ = _e1086;
-                                        phi_2358_ = _e1088;
-                                        phi_2029_ = _e418;
-                                        phi_2030_ = false;
-                                        phi_2031_ = _e422;
+                                        phi_2405_ = _e1086;
+                                        phi_2359_ = _e1088;
+                                        phi_2030_ = _e418;
+                                        phi_2031_ = false;
+                                        phi_2032_ = _e422;
                                     } else {
                                         if (_e418 >= _e67) {
-                                            phi_1635_ = type_38(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1636_ = type_39(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e418 < _e67) {
                                             } else {
-                                                phi_2354_ = true;
+                                                phi_2355_ = true;
                                                 break;
                                             }
                                             let _e432 = (_e195 % 3u);
                                             if (_e432 < 3u) {
                                             } else {
-                                                phi_2354_ = true;
+                                                phi_2355_ = true;
                                                 break;
                                             }
                                             let _e438 = global_2.member[_e418].member[_e432];
                                             let _e444 = (_e194 % 3u);
                                             if (_e444 < 3u) {
                                             } else {
-                                                phi_2354_ = true;
+                                                phi_2355_ = true;
                                                 break;
                                             }
                                             let _e450 = global_2.member[_e418].member[_e444];
                                             let _e456 = (_e196 % 3u);
                                             if (_e456 < 3u) {
                                             } else {
-                                                phi_2354_ = true;
+                                                phi_2355_ = true;
                                                 break;
                                             }
                                             let _e462 = global_2.member[_e418].member[_e456];
                                             let _e472 = global_2.member[_e418].member_1;
                                             let _e476 = global_2.member[_e418].member_2;
-                                            phi_1635_ = type_38(array<vec4<f32>, 3>(vec4<f32>(_e438[0], _e438[1], _e438[2], _e438[3]), vec4<f32>(_e450[0], _e450[1], _e450[2], _e450[3]), vec4<f32>(_e462[0], _e462[1], _e462[2], _e462[3])), _e472, _e476);
+                                            phi_1636_ = type_39(array<vec4<f32>, 3>(vec4<f32>(_e438[0], _e438[1], _e438[2], _e438[3]), vec4<f32>(_e450[0], _e450[1], _e450[2], _e450[3]), vec4<f32>(_e462[0], _e462[1], _e462[2], _e462[3])), _e472, _e476);
                                         }
-                                        let _e479 = phi_1635_;
+                                        let _e479 = phi_1636_;
                                         let _e490 = ((_e479.member[0].x - _e259) * _e264);
                                         let _e491 = ((_e479.member[0].y - _e259) * _e264);
                                         let _e492 = ((_e479.member[0].z - _e260) * _e264);
@@ -976,173 +976,173 @@ fn function_() {
                                         if _e578 {
                                             if _e579 {
                                                 if _e580 {
-                                                    phi_1980_ = _e479.member_2;
+                                                    phi_1981_ = _e479.member_2;
                                                 } else {
-                                                    phi_1980_ = _e479.member_1;
+                                                    phi_1981_ = _e479.member_1;
                                                 }
-                                                let _e584 = phi_1980_;
+                                                let _e584 = phi_1981_;
                                                 let _e585 = (_e422 % 128u);
                                                 let _e586 = (_e585 < 128u);
                                                 if _e586 {
                                                 } else {
-                                                    phi_2354_ = true;
+                                                    phi_2355_ = true;
                                                     break;
                                                 }
                                                 local_1[_e585] = _e584;
                                                 if _e586 {
                                                 } else {
-                                                    phi_2354_ = true;
+                                                    phi_2355_ = true;
                                                     break;
                                                 }
                                                 local_2[_e585] = select(_e573, _e571, (_e571 > _e573));
                                                 if _e580 {
-                                                    phi_2006_ = _e479.member_1;
+                                                    phi_2007_ = _e479.member_1;
                                                 } else {
-                                                    phi_2006_ = _e479.member_2;
+                                                    phi_2007_ = _e479.member_2;
                                                 }
-                                                let _e595 = phi_2006_;
-                                                phi_2007_ = _e595;
-                                                phi_2008_ = (_e422 + 1u);
+                                                let _e595 = phi_2007_;
+                                                phi_2008_ = _e595;
+                                                phi_2009_ = (_e422 + 1u);
                                             } else {
-                                                phi_2007_ = u32();
                                                 phi_2008_ = u32();
+                                                phi_2009_ = u32();
                                             }
-                                            let _e597 = phi_2007_;
-                                            let _e599 = phi_2008_;
-                                            phi_2010_ = _e597;
-                                            phi_2011_ = _e599;
-                                            phi_2012_ = select(true, false, _e579);
+                                            let _e597 = phi_2008_;
+                                            let _e599 = phi_2009_;
+                                            phi_2011_ = _e597;
+                                            phi_2012_ = _e599;
+                                            phi_2013_ = select(true, false, _e579);
                                         } else {
-                                            phi_2010_ = u32();
                                             phi_2011_ = u32();
-                                            phi_2012_ = true;
+                                            phi_2012_ = u32();
+                                            phi_2013_ = true;
                                         }
-                                        let _e602 = phi_2010_;
-                                        let _e604 = phi_2011_;
-                                        let _e606 = phi_2012_;
+                                        let _e602 = phi_2011_;
+                                        let _e604 = phi_2012_;
+                                        let _e606 = phi_2013_;
                                         if _e606 {
                                             if _e578 {
-                                                phi_2021_ = _e479.member_1;
+                                                phi_2022_ = _e479.member_1;
                                             } else {
-                                                phi_2021_ = _e479.member_2;
+                                                phi_2022_ = _e479.member_2;
                                             }
-                                            let _e610 = phi_2021_;
-                                            phi_2026_ = _e610;
-                                            phi_2027_ = select(_e579, true, _e578);
+                                            let _e610 = phi_2022_;
+                                            phi_2027_ = _e610;
+                                            phi_2028_ = select(_e579, true, _e578);
                                         } else {
-                                            phi_2026_ = _e602;
-                                            phi_2027_ = _e420;
+                                            phi_2027_ = _e602;
+                                            phi_2028_ = _e420;
                                         }
-                                        let _e613 = phi_2026_;
-                                        let _e615 = phi_2027_;
-                                        phi_2404_ = _e396;
-                                        phi_2358_ = _e394;
-                                        phi_2029_ = _e613;
-                                        phi_2030_ = _e615;
-                                        phi_2031_ = select(_e604, _e422, _e606);
+                                        let _e613 = phi_2027_;
+                                        let _e615 = phi_2028_;
+                                        phi_2405_ = _e396;
+                                        phi_2359_ = _e394;
+                                        phi_2030_ = _e613;
+                                        phi_2031_ = _e615;
+                                        phi_2032_ = select(_e604, _e422, _e606);
                                     }
-                                    let _e1090 = phi_2404_;
-                                    let _e1092 = phi_2358_;
-                                    let _e1094 = phi_2029_;
-                                    let _e1096 = phi_2030_;
-                                    let _e1098 = phi_2031_;
-                                    phi_2403_ = _e1090;
-                                    phi_2357_ = _e1092;
-                                    phi_2032_ = _e1094;
-                                    phi_2033_ = (_e400 - 1u);
-                                    phi_2034_ = _e1096;
-                                    phi_2035_ = _e1098;
+                                    let _e1090 = phi_2405_;
+                                    let _e1092 = phi_2359_;
+                                    let _e1094 = phi_2030_;
+                                    let _e1096 = phi_2031_;
+                                    let _e1098 = phi_2032_;
+                                    phi_2404_ = _e1090;
+                                    phi_2358_ = _e1092;
+                                    phi_2033_ = _e1094;
+                                    phi_2034_ = (_e400 - 1u);
+                                    phi_2035_ = _e1096;
+                                    phi_2036_ = _e1098;
                                 } else {
-                                    phi_2403_ = _e396;
-                                    phi_2357_ = _e394;
-                                    phi_2032_ = _e418;
-                                    phi_2033_ = _e400;
-                                    phi_2034_ = _e420;
-                                    phi_2035_ = _e422;
+                                    phi_2404_ = _e396;
+                                    phi_2358_ = _e394;
+                                    phi_2033_ = _e418;
+                                    phi_2034_ = _e400;
+                                    phi_2035_ = _e420;
+                                    phi_2036_ = _e422;
                                 }
-                                let _e1100 = phi_2403_;
-                                let _e1102 = phi_2357_;
-                                let _e1104 = phi_2032_;
-                                let _e1106 = phi_2033_;
-                                let _e1108 = phi_2034_;
-                                let _e1110 = phi_2035_;
-                                phi_2402_ = _e1100;
-                                phi_2356_ = _e1102;
-                                phi_2036_ = _e1104;
-                                phi_2037_ = _e1106;
-                                phi_2038_ = _e1108;
-                                phi_2039_ = _e1110;
+                                let _e1100 = phi_2404_;
+                                let _e1102 = phi_2358_;
+                                let _e1104 = phi_2033_;
+                                let _e1106 = phi_2034_;
+                                let _e1108 = phi_2035_;
+                                let _e1110 = phi_2036_;
+                                phi_2403_ = _e1100;
+                                phi_2357_ = _e1102;
+                                phi_2037_ = _e1104;
+                                phi_2038_ = _e1106;
+                                phi_2039_ = _e1108;
+                                phi_2040_ = _e1110;
                             } else {
-                                phi_2402_ = _e396;
-                                phi_2356_ = _e394;
-                                phi_2036_ = u32();
+                                phi_2403_ = _e396;
+                                phi_2357_ = _e394;
                                 phi_2037_ = u32();
-                                phi_2038_ = bool();
-                                phi_2039_ = u32();
+                                phi_2038_ = u32();
+                                phi_2039_ = bool();
+                                phi_2040_ = u32();
                             }
-                            let _e1112 = phi_2402_;
-                            let _e1114 = phi_2356_;
-                            let _e1116 = phi_2036_;
-                            let _e1118 = phi_2037_;
-                            let _e1120 = phi_2038_;
-                            let _e1122 = phi_2039_;
-                            phi_2401_ = _e1112;
-                            phi_2355_ = _e1114;
-                            phi_697_ = _e1116;
-                            phi_700_ = _e1118;
-                            phi_702_ = _e1120;
-                            phi_704_ = _e1122;
-                            phi_2040_ = _e408;
+                            let _e1112 = phi_2403_;
+                            let _e1114 = phi_2357_;
+                            let _e1116 = phi_2037_;
+                            let _e1118 = phi_2038_;
+                            let _e1120 = phi_2039_;
+                            let _e1122 = phi_2040_;
+                            phi_2402_ = _e1112;
+                            phi_2356_ = _e1114;
+                            phi_698_ = _e1116;
+                            phi_701_ = _e1118;
+                            phi_703_ = _e1120;
+                            phi_705_ = _e1122;
+                            phi_2041_ = _e408;
                         } else {
-                            phi_2401_ = _e396;
-                            phi_2355_ = _e394;
-                            phi_697_ = u32();
-                            phi_700_ = u32();
-                            phi_702_ = bool();
-                            phi_704_ = u32();
-                            phi_2040_ = false;
+                            phi_2402_ = _e396;
+                            phi_2356_ = _e394;
+                            phi_698_ = u32();
+                            phi_701_ = u32();
+                            phi_703_ = bool();
+                            phi_705_ = u32();
+                            phi_2041_ = false;
                         }
-                        let _e1124 = phi_2401_;
-                        let _e1126 = phi_2355_;
-                        let _e1128 = phi_697_;
-                        let _e1130 = phi_700_;
-                        let _e1132 = phi_702_;
-                        let _e1134 = phi_704_;
-                        let _e1136 = phi_2040_;
+                        let _e1124 = phi_2402_;
+                        let _e1126 = phi_2356_;
+                        let _e1128 = phi_698_;
+                        let _e1130 = phi_701_;
+                        let _e1132 = phi_703_;
+                        let _e1134 = phi_705_;
+                        let _e1136 = phi_2041_;
                         continue;
                         continuing {
-                            phi_2251_ = _e1126;
-                            phi_2231_ = _e1124;
-                            phi_696_ = _e1128;
-                            phi_699_ = _e1130;
-                            phi_701_ = _e1132;
-                            phi_703_ = _e1134;
-                            phi_2354_ = _e1126;
+                            phi_2252_ = _e1126;
+                            phi_2232_ = _e1124;
+                            phi_697_ = _e1128;
+                            phi_700_ = _e1130;
+                            phi_702_ = _e1132;
+                            phi_704_ = _e1134;
+                            phi_2355_ = _e1126;
                             break if !(_e1136);
                         }
                     }
-                    let _e1139 = phi_2354_;
+                    let _e1139 = phi_2355_;
                     if _e1139 {
                         break;
                     }
-                    phi_2047_ = type_4(0u, 8u);
+                    phi_2048_ = type_4(0u, 8u);
                     loop {
-                        let _e1141 = phi_2047_;
+                        let _e1141 = phi_2048_;
                         if (_e1141.member < _e1141.member_1) {
-                            phi_2048_ = type_4((_e1141.member + 1u), _e1141.member_1);
-                            phi_2071_ = type_4(1u, _e1141.member);
+                            phi_2049_ = type_4((_e1141.member + 1u), _e1141.member_1);
+                            phi_2072_ = type_4(1u, _e1141.member);
                         } else {
-                            phi_2048_ = _e1141;
-                            phi_2071_ = type_4(0u, type_4().member_1);
+                            phi_2049_ = _e1141;
+                            phi_2072_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1154 = phi_2048_;
-                        let _e1156 = phi_2071_;
+                        let _e1154 = phi_2049_;
+                        let _e1156 = phi_2072_;
                         let _e1160 = (bitcast<i32>(_e1156.member) != 0i);
                         if _e1160 {
                             let _e1161 = (_e1156.member_1 < 8u);
                             if _e1161 {
                             } else {
-                                phi_2394_ = true;
+                                phi_2395_ = true;
                                 break;
                             }
                             let _e1163 = local[_e1156.member_1];
@@ -1152,26 +1152,26 @@ fn function_() {
                                 let _e1177 = bitcast<f32>((bitcast<u32>((_e1170 + 127i)) << bitcast<u32>(23i)));
                                 let _e1185 = (((_e1163.member * _e1177) * _e1177) * bitcast<f32>((bitcast<u32>(((_e1169 - (2i * _e1170)) + 127i)) << bitcast<u32>(23i))));
                                 let _e1187 = select(340282350000000000000000000000000000000f, _e1185, (_e1185 < 340282350000000000000000000000000000000f));
-                                phi_2137_ = type_20(select(-340282350000000000000000000000000000000f, _e1187, (_e1187 > -340282350000000000000000000000000000000f)), _e1163.member_1, _e1163.member_2, _e1163.member_3);
+                                phi_2138_ = type_23(select(-340282350000000000000000000000000000000f, _e1187, (_e1187 > -340282350000000000000000000000000000000f)), _e1163.member_1, _e1163.member_2, _e1163.member_3);
                             } else {
-                                phi_2137_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_2138_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1192 = phi_2137_;
+                            let _e1192 = phi_2138_;
                             if _e1161 {
                             } else {
-                                phi_2394_ = true;
+                                phi_2395_ = true;
                                 break;
                             }
-                            local[_e1156.member_1] = type_20(_e1192.member, _e1192.member_1, _e1192.member_2, _e1192.member_3);
+                            local[_e1156.member_1] = type_23(_e1192.member, _e1192.member_1, _e1192.member_2, _e1192.member_3);
                         }
                         continue;
                         continuing {
-                            phi_2047_ = _e1154;
-                            phi_2394_ = _e1139;
+                            phi_2048_ = _e1154;
+                            phi_2395_ = _e1139;
                             break if !(_e1160);
                         }
                     }
-                    let _e1200 = phi_2394_;
+                    let _e1200 = phi_2395_;
                     if _e1200 {
                         break;
                     }
@@ -1180,7 +1180,7 @@ fn function_() {
                     } else {
                         break;
                     }
-                    global_5.member[_e77] = array<type_20, 8>(type_20(_e1201[0].member, _e1201[0].member_1, _e1201[0].member_2, _e1201[0].member_3), type_20(_e1201[1].member, _e1201[1].member_1, _e1201[1].member_2, _e1201[1].member_3), type_20(_e1201[2].member, _e1201[2].member_1, _e1201[2].member_2, _e1201[2].member_3), type_20(_e1201[3].member, _e1201[3].member_1, _e1201[3].member_2, _e1201[3].member_3), type_20(_e1201[4].member, _e1201[4].member_1, _e1201[4].member_2, _e1201[4].member_3), type_20(_e1201[5].member, _e1201[5].member_1, _e1201[5].member_2, _e1201[5].member_3), type_20(_e1201[6].member, _e1201[6].member_1, _e1201[6].member_2, _e1201[6].member_3), type_20(_e1201[7].member, _e1201[7].member_1, _e1201[7].member_2, _e1201[7].member_3));
+                    global_5.member[_e77] = array<type_23, 8>(type_23(_e1201[0].member, _e1201[0].member_1, _e1201[0].member_2, _e1201[0].member_3), type_23(_e1201[1].member, _e1201[1].member_1, _e1201[1].member_2, _e1201[1].member_3), type_23(_e1201[2].member, _e1201[2].member_1, _e1201[2].member_2, _e1201[2].member_3), type_23(_e1201[3].member, _e1201[3].member_1, _e1201[3].member_2, _e1201[3].member_3), type_23(_e1201[4].member, _e1201[4].member_1, _e1201[4].member_2, _e1201[4].member_3), type_23(_e1201[5].member, _e1201[5].member_1, _e1201[5].member_2, _e1201[5].member_3), type_23(_e1201[6].member, _e1201[6].member_1, _e1201[6].member_2, _e1201[6].member_3), type_23(_e1201[7].member, _e1201[7].member_1, _e1201[7].member_2, _e1201[7].member_3));
                 }
             }
             break;

@@ -1,48 +1,52 @@
 struct type_4 {
+    member: array<u32>,
+}
+
+struct type_7 {
     member: u32,
     member_1: u32,
 }
 
-struct type_10 {
+struct type_13 {
     member: array<f32, 9>,
     member_1: u32,
 }
 
-struct type_12 {
-    member: array<type_10>,
+struct type_15 {
+    member: array<type_13>,
 }
 
-struct type_16 {
+struct type_22 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_18 {
-    member: array<type_16>,
+struct type_24 {
+    member: array<type_22>,
 }
 
-struct type_20 {
+struct type_26 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
     member_3: f32,
 }
 
-struct type_21 {
-    member: type_20,
+struct type_27 {
+    member: type_26,
     member_1: array<f32, 3>,
     member_2: u32,
     member_3: array<f32, 3>,
     member_4: u32,
 }
 
-struct type_23 {
-    member: array<type_21>,
+struct type_29 {
+    member: array<type_27>,
 }
 
-struct type_30 {
+struct type_34 {
     member: array<array<f32, 4>, 3>,
     member_1: u32,
     member_2: u32,
@@ -50,1003 +54,1050 @@ struct type_30 {
     member_4: u32,
 }
 
-struct type_32 {
-    member: array<type_30>,
+struct type_36 {
+    member: array<type_34>,
 }
 
-struct type_40 {
-    member: type_16,
+struct type_44 {
+    member: type_22,
     member_1: f32,
 }
 
-struct type_43 {
+struct type_47 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
+struct type_51 {
+    member: array<atomic<u32>>,
+}
+
 var<private> global: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> global_1: type_12;
+var<storage> global_1: type_15;
 @group(0) @binding(0) 
-var<storage> global_2: type_32;
+var<storage> global_2: type_36;
 @group(0) @binding(2) 
-var<storage> global_3: type_23;
+var<storage> global_3: type_29;
 @group(0) @binding(3) 
-var<storage, read_write> global_4: type_18;
+var<storage, read_write> global_4: type_24;
+@group(0) @binding(4) 
+var<storage, read_write> global_5: type_51;
 
 fn function_() {
     var local: array<u32, 128>;
     var local_1: array<f32, 128>;
-    var phi_261_: i32;
-    var phi_262_: i32;
-    var phi_272_: bool;
-    var phi_282_: u32;
-    var phi_283_: u32;
-    var phi_285_: bool;
-    var phi_290_: u32;
-    var phi_334_: f32;
-    var phi_340_: f32;
+    var phi_272_: i32;
+    var phi_273_: i32;
+    var phi_283_: bool;
+    var phi_293_: u32;
+    var phi_294_: u32;
+    var phi_296_: bool;
+    var phi_301_: u32;
+    var phi_345_: f32;
     var phi_351_: f32;
-    var phi_357_: f32;
-    var phi_380_: f32;
+    var phi_362_: f32;
+    var phi_368_: f32;
     var phi_391_: f32;
-    var phi_400_: f32;
-    var phi_406_: f32;
+    var phi_402_: f32;
+    var phi_411_: f32;
     var phi_417_: f32;
-    var phi_423_: f32;
-    var phi_446_: f32;
+    var phi_428_: f32;
+    var phi_434_: f32;
     var phi_457_: f32;
-    var phi_466_: f32;
-    var phi_472_: f32;
+    var phi_468_: f32;
+    var phi_477_: f32;
     var phi_483_: f32;
-    var phi_489_: f32;
-    var phi_512_: f32;
+    var phi_494_: f32;
+    var phi_500_: f32;
     var phi_523_: f32;
-    var phi_623_: f32;
-    var phi_624_: f32;
-    var phi_1989_: bool;
-    var phi_635_: type_40;
-    var phi_638_: u32;
-    var phi_640_: u32;
-    var phi_642_: bool;
-    var phi_644_: u32;
-    var phi_655_: bool;
-    var phi_685_: u32;
-    var phi_686_: bool;
-    var phi_687_: u32;
-    var phi_1507_: type_43;
-    var phi_1851_: u32;
-    var phi_1877_: u32;
-    var phi_1878_: u32;
-    var phi_1879_: u32;
-    var phi_1881_: u32;
-    var phi_1882_: u32;
-    var phi_1883_: bool;
+    var phi_534_: f32;
+    var phi_634_: f32;
+    var phi_635_: f32;
+    var phi_2075_: bool;
+    var phi_646_: type_44;
+    var phi_649_: u32;
+    var phi_651_: u32;
+    var phi_653_: bool;
+    var phi_655_: u32;
+    var phi_666_: bool;
+    var phi_696_: u32;
+    var phi_697_: bool;
+    var phi_698_: u32;
+    var phi_1518_: type_47;
+    var phi_1862_: u32;
+    var phi_1888_: u32;
+    var phi_1889_: u32;
+    var phi_1890_: u32;
     var phi_1892_: u32;
-    var phi_1897_: u32;
-    var phi_1898_: bool;
-    var phi_703_: type_40;
-    var phi_706_: type_4;
-    var phi_707_: type_4;
-    var phi_729_: type_4;
-    var phi_749_: u32;
-    var phi_837_: array<array<f32, 3>, 3>;
-    var phi_1308_: vec3<f32>;
-    var phi_1309_: vec3<f32>;
-    var phi_1340_: bool;
-    var phi_1349_: vec3<f32>;
-    var phi_1389_: type_16;
-    var phi_1391_: type_16;
-    var phi_1392_: bool;
-    var phi_1396_: type_16;
-    var phi_1397_: type_16;
-    var phi_1398_: type_16;
-    var phi_1399_: bool;
-    var phi_1403_: type_16;
-    var phi_1404_: bool;
-    var phi_1408_: type_16;
-    var phi_1409_: bool;
-    var phi_1413_: type_16;
-    var phi_1438_: bool;
-    var phi_1439_: bool;
-    var phi_1445_: type_40;
-    var phi_1446_: type_40;
-    var phi_1447_: type_40;
-    var phi_704_: type_40;
-    var phi_1983_: bool;
-    var phi_2097_: bool;
-    var phi_1900_: type_40;
-    var phi_1901_: u32;
-    var phi_1902_: bool;
+    var phi_1893_: u32;
+    var phi_1894_: bool;
     var phi_1903_: u32;
-    var phi_2096_: bool;
-    var phi_1904_: type_40;
-    var phi_1905_: u32;
-    var phi_1906_: u32;
-    var phi_1907_: bool;
     var phi_1908_: u32;
-    var phi_2095_: bool;
-    var phi_1909_: type_40;
-    var phi_1910_: u32;
-    var phi_1911_: u32;
-    var phi_1912_: bool;
-    var phi_1913_: u32;
-    var phi_2094_: bool;
-    var phi_636_: type_40;
-    var phi_639_: u32;
-    var phi_641_: u32;
-    var phi_643_: bool;
-    var phi_645_: u32;
-    var phi_1914_: bool;
-    var phi_2093_: bool;
-    var local_2: type_40;
-    var phi_1966_: type_16;
-    var local_3: type_40;
+    var phi_1909_: bool;
+    var phi_714_: type_44;
+    var phi_717_: type_7;
+    var phi_718_: type_7;
+    var phi_740_: type_7;
+    var phi_760_: u32;
+    var phi_848_: array<array<f32, 3>, 3>;
+    var phi_1319_: vec3<f32>;
+    var phi_1320_: vec3<f32>;
+    var phi_1351_: bool;
+    var phi_1360_: vec3<f32>;
+    var phi_1400_: type_22;
+    var phi_1402_: type_22;
+    var phi_1403_: bool;
+    var phi_1407_: type_22;
+    var phi_1408_: type_22;
+    var phi_1409_: type_22;
+    var phi_1410_: bool;
+    var phi_1414_: type_22;
+    var phi_1415_: bool;
+    var phi_1419_: type_22;
+    var phi_1420_: bool;
+    var phi_1424_: type_22;
+    var phi_1449_: bool;
+    var phi_1450_: bool;
+    var phi_1456_: type_44;
+    var phi_1457_: type_44;
+    var phi_1458_: type_44;
+    var phi_715_: type_44;
+    var phi_2069_: bool;
+    var phi_2183_: bool;
+    var phi_1911_: type_44;
+    var phi_1912_: u32;
+    var phi_1913_: bool;
+    var phi_1914_: u32;
+    var phi_2182_: bool;
+    var phi_1915_: type_44;
+    var phi_1916_: u32;
+    var phi_1917_: u32;
+    var phi_1918_: bool;
+    var phi_1919_: u32;
+    var phi_2181_: bool;
+    var phi_1920_: type_44;
+    var phi_1921_: u32;
+    var phi_1922_: u32;
+    var phi_1923_: bool;
+    var phi_1924_: u32;
+    var phi_2180_: bool;
+    var phi_647_: type_44;
+    var phi_650_: u32;
+    var phi_652_: u32;
+    var phi_654_: bool;
+    var phi_656_: u32;
+    var phi_1925_: bool;
+    var phi_2179_: bool;
+    var local_2: type_44;
+    var phi_1977_: type_22;
+    var local_3: type_44;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e60 = global;
-            let _e62 = arrayLength((&global_2.member));
-            let _e64 = arrayLength((&global_1.member));
-            let _e72 = (_e60.x + (_e60.y * 2097152u));
-            let _e73 = (_e72 < arrayLength((&global_3.member)));
-            if _e73 {
-                let _e74 = (_e72 < arrayLength((&global_4.member)));
-                if _e74 {
-                    if _e73 {
+            let _e62 = global;
+            let _e64 = arrayLength((&global_2.member));
+            let _e66 = arrayLength((&global_1.member));
+            let _e72 = arrayLength((&global_5.member));
+            let _e76 = (_e62.x + (_e62.y * 2097152u));
+            let _e77 = (_e76 < arrayLength((&global_3.member)));
+            if _e77 {
+                let _e78 = (_e76 < arrayLength((&global_4.member)));
+                if _e78 {
+                    if _e77 {
                     } else {
                         break;
                     }
-                    if _e73 {
+                    if _e77 {
                     } else {
                         break;
                     }
-                    let _e78 = global_3.member[_e72].member_2;
-                    let _e88 = global_3.member[_e72].member.member_2[0u];
-                    let _e90 = (bitcast<u32>(_e88) & 2147483647u);
-                    let _e96 = global_3.member[_e72].member.member_2[1u];
-                    let _e98 = (bitcast<u32>(_e96) & 2147483647u);
-                    let _e104 = global_3.member[_e72].member.member_2[2u];
-                    let _e106 = (bitcast<u32>(_e104) & 2147483647u);
-                    let _e112 = global_3.member[_e72].member.member[0u];
-                    let _e114 = (bitcast<u32>(_e112) & 2147483647u);
-                    let _e120 = global_3.member[_e72].member.member[1u];
-                    let _e122 = (bitcast<u32>(_e120) & 2147483647u);
-                    let _e128 = global_3.member[_e72].member.member[2u];
-                    let _e130 = (bitcast<u32>(_e128) & 2147483647u);
-                    let _e132 = select(_e98, _e90, (_e98 < _e90));
-                    let _e134 = select(_e106, _e132, (_e106 < _e132));
-                    let _e136 = select(_e114, _e134, (_e114 < _e134));
-                    let _e138 = select(_e122, _e136, (_e122 < _e136));
-                    let _e140 = select(_e130, _e138, (_e130 < _e138));
-                    let _e145 = global_3.member[_e72].member.member_1;
-                    let _e147 = (bitcast<u32>(_e145) & 2147483647u);
-                    let _e155 = global_3.member[_e72].member.member_3;
-                    let _e161 = (((select(_e147, _e140, (_e147 < _e140)) < 2139095040u) && ((bitcast<u32>(_e155) & 2147483647u) <= 2139095040u)) && (_e134 > 0u));
-                    if _e161 {
-                        let _e164 = (bitcast<u32>(bitcast<f32>(_e134)) & 2147483647u);
-                        if (_e164 >= 8388608u) {
-                            phi_261_ = (bitcast<i32>((_e164 >> bitcast<u32>(23i))) - 127i);
+                    let _e82 = global_3.member[_e76].member_2;
+                    let _e92 = global_3.member[_e76].member.member_2[0u];
+                    let _e94 = (bitcast<u32>(_e92) & 2147483647u);
+                    let _e100 = global_3.member[_e76].member.member_2[1u];
+                    let _e102 = (bitcast<u32>(_e100) & 2147483647u);
+                    let _e108 = global_3.member[_e76].member.member_2[2u];
+                    let _e110 = (bitcast<u32>(_e108) & 2147483647u);
+                    let _e116 = global_3.member[_e76].member.member[0u];
+                    let _e118 = (bitcast<u32>(_e116) & 2147483647u);
+                    let _e124 = global_3.member[_e76].member.member[1u];
+                    let _e126 = (bitcast<u32>(_e124) & 2147483647u);
+                    let _e132 = global_3.member[_e76].member.member[2u];
+                    let _e134 = (bitcast<u32>(_e132) & 2147483647u);
+                    let _e136 = select(_e102, _e94, (_e102 < _e94));
+                    let _e138 = select(_e110, _e136, (_e110 < _e136));
+                    let _e140 = select(_e118, _e138, (_e118 < _e138));
+                    let _e142 = select(_e126, _e140, (_e126 < _e140));
+                    let _e144 = select(_e134, _e142, (_e134 < _e142));
+                    let _e149 = global_3.member[_e76].member.member_1;
+                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
+                    let _e159 = global_3.member[_e76].member.member_3;
+                    let _e165 = (((select(_e151, _e144, (_e151 < _e144)) < 2139095040u) && ((bitcast<u32>(_e159) & 2147483647u) <= 2139095040u)) && (_e138 > 0u));
+                    if _e165 {
+                        let _e168 = (bitcast<u32>(bitcast<f32>(_e138)) & 2147483647u);
+                        if (_e168 >= 8388608u) {
+                            phi_272_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_261_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e164)), 32u, (_e164 == 0u))));
+                            phi_272_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
                         }
-                        let _e178 = phi_261_;
-                        phi_262_ = _e178;
+                        let _e182 = phi_272_;
+                        phi_273_ = _e182;
                     } else {
-                        phi_262_ = 0i;
+                        phi_273_ = 0i;
                     }
-                    let _e180 = phi_262_;
-                    let _e181 = (_e90 == _e134);
-                    if _e181 {
-                        phi_272_ = true;
+                    let _e184 = phi_273_;
+                    let _e185 = (_e94 == _e138);
+                    if _e185 {
+                        phi_283_ = true;
                     } else {
-                        phi_272_ = (_e98 == _e134);
+                        phi_283_ = (_e102 == _e138);
                     }
-                    let _e184 = phi_272_;
-                    let _e185 = select(1u, 0u, _e181);
-                    if _e184 {
-                        let _e186 = (_e185 + 1u);
-                        phi_282_ = _e186;
-                        phi_283_ = _e186;
-                        phi_285_ = select(true, false, (_e186 == 2u));
+                    let _e188 = phi_283_;
+                    let _e189 = select(1u, 0u, _e185);
+                    if _e188 {
+                        let _e190 = (_e189 + 1u);
+                        phi_293_ = _e190;
+                        phi_294_ = _e190;
+                        phi_296_ = select(true, false, (_e190 == 2u));
                     } else {
-                        phi_282_ = u32();
-                        phi_283_ = 0u;
-                        phi_285_ = true;
+                        phi_293_ = u32();
+                        phi_294_ = 0u;
+                        phi_296_ = true;
                     }
-                    let _e190 = phi_282_;
-                    let _e192 = phi_283_;
-                    let _e194 = phi_285_;
-                    if _e194 {
-                        phi_290_ = (_e192 + 1u);
+                    let _e194 = phi_293_;
+                    let _e196 = phi_294_;
+                    let _e198 = phi_296_;
+                    if _e198 {
+                        phi_301_ = (_e196 + 1u);
                     } else {
-                        phi_290_ = 0u;
+                        phi_301_ = 0u;
                     }
-                    let _e198 = phi_290_;
-                    let _e199 = select(_e190, _e192, _e194);
-                    let _e200 = select(_e185, select(2u, _e185, _e184), _e194);
-                    let _e201 = -(_e180);
-                    let _e202 = (_e201 / 2i);
-                    let _e207 = bitcast<f32>((bitcast<u32>((_e202 + 127i)) << bitcast<u32>(23i)));
-                    let _e213 = bitcast<f32>((bitcast<u32>(((_e201 - _e202) + 127i)) << bitcast<u32>(23i)));
-                    let _e218 = global_3.member[_e72].member.member;
-                    let _e219 = (_e199 == 0u);
-                    if _e219 {
-                        phi_334_ = _e218[0];
+                    let _e202 = phi_301_;
+                    let _e203 = select(_e194, _e196, _e198);
+                    let _e204 = select(_e189, select(2u, _e189, _e188), _e198);
+                    let _e205 = -(_e184);
+                    let _e206 = (_e205 / 2i);
+                    let _e211 = bitcast<f32>((bitcast<u32>((_e206 + 127i)) << bitcast<u32>(23i)));
+                    let _e217 = bitcast<f32>((bitcast<u32>(((_e205 - _e206) + 127i)) << bitcast<u32>(23i)));
+                    let _e222 = global_3.member[_e76].member.member;
+                    let _e223 = (_e203 == 0u);
+                    if _e223 {
+                        phi_345_ = _e222[0];
                     } else {
-                        phi_334_ = _e218[1];
+                        phi_345_ = _e222[1];
                     }
-                    let _e223 = phi_334_;
-                    let _e224 = (_e199 == 2u);
-                    if _e224 {
-                        phi_340_ = _e218[2];
+                    let _e227 = phi_345_;
+                    let _e228 = (_e203 == 2u);
+                    if _e228 {
+                        phi_351_ = _e222[2];
                     } else {
-                        phi_340_ = _e223;
+                        phi_351_ = _e227;
                     }
-                    let _e227 = phi_340_;
-                    let _e228 = global_3.member[_e72].member.member_2;
-                    if _e219 {
-                        phi_351_ = _e228[0];
+                    let _e231 = phi_351_;
+                    let _e232 = global_3.member[_e76].member.member_2;
+                    if _e223 {
+                        phi_362_ = _e232[0];
                     } else {
-                        phi_351_ = _e228[1];
+                        phi_362_ = _e232[1];
                     }
-                    let _e232 = phi_351_;
-                    if _e224 {
-                        phi_357_ = _e228[2];
+                    let _e236 = phi_362_;
+                    if _e228 {
+                        phi_368_ = _e232[2];
                     } else {
-                        phi_357_ = _e232;
+                        phi_368_ = _e236;
                     }
-                    let _e235 = phi_357_;
-                    let _e237 = ((_e235 * _e207) * _e213);
-                    let _e241 = (bitcast<f32>((bitcast<u32>(_e237) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e241 {
-                        let _e245 = (bitcast<f32>((bitcast<u32>(_e227) & 2147483647u)) * 0.00000011920929f);
-                        phi_380_ = select(0.00000000000011368684f, _e245, (_e245 > 0.00000000000011368684f));
+                    let _e239 = phi_368_;
+                    let _e241 = ((_e239 * _e211) * _e217);
+                    let _e245 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e245 {
+                        let _e249 = (bitcast<f32>((bitcast<u32>(_e231) & 2147483647u)) * 0.00000011920929f);
+                        phi_391_ = select(0.00000000000011368684f, _e249, (_e249 > 0.00000000000011368684f));
                     } else {
-                        phi_380_ = 0f;
+                        phi_391_ = 0f;
                     }
-                    let _e249 = phi_380_;
-                    let _e250 = (_e227 + _e249);
-                    let _e251 = (_e227 - _e249);
-                    let _e252 = select(_e237, 0f, _e241);
-                    if _e241 {
-                        phi_391_ = 38685626000000000000000000f;
+                    let _e253 = phi_391_;
+                    let _e254 = (_e231 + _e253);
+                    let _e255 = (_e231 - _e253);
+                    let _e256 = select(_e241, 0f, _e245);
+                    if _e245 {
+                        phi_402_ = 38685626000000000000000000f;
                     } else {
-                        phi_391_ = (1f / _e237);
+                        phi_402_ = (1f / _e241);
                     }
-                    let _e255 = phi_391_;
-                    let _e256 = (_e198 == 0u);
-                    if _e256 {
-                        phi_400_ = _e218[0];
+                    let _e259 = phi_402_;
+                    let _e260 = (_e202 == 0u);
+                    if _e260 {
+                        phi_411_ = _e222[0];
                     } else {
-                        phi_400_ = _e218[1];
+                        phi_411_ = _e222[1];
                     }
-                    let _e260 = phi_400_;
-                    let _e261 = (_e198 == 2u);
-                    if _e261 {
-                        phi_406_ = _e218[2];
+                    let _e264 = phi_411_;
+                    let _e265 = (_e202 == 2u);
+                    if _e265 {
+                        phi_417_ = _e222[2];
                     } else {
-                        phi_406_ = _e260;
-                    }
-                    let _e264 = phi_406_;
-                    if _e256 {
-                        phi_417_ = _e228[0];
-                    } else {
-                        phi_417_ = _e228[1];
+                        phi_417_ = _e264;
                     }
                     let _e268 = phi_417_;
-                    if _e261 {
-                        phi_423_ = _e228[2];
+                    if _e260 {
+                        phi_428_ = _e232[0];
                     } else {
-                        phi_423_ = _e268;
+                        phi_428_ = _e232[1];
                     }
-                    let _e271 = phi_423_;
-                    let _e273 = ((_e271 * _e207) * _e213);
-                    let _e277 = (bitcast<f32>((bitcast<u32>(_e273) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e277 {
-                        let _e281 = (bitcast<f32>((bitcast<u32>(_e264) & 2147483647u)) * 0.00000011920929f);
-                        phi_446_ = select(0.00000000000011368684f, _e281, (_e281 > 0.00000000000011368684f));
+                    let _e272 = phi_428_;
+                    if _e265 {
+                        phi_434_ = _e232[2];
                     } else {
-                        phi_446_ = 0f;
+                        phi_434_ = _e272;
                     }
-                    let _e285 = phi_446_;
-                    let _e286 = (_e264 + _e285);
-                    let _e287 = (_e264 - _e285);
-                    let _e288 = select(_e273, 0f, _e277);
-                    if _e277 {
-                        phi_457_ = 38685626000000000000000000f;
+                    let _e275 = phi_434_;
+                    let _e277 = ((_e275 * _e211) * _e217);
+                    let _e281 = (bitcast<f32>((bitcast<u32>(_e277) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e281 {
+                        let _e285 = (bitcast<f32>((bitcast<u32>(_e268) & 2147483647u)) * 0.00000011920929f);
+                        phi_457_ = select(0.00000000000011368684f, _e285, (_e285 > 0.00000000000011368684f));
                     } else {
-                        phi_457_ = (1f / _e273);
+                        phi_457_ = 0f;
                     }
-                    let _e291 = phi_457_;
-                    let _e292 = (_e200 == 0u);
-                    if _e292 {
-                        phi_466_ = _e218[0];
+                    let _e289 = phi_457_;
+                    let _e290 = (_e268 + _e289);
+                    let _e291 = (_e268 - _e289);
+                    let _e292 = select(_e277, 0f, _e281);
+                    if _e281 {
+                        phi_468_ = 38685626000000000000000000f;
                     } else {
-                        phi_466_ = _e218[1];
+                        phi_468_ = (1f / _e277);
                     }
-                    let _e296 = phi_466_;
-                    let _e297 = (_e200 == 2u);
-                    if _e297 {
-                        phi_472_ = _e218[2];
+                    let _e295 = phi_468_;
+                    let _e296 = (_e204 == 0u);
+                    if _e296 {
+                        phi_477_ = _e222[0];
                     } else {
-                        phi_472_ = _e296;
+                        phi_477_ = _e222[1];
                     }
-                    let _e300 = phi_472_;
-                    if _e292 {
-                        phi_483_ = _e228[0];
+                    let _e300 = phi_477_;
+                    let _e301 = (_e204 == 2u);
+                    if _e301 {
+                        phi_483_ = _e222[2];
                     } else {
-                        phi_483_ = _e228[1];
+                        phi_483_ = _e300;
                     }
                     let _e304 = phi_483_;
-                    if _e297 {
-                        phi_489_ = _e228[2];
+                    if _e296 {
+                        phi_494_ = _e232[0];
                     } else {
-                        phi_489_ = _e304;
+                        phi_494_ = _e232[1];
                     }
-                    let _e307 = phi_489_;
-                    let _e309 = ((_e307 * _e207) * _e213);
-                    let _e313 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e313 {
-                        let _e317 = (bitcast<f32>((bitcast<u32>(_e300) & 2147483647u)) * 0.00000011920929f);
-                        phi_512_ = select(0.00000000000011368684f, _e317, (_e317 > 0.00000000000011368684f));
+                    let _e308 = phi_494_;
+                    if _e301 {
+                        phi_500_ = _e232[2];
                     } else {
-                        phi_512_ = 0f;
+                        phi_500_ = _e308;
                     }
-                    let _e321 = phi_512_;
-                    let _e322 = (_e300 + _e321);
-                    let _e323 = (_e300 - _e321);
-                    let _e324 = select(_e309, 0f, _e313);
-                    if _e313 {
-                        phi_523_ = 38685626000000000000000000f;
+                    let _e311 = phi_500_;
+                    let _e313 = ((_e311 * _e211) * _e217);
+                    let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e317 {
+                        let _e321 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) * 0.00000011920929f);
+                        phi_523_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
                     } else {
-                        phi_523_ = (1f / _e309);
+                        phi_523_ = 0f;
                     }
-                    let _e327 = phi_523_;
-                    let _e330 = bitcast<f32>((bitcast<u32>(_e227) & 2147483647u));
-                    let _e333 = bitcast<f32>((bitcast<u32>(_e264) & 2147483647u));
-                    let _e335 = select(_e333, _e330, (_e330 > _e333));
-                    let _e338 = bitcast<f32>((bitcast<u32>(_e300) & 2147483647u));
-                    if (_e161 && (select(_e338, _e335, (_e335 > _e338)) <= 1099511600000f)) {
-                        let _e343 = (_e180 / 3i);
-                        let _e350 = bitcast<f32>((bitcast<u32>((_e343 + 127i)) << bitcast<u32>(23i)));
-                        let _e357 = bitcast<f32>((bitcast<u32>(((_e180 - (2i * _e343)) + 127i)) << bitcast<u32>(23i)));
-                        let _e358 = (((_e145 * _e350) * _e350) * _e357);
-                        let _e360 = select(340282350000000000000000000000000000000f, _e358, (_e358 < 340282350000000000000000000000000000000f));
-                        let _e365 = (((_e155 * _e350) * _e350) * _e357);
-                        let _e367 = select(340282350000000000000000000000000000000f, _e365, (_e365 < 340282350000000000000000000000000000000f));
-                        phi_623_ = select(-340282350000000000000000000000000000000f, _e367, (_e367 > -340282350000000000000000000000000000000f));
-                        phi_624_ = select(-340282350000000000000000000000000000000f, _e360, (_e360 > -340282350000000000000000000000000000000f));
+                    let _e325 = phi_523_;
+                    let _e326 = (_e304 + _e325);
+                    let _e327 = (_e304 - _e325);
+                    let _e328 = select(_e313, 0f, _e317);
+                    if _e317 {
+                        phi_534_ = 38685626000000000000000000f;
                     } else {
-                        phi_623_ = 0f;
-                        phi_624_ = 1f;
+                        phi_534_ = (1f / _e313);
                     }
-                    let _e371 = phi_623_;
-                    let _e373 = phi_624_;
+                    let _e331 = phi_534_;
+                    let _e334 = bitcast<f32>((bitcast<u32>(_e231) & 2147483647u));
+                    let _e337 = bitcast<f32>((bitcast<u32>(_e268) & 2147483647u));
+                    let _e339 = select(_e337, _e334, (_e334 > _e337));
+                    let _e342 = bitcast<f32>((bitcast<u32>(_e304) & 2147483647u));
+                    if (_e165 && (select(_e342, _e339, (_e339 > _e342)) <= 1099511600000f)) {
+                        let _e347 = (_e184 / 3i);
+                        let _e354 = bitcast<f32>((bitcast<u32>((_e347 + 127i)) << bitcast<u32>(23i)));
+                        let _e361 = bitcast<f32>((bitcast<u32>(((_e184 - (2i * _e347)) + 127i)) << bitcast<u32>(23i)));
+                        let _e362 = (((_e149 * _e354) * _e354) * _e361);
+                        let _e364 = select(340282350000000000000000000000000000000f, _e362, (_e362 < 340282350000000000000000000000000000000f));
+                        let _e369 = (((_e159 * _e354) * _e354) * _e361);
+                        let _e371 = select(340282350000000000000000000000000000000f, _e369, (_e369 < 340282350000000000000000000000000000000f));
+                        phi_634_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
+                        phi_635_ = select(-340282350000000000000000000000000000000f, _e364, (_e364 > -340282350000000000000000000000000000000f));
+                    } else {
+                        phi_634_ = 0f;
+                        phi_635_ = 1f;
+                    }
+                    let _e375 = phi_634_;
+                    let _e377 = phi_635_;
                     local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_1989_ = false;
-                    phi_635_ = type_40(type_16(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e371);
-                    phi_638_ = select(0u, 2147483648u, (_e62 == 0u));
-                    phi_640_ = ((3u * _e62) + 1u);
-                    phi_642_ = (_e373 <= _e371);
-                    phi_644_ = 0u;
+                    phi_2075_ = false;
+                    phi_646_ = type_44(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e375);
+                    phi_649_ = select(0u, 2147483648u, (_e64 == 0u));
+                    phi_651_ = ((3u * _e64) + 1u);
+                    phi_653_ = (_e377 <= _e375);
+                    phi_655_ = 0u;
                     loop {
-                        let _e381 = phi_1989_;
-                        let _e383 = phi_635_;
-                        let _e385 = phi_638_;
-                        let _e387 = phi_640_;
-                        let _e389 = phi_642_;
-                        let _e391 = phi_644_;
-                        local_2 = _e383;
-                        if _e389 {
-                            phi_655_ = true;
+                        let _e385 = phi_2075_;
+                        let _e387 = phi_646_;
+                        let _e389 = phi_649_;
+                        let _e391 = phi_651_;
+                        let _e393 = phi_653_;
+                        let _e395 = phi_655_;
+                        local_2 = _e387;
+                        if _e393 {
+                            phi_666_ = true;
                         } else {
-                            phi_655_ = (_e391 > 0u);
+                            phi_666_ = (_e395 > 0u);
                         }
-                        let _e394 = phi_655_;
-                        if _e394 {
-                            let _e395 = (_e387 > 0u);
-                            if _e395 {
-                                if _e389 {
-                                    phi_685_ = _e385;
-                                    phi_686_ = _e389;
-                                    phi_687_ = _e391;
+                        let _e398 = phi_666_;
+                        if _e398 {
+                            let _e399 = (_e391 > 0u);
+                            if _e399 {
+                                if _e393 {
+                                    phi_696_ = _e389;
+                                    phi_697_ = _e393;
+                                    phi_698_ = _e395;
                                 } else {
-                                    let _e396 = (_e391 - 1u);
-                                    let _e397 = (_e396 % 128u);
-                                    let _e398 = (_e397 < 128u);
-                                    if _e398 {
+                                    let _e400 = (_e395 - 1u);
+                                    let _e401 = (_e400 % 128u);
+                                    let _e402 = (_e401 < 128u);
+                                    if _e402 {
                                     } else {
-                                        phi_2093_ = true;
+                                        phi_2179_ = true;
                                         break;
                                     }
-                                    let _e400 = local[_e397];
-                                    if _e398 {
+                                    let _e404 = local[_e401];
+                                    if _e402 {
                                     } else {
-                                        phi_2093_ = true;
+                                        phi_2179_ = true;
                                         break;
                                     }
-                                    let _e402 = local_1[_e397];
-                                    phi_685_ = _e400;
-                                    phi_686_ = (_e402 <= _e383.member_1);
-                                    phi_687_ = _e396;
+                                    let _e406 = local_1[_e401];
+                                    phi_696_ = _e404;
+                                    phi_697_ = (_e406 <= _e387.member_1);
+                                    phi_698_ = _e400;
                                 }
-                                let _e406 = phi_685_;
-                                let _e408 = phi_686_;
-                                let _e410 = phi_687_;
-                                if _e408 {
-                                    let _e414 = (_e406 & 268435455u);
-                                    if ((_e406 & 2147483648u) != 0u) {
-                                        phi_703_ = _e383;
-                                        phi_706_ = type_4(_e414, (_e414 + ((_e406 >> bitcast<u32>(28u)) & 7u)));
+                                let _e410 = phi_696_;
+                                let _e412 = phi_697_;
+                                let _e414 = phi_698_;
+                                if _e412 {
+                                    let _e418 = (_e410 & 268435455u);
+                                    if ((_e410 & 2147483648u) != 0u) {
+                                        phi_714_ = _e387;
+                                        phi_717_ = type_7(_e418, (_e418 + ((_e410 >> bitcast<u32>(28u)) & 7u)));
                                         loop {
-                                            let _e609 = phi_703_;
-                                            let _e611 = phi_706_;
-                                            local_3 = _e609;
-                                            if (_e611.member < _e611.member_1) {
-                                                phi_707_ = type_4((_e611.member + 1u), _e611.member_1);
-                                                phi_729_ = type_4(1u, _e611.member);
+                                            let _e613 = phi_714_;
+                                            let _e615 = phi_717_;
+                                            local_3 = _e613;
+                                            if (_e615.member < _e615.member_1) {
+                                                phi_718_ = type_7((_e615.member + 1u), _e615.member_1);
+                                                phi_740_ = type_7(1u, _e615.member);
                                             } else {
-                                                phi_707_ = _e611;
-                                                phi_729_ = type_4(0u, type_4().member_1);
+                                                phi_718_ = _e615;
+                                                phi_740_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e624 = phi_707_;
-                                            let _e626 = phi_729_;
-                                            let _e630 = (bitcast<i32>(_e626.member) != 0i);
-                                            if _e630 {
-                                                let _e631 = (_e626.member_1 < _e64);
-                                                if _e631 {
-                                                    if _e631 {
+                                            let _e628 = phi_718_;
+                                            let _e630 = phi_740_;
+                                            let _e634 = (bitcast<i32>(_e630.member) != 0i);
+                                            if _e634 {
+                                                let _e635 = (_e630.member_1 < _e66);
+                                                if _e635 {
+                                                    if _e635 {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_2069_ = true;
                                                         break;
                                                     }
-                                                    let _e635 = global_1.member[_e626.member_1].member_1;
-                                                    phi_749_ = _e635;
+                                                    let _e639 = global_1.member[_e630.member_1].member_1;
+                                                    phi_760_ = _e639;
                                                 } else {
-                                                    phi_749_ = 4294967295u;
+                                                    phi_760_ = 4294967295u;
                                                 }
-                                                let _e637 = phi_749_;
-                                                if (_e626.member_1 >= _e64) {
-                                                    phi_837_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e641 = phi_760_;
+                                                if (_e630.member_1 >= _e66) {
+                                                    phi_848_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e631 {
+                                                    if _e635 {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_2069_ = true;
                                                         break;
                                                     }
-                                                    let _e639 = (_e199 % 3u);
-                                                    let _e640 = (_e198 % 3u);
-                                                    let _e641 = (_e200 % 3u);
-                                                    if (_e639 < 9u) {
+                                                    let _e643 = (_e203 % 3u);
+                                                    let _e644 = (_e202 % 3u);
+                                                    let _e645 = (_e204 % 3u);
+                                                    if (_e643 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_2069_ = true;
                                                         break;
                                                     }
-                                                    let _e647 = global_1.member[_e626.member_1].member[_e639];
-                                                    if (_e640 < 9u) {
+                                                    let _e651 = global_1.member[_e630.member_1].member[_e643];
+                                                    if (_e644 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_2069_ = true;
                                                         break;
                                                     }
-                                                    let _e653 = global_1.member[_e626.member_1].member[_e640];
-                                                    if (_e641 < 9u) {
+                                                    let _e657 = global_1.member[_e630.member_1].member[_e644];
+                                                    if (_e645 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_2069_ = true;
                                                         break;
                                                     }
-                                                    let _e659 = global_1.member[_e626.member_1].member[_e641];
-                                                    let _e661 = (3u + _e639);
-                                                    if (_e661 < 9u) {
+                                                    let _e663 = global_1.member[_e630.member_1].member[_e645];
+                                                    let _e665 = (3u + _e643);
+                                                    if (_e665 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_2069_ = true;
                                                         break;
                                                     }
-                                                    let _e667 = global_1.member[_e626.member_1].member[_e661];
-                                                    let _e668 = (3u + _e640);
-                                                    if (_e668 < 9u) {
+                                                    let _e671 = global_1.member[_e630.member_1].member[_e665];
+                                                    let _e672 = (3u + _e644);
+                                                    if (_e672 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_2069_ = true;
                                                         break;
                                                     }
-                                                    let _e674 = global_1.member[_e626.member_1].member[_e668];
-                                                    let _e675 = (3u + _e641);
-                                                    if (_e675 < 9u) {
+                                                    let _e678 = global_1.member[_e630.member_1].member[_e672];
+                                                    let _e679 = (3u + _e645);
+                                                    if (_e679 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_2069_ = true;
                                                         break;
                                                     }
-                                                    let _e681 = global_1.member[_e626.member_1].member[_e675];
-                                                    let _e683 = (6u + _e639);
-                                                    if (_e683 < 9u) {
+                                                    let _e685 = global_1.member[_e630.member_1].member[_e679];
+                                                    let _e687 = (6u + _e643);
+                                                    if (_e687 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_2069_ = true;
                                                         break;
                                                     }
-                                                    let _e689 = global_1.member[_e626.member_1].member[_e683];
-                                                    let _e690 = (6u + _e640);
-                                                    if (_e690 < 9u) {
+                                                    let _e693 = global_1.member[_e630.member_1].member[_e687];
+                                                    let _e694 = (6u + _e644);
+                                                    if (_e694 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_2069_ = true;
                                                         break;
                                                     }
-                                                    let _e696 = global_1.member[_e626.member_1].member[_e690];
-                                                    let _e697 = (6u + _e641);
-                                                    if (_e697 < 9u) {
+                                                    let _e700 = global_1.member[_e630.member_1].member[_e694];
+                                                    let _e701 = (6u + _e645);
+                                                    if (_e701 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_2069_ = true;
                                                         break;
                                                     }
-                                                    let _e703 = global_1.member[_e626.member_1].member[_e697];
-                                                    phi_837_ = array<array<f32, 3>, 3>(array<f32, 3>(_e647, _e653, _e659), array<f32, 3>(_e667, _e674, _e681), array<f32, 3>(_e689, _e696, _e703));
+                                                    let _e707 = global_1.member[_e630.member_1].member[_e701];
+                                                    phi_848_ = array<array<f32, 3>, 3>(array<f32, 3>(_e651, _e657, _e663), array<f32, 3>(_e671, _e678, _e685), array<f32, 3>(_e693, _e700, _e707));
                                                 }
-                                                let _e707 = phi_837_;
-                                                let _e715 = (_e707[0][2] - _e300);
-                                                let _e718 = (((_e707[0][0] - _e227) * _e324) - (_e715 * _e252));
-                                                let _e721 = (((_e707[0][1] - _e264) * _e324) - (_e715 * _e288));
-                                                let _e728 = (_e707[1][2] - _e300);
-                                                let _e731 = (((_e707[1][0] - _e227) * _e324) - (_e728 * _e252));
-                                                let _e734 = (((_e707[1][1] - _e264) * _e324) - (_e728 * _e288));
-                                                let _e741 = (_e707[2][2] - _e300);
-                                                let _e744 = (((_e707[2][0] - _e227) * _e324) - (_e741 * _e252));
-                                                let _e747 = (((_e707[2][1] - _e264) * _e324) - (_e741 * _e288));
-                                                let _e748 = (_e744 * _e734);
-                                                let _e749 = (_e747 * _e731);
-                                                let _e750 = (_e718 * _e747);
-                                                let _e751 = (_e721 * _e744);
-                                                let _e752 = (_e731 * _e721);
-                                                let _e753 = (_e734 * _e718);
-                                                let _e758 = (((_e748 >= _e749) && (_e750 >= _e751)) && (_e752 >= _e753));
-                                                if (_e758 || (((_e748 <= _e749) && (_e750 <= _e751)) && (_e752 <= _e753))) {
-                                                    let _e765 = select(-1f, 1f, _e758);
-                                                    let _e767 = ((_e748 - _e749) * _e765);
-                                                    let _e769 = select(0f, _e767, (_e767 > 0f));
-                                                    let _e771 = ((_e750 - _e751) * _e765);
+                                                let _e711 = phi_848_;
+                                                let _e719 = (_e711[0][2] - _e304);
+                                                let _e722 = (((_e711[0][0] - _e231) * _e328) - (_e719 * _e256));
+                                                let _e725 = (((_e711[0][1] - _e268) * _e328) - (_e719 * _e292));
+                                                let _e732 = (_e711[1][2] - _e304);
+                                                let _e735 = (((_e711[1][0] - _e231) * _e328) - (_e732 * _e256));
+                                                let _e738 = (((_e711[1][1] - _e268) * _e328) - (_e732 * _e292));
+                                                let _e745 = (_e711[2][2] - _e304);
+                                                let _e748 = (((_e711[2][0] - _e231) * _e328) - (_e745 * _e256));
+                                                let _e751 = (((_e711[2][1] - _e268) * _e328) - (_e745 * _e292));
+                                                let _e752 = (_e748 * _e738);
+                                                let _e753 = (_e751 * _e735);
+                                                let _e754 = (_e722 * _e751);
+                                                let _e755 = (_e725 * _e748);
+                                                let _e756 = (_e735 * _e725);
+                                                let _e757 = (_e738 * _e722);
+                                                let _e762 = (((_e752 >= _e753) && (_e754 >= _e755)) && (_e756 >= _e757));
+                                                if (_e762 || (((_e752 <= _e753) && (_e754 <= _e755)) && (_e756 <= _e757))) {
+                                                    let _e769 = select(-1f, 1f, _e762);
+                                                    let _e771 = ((_e752 - _e753) * _e769);
                                                     let _e773 = select(0f, _e771, (_e771 > 0f));
-                                                    let _e775 = ((_e752 - _e753) * _e765);
+                                                    let _e775 = ((_e754 - _e755) * _e769);
                                                     let _e777 = select(0f, _e775, (_e775 > 0f));
-                                                    let _e779 = ((_e769 + _e773) + _e777);
-                                                    if (_e779 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1403_ = type_16();
-                                                        phi_1404_ = true;
+                                                    let _e779 = ((_e756 - _e757) * _e769);
+                                                    let _e781 = select(0f, _e779, (_e779 > 0f));
+                                                    let _e783 = ((_e773 + _e777) + _e781);
+                                                    if (_e783 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1414_ = type_22();
+                                                        phi_1415_ = true;
                                                     } else {
-                                                        let _e782 = select(_e707[1][0], _e707[0][0], (_e707[0][0] < _e707[1][0]));
-                                                        let _e786 = select(_e707[1][0], _e707[0][0], (_e707[0][0] > _e707[1][0]));
-                                                        let _e790 = select(_e707[1][1], _e707[0][1], (_e707[0][1] < _e707[1][1]));
-                                                        let _e794 = select(_e707[1][1], _e707[0][1], (_e707[0][1] > _e707[1][1]));
-                                                        let _e798 = select(_e707[1][2], _e707[0][2], (_e707[0][2] < _e707[1][2]));
-                                                        let _e802 = select(_e707[1][2], _e707[0][2], (_e707[0][2] > _e707[1][2]));
-                                                        let _e807 = ((select(_e707[2][0], _e782, (_e782 < _e707[2][0])) - _e250) * _e255);
-                                                        let _e808 = ((select(_e707[2][0], _e786, (_e786 > _e707[2][0])) - _e251) * _e255);
-                                                        let _e811 = ((select(_e707[2][1], _e790, (_e790 < _e707[2][1])) - _e286) * _e291);
-                                                        let _e812 = ((select(_e707[2][1], _e794, (_e794 > _e707[2][1])) - _e287) * _e291);
-                                                        let _e815 = ((select(_e707[2][2], _e798, (_e798 < _e707[2][2])) - _e322) * _e327);
-                                                        let _e816 = ((select(_e707[2][2], _e802, (_e802 > _e707[2][2])) - _e323) * _e327);
-                                                        let _e818 = select(_e816, _e815, (_e815 < _e816));
-                                                        let _e820 = select(_e816, _e815, (_e815 > _e816));
-                                                        let _e822 = select(_e808, _e807, (_e807 < _e808));
-                                                        let _e824 = select(_e812, _e811, (_e811 < _e812));
-                                                        let _e826 = select(_e824, _e822, (_e822 > _e824));
-                                                        let _e828 = select(_e818, _e826, (_e826 > _e818));
-                                                        let _e830 = select(_e808, _e807, (_e807 > _e808));
-                                                        let _e832 = select(_e812, _e811, (_e811 > _e812));
-                                                        let _e834 = select(_e832, _e830, (_e830 < _e832));
-                                                        let _e836 = select(_e820, _e834, (_e834 < _e820));
-                                                        let _e837 = -(_e818);
-                                                        let _e843 = select(_e373, _e828, (_e828 > _e373));
-                                                        if (_e843 > (_e836 + (select(_e837, _e820, (_e820 > _e837)) * 0.0000019073523f))) {
-                                                            phi_1398_ = type_16();
-                                                            phi_1399_ = true;
+                                                        let _e786 = select(_e711[1][0], _e711[0][0], (_e711[0][0] < _e711[1][0]));
+                                                        let _e790 = select(_e711[1][0], _e711[0][0], (_e711[0][0] > _e711[1][0]));
+                                                        let _e794 = select(_e711[1][1], _e711[0][1], (_e711[0][1] < _e711[1][1]));
+                                                        let _e798 = select(_e711[1][1], _e711[0][1], (_e711[0][1] > _e711[1][1]));
+                                                        let _e802 = select(_e711[1][2], _e711[0][2], (_e711[0][2] < _e711[1][2]));
+                                                        let _e806 = select(_e711[1][2], _e711[0][2], (_e711[0][2] > _e711[1][2]));
+                                                        let _e811 = ((select(_e711[2][0], _e786, (_e786 < _e711[2][0])) - _e254) * _e259);
+                                                        let _e812 = ((select(_e711[2][0], _e790, (_e790 > _e711[2][0])) - _e255) * _e259);
+                                                        let _e815 = ((select(_e711[2][1], _e794, (_e794 < _e711[2][1])) - _e290) * _e295);
+                                                        let _e816 = ((select(_e711[2][1], _e798, (_e798 > _e711[2][1])) - _e291) * _e295);
+                                                        let _e819 = ((select(_e711[2][2], _e802, (_e802 < _e711[2][2])) - _e326) * _e331);
+                                                        let _e820 = ((select(_e711[2][2], _e806, (_e806 > _e711[2][2])) - _e327) * _e331);
+                                                        let _e822 = select(_e820, _e819, (_e819 < _e820));
+                                                        let _e824 = select(_e820, _e819, (_e819 > _e820));
+                                                        let _e826 = select(_e812, _e811, (_e811 < _e812));
+                                                        let _e828 = select(_e816, _e815, (_e815 < _e816));
+                                                        let _e830 = select(_e828, _e826, (_e826 > _e828));
+                                                        let _e832 = select(_e822, _e830, (_e830 > _e822));
+                                                        let _e834 = select(_e812, _e811, (_e811 > _e812));
+                                                        let _e836 = select(_e816, _e815, (_e815 > _e816));
+                                                        let _e838 = select(_e836, _e834, (_e834 < _e836));
+                                                        let _e840 = select(_e824, _e838, (_e838 < _e824));
+                                                        let _e841 = -(_e822);
+                                                        let _e847 = select(_e377, _e832, (_e832 > _e377));
+                                                        if (_e847 > (_e840 + (select(_e841, _e824, (_e824 > _e841)) * 0.0000019073523f))) {
+                                                            phi_1409_ = type_22();
+                                                            phi_1410_ = true;
                                                         } else {
-                                                            let _e845 = (_e843 > _e609.member_1);
-                                                            if _e845 {
-                                                                phi_1397_ = type_16();
+                                                            let _e849 = (_e847 > _e613.member_1);
+                                                            if _e849 {
+                                                                phi_1408_ = type_22();
                                                             } else {
-                                                                let _e849 = (_e707[1][0] - _e707[0][0]);
-                                                                let _e850 = (_e707[1][1] - _e707[0][1]);
-                                                                let _e851 = (_e707[1][2] - _e707[0][2]);
-                                                                let _e852 = vec3<f32>(_e849, _e850, _e851);
-                                                                let _e853 = (_e707[2][0] - _e707[1][0]);
-                                                                let _e854 = (_e707[2][1] - _e707[1][1]);
-                                                                let _e855 = (_e707[2][2] - _e707[1][2]);
+                                                                let _e853 = (_e711[1][0] - _e711[0][0]);
+                                                                let _e854 = (_e711[1][1] - _e711[0][1]);
+                                                                let _e855 = (_e711[1][2] - _e711[0][2]);
                                                                 let _e856 = vec3<f32>(_e853, _e854, _e855);
-                                                                let _e857 = (_e707[0][0] - _e707[2][0]);
-                                                                let _e858 = (_e707[0][1] - _e707[2][1]);
-                                                                let _e859 = (_e707[0][2] - _e707[2][2]);
+                                                                let _e857 = (_e711[2][0] - _e711[1][0]);
+                                                                let _e858 = (_e711[2][1] - _e711[1][1]);
+                                                                let _e859 = (_e711[2][2] - _e711[1][2]);
                                                                 let _e860 = vec3<f32>(_e857, _e858, _e859);
-                                                                let _e863 = bitcast<f32>((bitcast<u32>(_e849) & 2147483647u));
-                                                                let _e866 = bitcast<f32>((bitcast<u32>(_e850) & 2147483647u));
-                                                                let _e868 = select(_e866, _e863, (_e863 > _e866));
-                                                                let _e871 = bitcast<f32>((bitcast<u32>(_e851) & 2147483647u));
-                                                                let _e873 = select(_e871, _e868, (_e868 > _e871));
-                                                                let _e876 = bitcast<f32>((bitcast<u32>(_e853) & 2147483647u));
-                                                                let _e879 = bitcast<f32>((bitcast<u32>(_e854) & 2147483647u));
-                                                                let _e881 = select(_e879, _e876, (_e876 > _e879));
-                                                                let _e884 = bitcast<f32>((bitcast<u32>(_e855) & 2147483647u));
-                                                                let _e886 = select(_e884, _e881, (_e881 > _e884));
-                                                                let _e889 = bitcast<f32>((bitcast<u32>(_e857) & 2147483647u));
-                                                                let _e892 = bitcast<f32>((bitcast<u32>(_e858) & 2147483647u));
-                                                                let _e894 = select(_e892, _e889, (_e889 > _e892));
-                                                                let _e897 = bitcast<f32>((bitcast<u32>(_e859) & 2147483647u));
-                                                                let _e899 = select(_e897, _e894, (_e894 > _e897));
-                                                                let _e901 = select(_e886, _e873, (_e873 > _e886));
-                                                                let _e903 = select(_e899, _e901, (_e901 > _e899));
-                                                                if (_e873 == _e903) {
-                                                                    phi_1308_ = _e856;
-                                                                    phi_1309_ = _e860;
+                                                                let _e861 = (_e711[0][0] - _e711[2][0]);
+                                                                let _e862 = (_e711[0][1] - _e711[2][1]);
+                                                                let _e863 = (_e711[0][2] - _e711[2][2]);
+                                                                let _e864 = vec3<f32>(_e861, _e862, _e863);
+                                                                let _e867 = bitcast<f32>((bitcast<u32>(_e853) & 2147483647u));
+                                                                let _e870 = bitcast<f32>((bitcast<u32>(_e854) & 2147483647u));
+                                                                let _e872 = select(_e870, _e867, (_e867 > _e870));
+                                                                let _e875 = bitcast<f32>((bitcast<u32>(_e855) & 2147483647u));
+                                                                let _e877 = select(_e875, _e872, (_e872 > _e875));
+                                                                let _e880 = bitcast<f32>((bitcast<u32>(_e857) & 2147483647u));
+                                                                let _e883 = bitcast<f32>((bitcast<u32>(_e858) & 2147483647u));
+                                                                let _e885 = select(_e883, _e880, (_e880 > _e883));
+                                                                let _e888 = bitcast<f32>((bitcast<u32>(_e859) & 2147483647u));
+                                                                let _e890 = select(_e888, _e885, (_e885 > _e888));
+                                                                let _e893 = bitcast<f32>((bitcast<u32>(_e861) & 2147483647u));
+                                                                let _e896 = bitcast<f32>((bitcast<u32>(_e862) & 2147483647u));
+                                                                let _e898 = select(_e896, _e893, (_e893 > _e896));
+                                                                let _e901 = bitcast<f32>((bitcast<u32>(_e863) & 2147483647u));
+                                                                let _e903 = select(_e901, _e898, (_e898 > _e901));
+                                                                let _e905 = select(_e890, _e877, (_e877 > _e890));
+                                                                let _e907 = select(_e903, _e905, (_e905 > _e903));
+                                                                if (_e877 == _e907) {
+                                                                    phi_1319_ = _e860;
+                                                                    phi_1320_ = _e864;
                                                                 } else {
-                                                                    let _e906 = vec3((_e886 == _e903));
-                                                                    phi_1308_ = select(_e852, _e860, _e906);
-                                                                    phi_1309_ = select(_e856, _e852, _e906);
+                                                                    let _e910 = vec3((_e890 == _e907));
+                                                                    phi_1319_ = select(_e856, _e864, _e910);
+                                                                    phi_1320_ = select(_e860, _e856, _e910);
                                                                 }
-                                                                let _e910 = phi_1308_;
-                                                                let _e912 = phi_1309_;
-                                                                let _e919 = ((_e910.y * _e912.z) - (_e912.y * _e910.z));
-                                                                let _e924 = ((_e910.z * _e912.x) - (_e912.z * _e910.x));
-                                                                let _e927 = ((_e910.x * _e912.y) - (_e912.x * _e910.y));
-                                                                if (_e769 >= _e773) {
-                                                                    phi_1340_ = select(true, false, (_e769 >= _e777));
+                                                                let _e914 = phi_1319_;
+                                                                let _e916 = phi_1320_;
+                                                                let _e923 = ((_e914.y * _e916.z) - (_e916.y * _e914.z));
+                                                                let _e928 = ((_e914.z * _e916.x) - (_e916.z * _e914.x));
+                                                                let _e931 = ((_e914.x * _e916.y) - (_e916.x * _e914.y));
+                                                                if (_e773 >= _e777) {
+                                                                    phi_1351_ = select(true, false, (_e773 >= _e781));
                                                                 } else {
-                                                                    phi_1340_ = true;
+                                                                    phi_1351_ = true;
                                                                 }
-                                                                let _e932 = phi_1340_;
-                                                                if _e932 {
-                                                                    phi_1349_ = select(vec3<f32>(_e707[2][0], _e707[2][1], _e707[2][2]), vec3<f32>(_e707[1][0], _e707[1][1], _e707[1][2]), vec3((_e773 >= _e777)));
+                                                                let _e936 = phi_1351_;
+                                                                if _e936 {
+                                                                    phi_1360_ = select(vec3<f32>(_e711[2][0], _e711[2][1], _e711[2][2]), vec3<f32>(_e711[1][0], _e711[1][1], _e711[1][2]), vec3((_e777 >= _e781)));
                                                                 } else {
-                                                                    phi_1349_ = vec3<f32>(_e707[0][0], _e707[0][1], _e707[0][2]);
+                                                                    phi_1360_ = vec3<f32>(_e711[0][0], _e711[0][1], _e711[0][2]);
                                                                 }
-                                                                let _e937 = phi_1349_;
-                                                                let _e954 = ((((_e919 * (_e937.x - _e227)) + (_e924 * (_e937.y - _e264))) + (_e927 * (_e937.z - _e300))) / (((_e919 * _e252) + (_e924 * _e288)) + (_e927 * _e324)));
-                                                                let _e956 = select(_e836, _e954, (_e954 < _e836));
-                                                                let _e958 = select(_e828, _e956, (_e956 > _e828));
-                                                                if (_e958 >= _e373) {
-                                                                    let _e960 = (_e958 <= _e609.member_1);
-                                                                    if _e960 {
-                                                                        let _e961 = (1f / _e779);
-                                                                        phi_1389_ = type_16(_e958, (_e773 * _e961), (_e777 * _e961), _e637);
+                                                                let _e941 = phi_1360_;
+                                                                let _e958 = ((((_e923 * (_e941.x - _e231)) + (_e928 * (_e941.y - _e268))) + (_e931 * (_e941.z - _e304))) / (((_e923 * _e256) + (_e928 * _e292)) + (_e931 * _e328)));
+                                                                let _e960 = select(_e840, _e958, (_e958 < _e840));
+                                                                let _e962 = select(_e832, _e960, (_e960 > _e832));
+                                                                if (_e962 >= _e377) {
+                                                                    let _e964 = (_e962 <= _e613.member_1);
+                                                                    if _e964 {
+                                                                        let _e965 = (1f / _e783);
+                                                                        phi_1400_ = type_22(_e962, (_e777 * _e965), (_e781 * _e965), _e641);
                                                                     } else {
-                                                                        phi_1389_ = type_16();
+                                                                        phi_1400_ = type_22();
                                                                     }
-                                                                    let _e966 = phi_1389_;
-                                                                    phi_1391_ = _e966;
-                                                                    phi_1392_ = select(true, false, _e960);
+                                                                    let _e970 = phi_1400_;
+                                                                    phi_1402_ = _e970;
+                                                                    phi_1403_ = select(true, false, _e964);
                                                                 } else {
-                                                                    phi_1391_ = type_16();
-                                                                    phi_1392_ = true;
+                                                                    phi_1402_ = type_22();
+                                                                    phi_1403_ = true;
                                                                 }
-                                                                let _e969 = phi_1391_;
-                                                                let _e971 = phi_1392_;
-                                                                if _e971 {
-                                                                    phi_1396_ = type_16(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e973 = phi_1402_;
+                                                                let _e975 = phi_1403_;
+                                                                if _e975 {
+                                                                    phi_1407_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1396_ = _e969;
+                                                                    phi_1407_ = _e973;
                                                                 }
-                                                                let _e973 = phi_1396_;
-                                                                phi_1397_ = _e973;
+                                                                let _e977 = phi_1407_;
+                                                                phi_1408_ = _e977;
                                                             }
-                                                            let _e975 = phi_1397_;
-                                                            phi_1398_ = _e975;
-                                                            phi_1399_ = _e845;
+                                                            let _e979 = phi_1408_;
+                                                            phi_1409_ = _e979;
+                                                            phi_1410_ = _e849;
                                                         }
-                                                        let _e977 = phi_1398_;
-                                                        let _e979 = phi_1399_;
-                                                        phi_1403_ = _e977;
-                                                        phi_1404_ = _e979;
+                                                        let _e981 = phi_1409_;
+                                                        let _e983 = phi_1410_;
+                                                        phi_1414_ = _e981;
+                                                        phi_1415_ = _e983;
                                                     }
-                                                    let _e981 = phi_1403_;
-                                                    let _e983 = phi_1404_;
-                                                    phi_1408_ = _e981;
-                                                    phi_1409_ = _e983;
+                                                    let _e985 = phi_1414_;
+                                                    let _e987 = phi_1415_;
+                                                    phi_1419_ = _e985;
+                                                    phi_1420_ = _e987;
                                                 } else {
-                                                    phi_1408_ = type_16();
-                                                    phi_1409_ = true;
+                                                    phi_1419_ = type_22();
+                                                    phi_1420_ = true;
                                                 }
-                                                let _e985 = phi_1408_;
-                                                let _e987 = phi_1409_;
-                                                if _e987 {
-                                                    phi_1413_ = type_16(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e989 = phi_1419_;
+                                                let _e991 = phi_1420_;
+                                                if _e991 {
+                                                    phi_1424_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1413_ = _e985;
+                                                    phi_1424_ = _e989;
                                                 }
-                                                let _e989 = phi_1413_;
-                                                if (_e989.member_3 != 4294967295u) {
-                                                    if (_e637 != _e78) {
-                                                        if (_e989.member < _e609.member.member) {
-                                                            phi_1439_ = true;
+                                                let _e993 = phi_1424_;
+                                                if (_e993.member_3 != 4294967295u) {
+                                                    if (_e641 != _e82) {
+                                                        if (_e993.member < _e613.member.member) {
+                                                            phi_1450_ = true;
                                                         } else {
-                                                            if (_e989.member == _e609.member.member) {
-                                                                phi_1438_ = (_e989.member_3 < _e609.member.member_3);
+                                                            if (_e993.member == _e613.member.member) {
+                                                                phi_1449_ = (_e993.member_3 < _e613.member.member_3);
                                                             } else {
-                                                                phi_1438_ = false;
+                                                                phi_1449_ = false;
                                                             }
-                                                            let _e1002 = phi_1438_;
-                                                            phi_1439_ = _e1002;
+                                                            let _e1006 = phi_1449_;
+                                                            phi_1450_ = _e1006;
                                                         }
-                                                        let _e1004 = phi_1439_;
-                                                        if _e1004 {
-                                                            phi_1445_ = type_40(_e989, _e989.member);
+                                                        let _e1008 = phi_1450_;
+                                                        if _e1008 {
+                                                            phi_1456_ = type_44(_e993, _e993.member);
                                                         } else {
-                                                            phi_1445_ = _e609;
+                                                            phi_1456_ = _e613;
                                                         }
-                                                        let _e1007 = phi_1445_;
-                                                        phi_1446_ = _e1007;
+                                                        let _e1011 = phi_1456_;
+                                                        phi_1457_ = _e1011;
                                                     } else {
-                                                        phi_1446_ = _e609;
+                                                        phi_1457_ = _e613;
                                                     }
-                                                    let _e1009 = phi_1446_;
-                                                    phi_1447_ = _e1009;
+                                                    let _e1013 = phi_1457_;
+                                                    phi_1458_ = _e1013;
                                                 } else {
-                                                    phi_1447_ = _e609;
+                                                    phi_1458_ = _e613;
                                                 }
-                                                let _e1011 = phi_1447_;
-                                                phi_704_ = _e1011;
+                                                let _e1015 = phi_1458_;
+                                                phi_715_ = _e1015;
                                             } else {
-                                                phi_704_ = type_40();
+                                                phi_715_ = type_44();
                                             }
-                                            let _e1013 = phi_704_;
+                                            let _e1017 = phi_715_;
                                             continue;
                                             continuing {
-                                                phi_703_ = _e1013;
-                                                phi_706_ = _e624;
-                                                phi_1983_ = _e381;
-                                                break if !(_e630);
+                                                phi_714_ = _e1017;
+                                                phi_717_ = _e628;
+                                                phi_2069_ = _e385;
+                                                break if !(_e634);
                                             }
                                         }
-                                        let _e1016 = phi_1983_;
-                                        phi_2093_ = _e1016;
-                                        if _e1016 {
+                                        let _e1020 = phi_2069_;
+                                        phi_2179_ = _e1020;
+                                        if _e1020 {
                                             break;
                                         }
-                                        phi_2097_ = _e1016;
-                                        let _e1181 = local_3;
-                                        phi_1900_ = _e1181;
-                                        phi_1901_ = _e406;
-                                        phi_1902_ = false;
-                                        phi_1903_ = _e410;
+                                        phi_2183_ = _e1020;
+                                        let _e1212 = local_3;
+                                        phi_1911_ = _e1212;
+                                        phi_1912_ = _e410;
+                                        phi_1913_ = false;
+                                        phi_1914_ = _e414;
                                     } else {
-                                        if (_e406 >= _e62) {
-                                            phi_1507_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e410 >= _e64) {
+                                            phi_1518_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e406 < _e62) {
+                                            if (_e410 < _e64) {
                                             } else {
-                                                phi_2093_ = true;
+                                                phi_2179_ = true;
                                                 break;
                                             }
-                                            let _e420 = (_e199 % 3u);
-                                            if (_e420 < 3u) {
+                                            let _e424 = (_e203 % 3u);
+                                            if (_e424 < 3u) {
                                             } else {
-                                                phi_2093_ = true;
+                                                phi_2179_ = true;
                                                 break;
                                             }
-                                            let _e426 = global_2.member[_e406].member[_e420];
-                                            let _e432 = (_e198 % 3u);
-                                            if (_e432 < 3u) {
+                                            let _e430 = global_2.member[_e410].member[_e424];
+                                            let _e436 = (_e202 % 3u);
+                                            if (_e436 < 3u) {
                                             } else {
-                                                phi_2093_ = true;
+                                                phi_2179_ = true;
                                                 break;
                                             }
-                                            let _e438 = global_2.member[_e406].member[_e432];
-                                            let _e444 = (_e200 % 3u);
-                                            if (_e444 < 3u) {
+                                            let _e442 = global_2.member[_e410].member[_e436];
+                                            let _e448 = (_e204 % 3u);
+                                            if (_e448 < 3u) {
                                             } else {
-                                                phi_2093_ = true;
+                                                phi_2179_ = true;
                                                 break;
                                             }
-                                            let _e450 = global_2.member[_e406].member[_e444];
-                                            let _e460 = global_2.member[_e406].member_1;
-                                            let _e464 = global_2.member[_e406].member_2;
-                                            phi_1507_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e426[0], _e426[1], _e426[2], _e426[3]), vec4<f32>(_e438[0], _e438[1], _e438[2], _e438[3]), vec4<f32>(_e450[0], _e450[1], _e450[2], _e450[3])), _e460, _e464);
+                                            let _e454 = global_2.member[_e410].member[_e448];
+                                            let _e464 = global_2.member[_e410].member_1;
+                                            let _e468 = global_2.member[_e410].member_2;
+                                            phi_1518_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e430[0], _e430[1], _e430[2], _e430[3]), vec4<f32>(_e442[0], _e442[1], _e442[2], _e442[3]), vec4<f32>(_e454[0], _e454[1], _e454[2], _e454[3])), _e464, _e468);
                                         }
-                                        let _e467 = phi_1507_;
-                                        let _e479 = ((_e467.member[0].x - _e250) * _e255);
-                                        let _e480 = ((_e467.member[0].y - _e250) * _e255);
-                                        let _e481 = ((_e467.member[0].z - _e251) * _e255);
-                                        let _e482 = ((_e467.member[0].w - _e251) * _e255);
-                                        let _e492 = ((_e467.member[1].x - _e286) * _e291);
-                                        let _e493 = ((_e467.member[1].y - _e286) * _e291);
-                                        let _e494 = ((_e467.member[1].z - _e287) * _e291);
-                                        let _e495 = ((_e467.member[1].w - _e287) * _e291);
-                                        let _e505 = ((_e467.member[2].x - _e322) * _e327);
-                                        let _e506 = ((_e467.member[2].y - _e322) * _e327);
-                                        let _e507 = ((_e467.member[2].z - _e323) * _e327);
-                                        let _e508 = ((_e467.member[2].w - _e323) * _e327);
-                                        let _e510 = select(_e507, _e505, (_e505 < _e507));
-                                        let _e512 = select(_e508, _e506, (_e506 < _e508));
-                                        let _e514 = select(_e507, _e505, (_e505 > _e507));
-                                        let _e516 = select(_e508, _e506, (_e506 > _e508));
-                                        let _e518 = select(_e481, _e479, (_e479 < _e481));
-                                        let _e520 = select(_e482, _e480, (_e480 < _e482));
-                                        let _e522 = select(_e494, _e492, (_e492 < _e494));
-                                        let _e524 = select(_e495, _e493, (_e493 < _e495));
-                                        let _e526 = select(_e522, _e518, (_e518 > _e522));
-                                        let _e528 = select(_e524, _e520, (_e520 > _e524));
-                                        let _e530 = select(_e510, _e526, (_e526 > _e510));
-                                        let _e532 = select(_e512, _e528, (_e528 > _e512));
-                                        let _e534 = select(_e481, _e479, (_e479 > _e481));
-                                        let _e536 = select(_e482, _e480, (_e480 > _e482));
-                                        let _e538 = select(_e494, _e492, (_e492 > _e494));
-                                        let _e540 = select(_e495, _e493, (_e493 > _e495));
-                                        let _e542 = select(_e538, _e534, (_e534 < _e538));
-                                        let _e544 = select(_e540, _e536, (_e536 < _e540));
-                                        let _e549 = -(_e510);
-                                        let _e550 = -(_e512);
-                                        let _e557 = (select(_e514, _e542, (_e542 < _e514)) + (select(_e549, _e514, (_e514 > _e549)) * 0.0000019073523f));
-                                        let _e558 = (select(_e516, _e544, (_e544 < _e516)) + (select(_e550, _e516, (_e516 > _e550)) * 0.0000019073523f));
-                                        let _e560 = select(_e373, _e530, (_e530 > _e373));
-                                        let _e562 = select(_e373, _e532, (_e532 > _e373));
-                                        let _e567 = (_e560 <= select(_e383.member_1, _e557, (_e557 < _e383.member_1)));
-                                        let _e568 = (_e562 <= select(_e383.member_1, _e558, (_e558 < _e383.member_1)));
-                                        let _e569 = (_e560 <= _e562);
-                                        if _e567 {
-                                            if _e568 {
-                                                if _e569 {
-                                                    phi_1851_ = _e467.member_2;
+                                        let _e471 = phi_1518_;
+                                        let _e483 = ((_e471.member[0].x - _e254) * _e259);
+                                        let _e484 = ((_e471.member[0].y - _e254) * _e259);
+                                        let _e485 = ((_e471.member[0].z - _e255) * _e259);
+                                        let _e486 = ((_e471.member[0].w - _e255) * _e259);
+                                        let _e496 = ((_e471.member[1].x - _e290) * _e295);
+                                        let _e497 = ((_e471.member[1].y - _e290) * _e295);
+                                        let _e498 = ((_e471.member[1].z - _e291) * _e295);
+                                        let _e499 = ((_e471.member[1].w - _e291) * _e295);
+                                        let _e509 = ((_e471.member[2].x - _e326) * _e331);
+                                        let _e510 = ((_e471.member[2].y - _e326) * _e331);
+                                        let _e511 = ((_e471.member[2].z - _e327) * _e331);
+                                        let _e512 = ((_e471.member[2].w - _e327) * _e331);
+                                        let _e514 = select(_e511, _e509, (_e509 < _e511));
+                                        let _e516 = select(_e512, _e510, (_e510 < _e512));
+                                        let _e518 = select(_e511, _e509, (_e509 > _e511));
+                                        let _e520 = select(_e512, _e510, (_e510 > _e512));
+                                        let _e522 = select(_e485, _e483, (_e483 < _e485));
+                                        let _e524 = select(_e486, _e484, (_e484 < _e486));
+                                        let _e526 = select(_e498, _e496, (_e496 < _e498));
+                                        let _e528 = select(_e499, _e497, (_e497 < _e499));
+                                        let _e530 = select(_e526, _e522, (_e522 > _e526));
+                                        let _e532 = select(_e528, _e524, (_e524 > _e528));
+                                        let _e534 = select(_e514, _e530, (_e530 > _e514));
+                                        let _e536 = select(_e516, _e532, (_e532 > _e516));
+                                        let _e538 = select(_e485, _e483, (_e483 > _e485));
+                                        let _e540 = select(_e486, _e484, (_e484 > _e486));
+                                        let _e542 = select(_e498, _e496, (_e496 > _e498));
+                                        let _e544 = select(_e499, _e497, (_e497 > _e499));
+                                        let _e546 = select(_e542, _e538, (_e538 < _e542));
+                                        let _e548 = select(_e544, _e540, (_e540 < _e544));
+                                        let _e553 = -(_e514);
+                                        let _e554 = -(_e516);
+                                        let _e561 = (select(_e518, _e546, (_e546 < _e518)) + (select(_e553, _e518, (_e518 > _e553)) * 0.0000019073523f));
+                                        let _e562 = (select(_e520, _e548, (_e548 < _e520)) + (select(_e554, _e520, (_e520 > _e554)) * 0.0000019073523f));
+                                        let _e564 = select(_e377, _e534, (_e534 > _e377));
+                                        let _e566 = select(_e377, _e536, (_e536 > _e377));
+                                        let _e571 = (_e564 <= select(_e387.member_1, _e561, (_e561 < _e387.member_1)));
+                                        let _e572 = (_e566 <= select(_e387.member_1, _e562, (_e562 < _e387.member_1)));
+                                        let _e573 = (_e564 <= _e566);
+                                        if _e571 {
+                                            if _e572 {
+                                                if _e573 {
+                                                    phi_1862_ = _e471.member_2;
                                                 } else {
-                                                    phi_1851_ = _e467.member_1;
+                                                    phi_1862_ = _e471.member_1;
                                                 }
-                                                let _e573 = phi_1851_;
-                                                let _e574 = (_e410 % 128u);
-                                                let _e575 = (_e574 < 128u);
-                                                if _e575 {
+                                                let _e577 = phi_1862_;
+                                                let _e578 = (_e414 % 128u);
+                                                let _e579 = (_e578 < 128u);
+                                                if _e579 {
                                                 } else {
-                                                    phi_2093_ = true;
+                                                    phi_2179_ = true;
                                                     break;
                                                 }
-                                                local[_e574] = _e573;
-                                                if _e575 {
+                                                local[_e578] = _e577;
+                                                if _e579 {
                                                 } else {
-                                                    phi_2093_ = true;
+                                                    phi_2179_ = true;
                                                     break;
                                                 }
-                                                local_1[_e574] = select(_e562, _e560, (_e560 > _e562));
-                                                if _e569 {
-                                                    phi_1877_ = _e467.member_1;
+                                                local_1[_e578] = select(_e566, _e564, (_e564 > _e566));
+                                                if _e573 {
+                                                    phi_1888_ = _e471.member_1;
                                                 } else {
-                                                    phi_1877_ = _e467.member_2;
+                                                    phi_1888_ = _e471.member_2;
                                                 }
-                                                let _e584 = phi_1877_;
-                                                phi_1878_ = _e584;
-                                                phi_1879_ = (_e410 + 1u);
+                                                let _e588 = phi_1888_;
+                                                phi_1889_ = _e588;
+                                                phi_1890_ = (_e414 + 1u);
                                             } else {
-                                                phi_1878_ = u32();
-                                                phi_1879_ = u32();
+                                                phi_1889_ = u32();
+                                                phi_1890_ = u32();
                                             }
-                                            let _e586 = phi_1878_;
-                                            let _e588 = phi_1879_;
-                                            phi_1881_ = _e586;
-                                            phi_1882_ = _e588;
-                                            phi_1883_ = select(true, false, _e568);
+                                            let _e590 = phi_1889_;
+                                            let _e592 = phi_1890_;
+                                            phi_1892_ = _e590;
+                                            phi_1893_ = _e592;
+                                            phi_1894_ = select(true, false, _e572);
                                         } else {
-                                            phi_1881_ = u32();
-                                            phi_1882_ = u32();
-                                            phi_1883_ = true;
+                                            phi_1892_ = u32();
+                                            phi_1893_ = u32();
+                                            phi_1894_ = true;
                                         }
-                                        let _e591 = phi_1881_;
-                                        let _e593 = phi_1882_;
-                                        let _e595 = phi_1883_;
-                                        if _e595 {
-                                            if _e567 {
-                                                phi_1892_ = _e467.member_1;
+                                        let _e595 = phi_1892_;
+                                        let _e597 = phi_1893_;
+                                        let _e599 = phi_1894_;
+                                        if _e599 {
+                                            if _e571 {
+                                                phi_1903_ = _e471.member_1;
                                             } else {
-                                                phi_1892_ = _e467.member_2;
+                                                phi_1903_ = _e471.member_2;
                                             }
-                                            let _e599 = phi_1892_;
-                                            phi_1897_ = _e599;
-                                            phi_1898_ = select(_e568, true, _e567);
+                                            let _e603 = phi_1903_;
+                                            phi_1908_ = _e603;
+                                            phi_1909_ = select(_e572, true, _e571);
                                         } else {
-                                            phi_1897_ = _e591;
-                                            phi_1898_ = _e408;
+                                            phi_1908_ = _e595;
+                                            phi_1909_ = _e412;
                                         }
-                                        let _e602 = phi_1897_;
-                                        let _e604 = phi_1898_;
-                                        phi_2097_ = _e381;
-                                        phi_1900_ = _e383;
-                                        phi_1901_ = _e602;
-                                        phi_1902_ = _e604;
-                                        phi_1903_ = select(_e593, _e410, _e595);
+                                        let _e606 = phi_1908_;
+                                        let _e608 = phi_1909_;
+                                        phi_2183_ = _e385;
+                                        phi_1911_ = _e387;
+                                        phi_1912_ = _e606;
+                                        phi_1913_ = _e608;
+                                        phi_1914_ = select(_e597, _e414, _e599);
                                     }
-                                    let _e1018 = phi_2097_;
-                                    let _e1020 = phi_1900_;
-                                    let _e1022 = phi_1901_;
-                                    let _e1024 = phi_1902_;
-                                    let _e1026 = phi_1903_;
-                                    phi_2096_ = _e1018;
-                                    phi_1904_ = _e1020;
-                                    phi_1905_ = _e1022;
-                                    phi_1906_ = (_e387 - 1u);
-                                    phi_1907_ = _e1024;
-                                    phi_1908_ = _e1026;
+                                    let _e1022 = phi_2183_;
+                                    let _e1024 = phi_1911_;
+                                    let _e1026 = phi_1912_;
+                                    let _e1028 = phi_1913_;
+                                    let _e1030 = phi_1914_;
+                                    phi_2182_ = _e1022;
+                                    phi_1915_ = _e1024;
+                                    phi_1916_ = _e1026;
+                                    phi_1917_ = (_e391 - 1u);
+                                    phi_1918_ = _e1028;
+                                    phi_1919_ = _e1030;
                                 } else {
-                                    phi_2096_ = _e381;
-                                    phi_1904_ = _e383;
-                                    phi_1905_ = _e406;
-                                    phi_1906_ = _e387;
-                                    phi_1907_ = _e408;
-                                    phi_1908_ = _e410;
+                                    phi_2182_ = _e385;
+                                    phi_1915_ = _e387;
+                                    phi_1916_ = _e410;
+                                    phi_1917_ = _e391;
+                                    phi_1918_ = _e412;
+                                    phi_1919_ = _e414;
                                 }
-                                let _e1028 = phi_2096_;
-                                let _e1030 = phi_1904_;
-                                let _e1032 = phi_1905_;
-                                let _e1034 = phi_1906_;
-                                let _e1036 = phi_1907_;
-                                let _e1038 = phi_1908_;
-                                phi_2095_ = _e1028;
-                                phi_1909_ = _e1030;
-                                phi_1910_ = _e1032;
-                                phi_1911_ = _e1034;
-                                phi_1912_ = _e1036;
-                                phi_1913_ = _e1038;
+                                let _e1032 = phi_2182_;
+                                let _e1034 = phi_1915_;
+                                let _e1036 = phi_1916_;
+                                let _e1038 = phi_1917_;
+                                let _e1040 = phi_1918_;
+                                let _e1042 = phi_1919_;
+                                phi_2181_ = _e1032;
+                                phi_1920_ = _e1034;
+                                phi_1921_ = _e1036;
+                                phi_1922_ = _e1038;
+                                phi_1923_ = _e1040;
+                                phi_1924_ = _e1042;
                             } else {
-                                phi_2095_ = _e381;
-                                phi_1909_ = type_40();
-                                phi_1910_ = u32();
-                                phi_1911_ = u32();
-                                phi_1912_ = bool();
-                                phi_1913_ = u32();
+                                phi_2181_ = _e385;
+                                phi_1920_ = type_44();
+                                phi_1921_ = u32();
+                                phi_1922_ = u32();
+                                phi_1923_ = bool();
+                                phi_1924_ = u32();
                             }
-                            let _e1040 = phi_2095_;
-                            let _e1042 = phi_1909_;
-                            let _e1044 = phi_1910_;
-                            let _e1046 = phi_1911_;
-                            let _e1048 = phi_1912_;
-                            let _e1050 = phi_1913_;
-                            phi_2094_ = _e1040;
-                            phi_636_ = _e1042;
-                            phi_639_ = _e1044;
-                            phi_641_ = _e1046;
-                            phi_643_ = _e1048;
-                            phi_645_ = _e1050;
-                            phi_1914_ = _e395;
+                            let _e1044 = phi_2181_;
+                            let _e1046 = phi_1920_;
+                            let _e1048 = phi_1921_;
+                            let _e1050 = phi_1922_;
+                            let _e1052 = phi_1923_;
+                            let _e1054 = phi_1924_;
+                            phi_2180_ = _e1044;
+                            phi_647_ = _e1046;
+                            phi_650_ = _e1048;
+                            phi_652_ = _e1050;
+                            phi_654_ = _e1052;
+                            phi_656_ = _e1054;
+                            phi_1925_ = _e399;
                         } else {
-                            phi_2094_ = _e381;
-                            phi_636_ = type_40();
-                            phi_639_ = u32();
-                            phi_641_ = u32();
-                            phi_643_ = bool();
-                            phi_645_ = u32();
-                            phi_1914_ = false;
+                            phi_2180_ = _e385;
+                            phi_647_ = type_44();
+                            phi_650_ = u32();
+                            phi_652_ = u32();
+                            phi_654_ = bool();
+                            phi_656_ = u32();
+                            phi_1925_ = false;
                         }
-                        let _e1052 = phi_2094_;
-                        let _e1054 = phi_636_;
-                        let _e1056 = phi_639_;
-                        let _e1058 = phi_641_;
-                        let _e1060 = phi_643_;
-                        let _e1062 = phi_645_;
-                        let _e1064 = phi_1914_;
+                        let _e1056 = phi_2180_;
+                        let _e1058 = phi_647_;
+                        let _e1060 = phi_650_;
+                        let _e1062 = phi_652_;
+                        let _e1064 = phi_654_;
+                        let _e1066 = phi_656_;
+                        let _e1068 = phi_1925_;
                         continue;
                         continuing {
-                            phi_1989_ = _e1052;
-                            phi_635_ = _e1054;
-                            phi_638_ = _e1056;
-                            phi_640_ = _e1058;
-                            phi_642_ = _e1060;
-                            phi_644_ = _e1062;
-                            phi_2093_ = _e1052;
-                            break if !(_e1064);
+                            phi_2075_ = _e1056;
+                            phi_646_ = _e1058;
+                            phi_649_ = _e1060;
+                            phi_651_ = _e1062;
+                            phi_653_ = _e1064;
+                            phi_655_ = _e1066;
+                            phi_2179_ = _e1056;
+                            break if !(_e1068);
                         }
                     }
-                    let _e1067 = phi_2093_;
-                    if _e1067 {
+                    let _e1071 = phi_2179_;
+                    if _e1071 {
                         break;
                     }
-                    let _e1069 = local_2;
-                    if (_e1069.member.member_3 != 4294967295u) {
-                        let _e1074 = (_e201 / 3i);
-                        let _e1081 = bitcast<f32>((bitcast<u32>((_e1074 + 127i)) << bitcast<u32>(23i)));
-                        let _e1089 = (((_e1069.member.member * _e1081) * _e1081) * bitcast<f32>((bitcast<u32>(((_e201 - (2i * _e1074)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1091 = select(340282350000000000000000000000000000000f, _e1089, (_e1089 < 340282350000000000000000000000000000000f));
-                        phi_1966_ = type_16(select(-340282350000000000000000000000000000000f, _e1091, (_e1091 > -340282350000000000000000000000000000000f)), _e1069.member.member_1, _e1069.member.member_2, _e1069.member.member_3);
+                    let _e1073 = local_2;
+                    if (_e1073.member.member_3 != 4294967295u) {
+                        let _e1078 = (_e205 / 3i);
+                        let _e1085 = bitcast<f32>((bitcast<u32>((_e1078 + 127i)) << bitcast<u32>(23i)));
+                        let _e1093 = (((_e1073.member.member * _e1085) * _e1085) * bitcast<f32>((bitcast<u32>(((_e205 - (2i * _e1078)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1095 = select(340282350000000000000000000000000000000f, _e1093, (_e1093 < 340282350000000000000000000000000000000f));
+                        phi_1977_ = type_22(select(-340282350000000000000000000000000000000f, _e1095, (_e1095 > -340282350000000000000000000000000000000f)), _e1073.member.member_1, _e1073.member.member_2, _e1073.member.member_3);
                     } else {
-                        phi_1966_ = type_16(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_1977_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1098 = phi_1966_;
-                    if _e74 {
+                    let _e1102 = phi_1977_;
+                    if _e78 {
                     } else {
                         break;
                     }
-                    global_4.member[_e72] = _e1098;
+                    global_4.member[_e76] = _e1102;
+                    if _e77 {
+                    } else {
+                        break;
+                    }
+                    let _e1106 = select(0u, 1u, (_e149 <= _e159));
+                    if (_e1106 > 0u) {
+                        let _e1108 = (1u < _e72);
+                        if _e1108 {
+                            if (0u < _e72) {
+                            } else {
+                                break;
+                            }
+                            let _e1112 = atomicAdd((&global_5.member[0u]), _e1106);
+                            if ((_e1112 + _e1106) < _e1112) {
+                                if _e1108 {
+                                } else {
+                                    break;
+                                }
+                                let _e1117 = atomicAdd((&global_5.member[1u]), 1u);
+                            }
+                        }
+                    }
+                    let _e1120 = select(0u, 1u, (_e1102.member_3 != 4294967295u));
+                    if (_e1120 > 0u) {
+                        let _e1122 = (3u < _e72);
+                        if _e1122 {
+                            if (2u < _e72) {
+                            } else {
+                                break;
+                            }
+                            let _e1126 = atomicAdd((&global_5.member[2u]), _e1120);
+                            if ((_e1126 + _e1120) < _e1126) {
+                                if _e1122 {
+                                } else {
+                                    break;
+                                }
+                                let _e1131 = atomicAdd((&global_5.member[3u]), 1u);
+                            }
+                        }
+                    }
                 }
             }
             break;

@@ -16,37 +16,37 @@ struct type_15 {
     member: array<type_13>,
 }
 
-struct type_19 {
+struct type_22 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_21 {
-    member: array<type_19>,
+struct type_24 {
+    member: array<type_22>,
 }
 
-struct type_23 {
+struct type_26 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
     member_3: f32,
 }
 
-struct type_24 {
-    member: type_23,
+struct type_27 {
+    member: type_26,
     member_1: array<f32, 3>,
     member_2: u32,
     member_3: array<f32, 3>,
     member_4: u32,
 }
 
-struct type_26 {
-    member: array<type_24>,
+struct type_29 {
+    member: array<type_27>,
 }
 
-struct type_33 {
+struct type_34 {
     member: array<array<f32, 4>, 3>,
     member_1: u32,
     member_2: u32,
@@ -54,1022 +54,1086 @@ struct type_33 {
     member_4: u32,
 }
 
-struct type_35 {
-    member: array<type_33>,
+struct type_36 {
+    member: array<type_34>,
 }
 
-struct type_43 {
-    member: type_19,
+struct type_44 {
+    member: type_22,
     member_1: f32,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
 struct type_48 {
-    member: type_43,
+    member: type_44,
     member_1: u32,
     member_2: u32,
+}
+
+struct type_52 {
+    member: array<atomic<u32>>,
 }
 
 var<private> global: vec3<u32>;
 @group(0) @binding(1) 
 var<storage> global_1: type_15;
 @group(0) @binding(0) 
-var<storage> global_2: type_35;
+var<storage> global_2: type_36;
 @group(0) @binding(2) 
-var<storage> global_3: type_26;
+var<storage> global_3: type_29;
 @group(0) @binding(3) 
-var<storage, read_write> global_4: type_21;
+var<storage, read_write> global_4: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> global_5: type_4;
+@group(0) @binding(5) 
+var<storage, read_write> global_6: type_52;
 
 fn function_() {
     var local: array<u32, 128>;
     var local_1: array<f32, 128>;
-    var phi_265_: i32;
-    var phi_266_: i32;
-    var phi_276_: bool;
-    var phi_286_: u32;
-    var phi_287_: u32;
-    var phi_289_: bool;
+    var phi_272_: i32;
+    var phi_273_: i32;
+    var phi_283_: bool;
+    var phi_293_: u32;
     var phi_294_: u32;
-    var phi_338_: f32;
-    var phi_344_: f32;
-    var phi_355_: f32;
-    var phi_361_: f32;
-    var phi_384_: f32;
-    var phi_395_: f32;
-    var phi_404_: f32;
-    var phi_410_: f32;
-    var phi_421_: f32;
-    var phi_427_: f32;
-    var phi_450_: f32;
-    var phi_461_: f32;
-    var phi_470_: f32;
-    var phi_476_: f32;
-    var phi_487_: f32;
-    var phi_493_: f32;
-    var phi_516_: f32;
-    var phi_527_: f32;
-    var phi_627_: f32;
-    var phi_628_: f32;
-    var phi_2016_: bool;
-    var phi_648_: type_48;
-    var phi_651_: u32;
-    var phi_653_: u32;
-    var phi_655_: bool;
-    var phi_657_: u32;
-    var phi_668_: bool;
-    var phi_698_: u32;
-    var phi_699_: bool;
-    var phi_700_: u32;
-    var phi_1527_: type_46;
-    var phi_1871_: u32;
-    var phi_1897_: u32;
-    var phi_1898_: u32;
-    var phi_1899_: u32;
-    var phi_1901_: u32;
-    var phi_1902_: u32;
-    var phi_1903_: bool;
-    var phi_1912_: u32;
-    var phi_1917_: u32;
-    var phi_1918_: bool;
-    var phi_716_: type_48;
-    var phi_719_: type_7;
-    var phi_720_: type_7;
-    var phi_742_: type_7;
-    var phi_765_: u32;
-    var phi_853_: array<array<f32, 3>, 3>;
-    var phi_1324_: vec3<f32>;
-    var phi_1325_: vec3<f32>;
-    var phi_1356_: bool;
-    var phi_1365_: vec3<f32>;
-    var phi_1405_: type_19;
-    var phi_1407_: type_19;
-    var phi_1408_: bool;
-    var phi_1412_: type_19;
-    var phi_1413_: type_19;
-    var phi_1414_: type_19;
-    var phi_1415_: bool;
-    var phi_1419_: type_19;
-    var phi_1420_: bool;
-    var phi_1424_: type_19;
-    var phi_1425_: bool;
-    var phi_1429_: type_19;
-    var phi_1454_: bool;
-    var phi_1455_: bool;
-    var phi_1462_: type_48;
-    var phi_1463_: type_48;
-    var phi_1464_: type_48;
-    var phi_717_: type_48;
-    var phi_2010_: bool;
-    var phi_2124_: bool;
-    var phi_1920_: type_48;
-    var phi_1921_: u32;
-    var phi_1922_: bool;
-    var phi_1923_: u32;
-    var phi_2123_: bool;
-    var phi_1924_: type_48;
-    var phi_1925_: u32;
-    var phi_1926_: u32;
-    var phi_1927_: bool;
-    var phi_1928_: u32;
-    var phi_2122_: bool;
-    var phi_1929_: type_48;
-    var phi_1930_: u32;
-    var phi_1931_: u32;
-    var phi_1932_: bool;
-    var phi_1933_: u32;
-    var phi_2121_: bool;
-    var phi_649_: type_48;
-    var phi_652_: u32;
-    var phi_654_: u32;
-    var phi_656_: bool;
+    var phi_296_: bool;
+    var phi_301_: u32;
+    var phi_345_: f32;
+    var phi_351_: f32;
+    var phi_362_: f32;
+    var phi_368_: f32;
+    var phi_391_: f32;
+    var phi_402_: f32;
+    var phi_411_: f32;
+    var phi_417_: f32;
+    var phi_428_: f32;
+    var phi_434_: f32;
+    var phi_457_: f32;
+    var phi_468_: f32;
+    var phi_477_: f32;
+    var phi_483_: f32;
+    var phi_494_: f32;
+    var phi_500_: f32;
+    var phi_523_: f32;
+    var phi_534_: f32;
+    var phi_634_: f32;
+    var phi_635_: f32;
+    var phi_2129_: bool;
+    var phi_655_: type_48;
     var phi_658_: u32;
+    var phi_660_: u32;
+    var phi_662_: bool;
+    var phi_664_: u32;
+    var phi_675_: bool;
+    var phi_705_: u32;
+    var phi_706_: bool;
+    var phi_707_: u32;
+    var phi_1534_: type_47;
+    var phi_1878_: u32;
+    var phi_1904_: u32;
+    var phi_1905_: u32;
+    var phi_1906_: u32;
+    var phi_1908_: u32;
+    var phi_1909_: u32;
+    var phi_1910_: bool;
+    var phi_1919_: u32;
+    var phi_1924_: u32;
+    var phi_1925_: bool;
+    var phi_723_: type_48;
+    var phi_726_: type_7;
+    var phi_727_: type_7;
+    var phi_749_: type_7;
+    var phi_772_: u32;
+    var phi_860_: array<array<f32, 3>, 3>;
+    var phi_1331_: vec3<f32>;
+    var phi_1332_: vec3<f32>;
+    var phi_1363_: bool;
+    var phi_1372_: vec3<f32>;
+    var phi_1412_: type_22;
+    var phi_1414_: type_22;
+    var phi_1415_: bool;
+    var phi_1419_: type_22;
+    var phi_1420_: type_22;
+    var phi_1421_: type_22;
+    var phi_1422_: bool;
+    var phi_1426_: type_22;
+    var phi_1427_: bool;
+    var phi_1431_: type_22;
+    var phi_1432_: bool;
+    var phi_1436_: type_22;
+    var phi_1461_: bool;
+    var phi_1462_: bool;
+    var phi_1469_: type_48;
+    var phi_1470_: type_48;
+    var phi_1471_: type_48;
+    var phi_724_: type_48;
+    var phi_2123_: bool;
+    var phi_2237_: bool;
+    var phi_1927_: type_48;
+    var phi_1928_: u32;
+    var phi_1929_: bool;
+    var phi_1930_: u32;
+    var phi_2236_: bool;
+    var phi_1931_: type_48;
+    var phi_1932_: u32;
+    var phi_1933_: u32;
     var phi_1934_: bool;
-    var phi_2120_: bool;
+    var phi_1935_: u32;
+    var phi_2235_: bool;
+    var phi_1936_: type_48;
+    var phi_1937_: u32;
+    var phi_1938_: u32;
+    var phi_1939_: bool;
+    var phi_1940_: u32;
+    var phi_2234_: bool;
+    var phi_656_: type_48;
+    var phi_659_: u32;
+    var phi_661_: u32;
+    var phi_663_: bool;
+    var phi_665_: u32;
+    var phi_1941_: bool;
+    var phi_2233_: bool;
     var local_2: type_48;
-    var phi_1986_: type_19;
+    var phi_1993_: type_22;
     var local_3: type_48;
     var local_4: type_48;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e61 = global;
-            let _e63 = arrayLength((&global_2.member));
-            let _e65 = arrayLength((&global_1.member));
-            let _e75 = (_e61.x + (_e61.y * 2097152u));
-            let _e76 = (_e75 < arrayLength((&global_3.member)));
-            if _e76 {
-                let _e77 = (_e75 < arrayLength((&global_4.member)));
-                if _e77 {
-                    let _e78 = (_e75 < arrayLength((&global_5.member)));
-                    if _e78 {
-                        if _e76 {
+            let _e63 = global;
+            let _e65 = arrayLength((&global_2.member));
+            let _e67 = arrayLength((&global_1.member));
+            let _e75 = arrayLength((&global_6.member));
+            let _e79 = (_e63.x + (_e63.y * 2097152u));
+            let _e80 = (_e79 < arrayLength((&global_3.member)));
+            if _e80 {
+                let _e81 = (_e79 < arrayLength((&global_4.member)));
+                if _e81 {
+                    let _e82 = (_e79 < arrayLength((&global_5.member)));
+                    if _e82 {
+                        if _e80 {
                         } else {
                             break;
                         }
-                        let _e88 = global_3.member[_e75].member.member_2[0u];
-                        let _e90 = (bitcast<u32>(_e88) & 2147483647u);
-                        let _e96 = global_3.member[_e75].member.member_2[1u];
-                        let _e98 = (bitcast<u32>(_e96) & 2147483647u);
-                        let _e104 = global_3.member[_e75].member.member_2[2u];
-                        let _e106 = (bitcast<u32>(_e104) & 2147483647u);
-                        let _e112 = global_3.member[_e75].member.member[0u];
-                        let _e114 = (bitcast<u32>(_e112) & 2147483647u);
-                        let _e120 = global_3.member[_e75].member.member[1u];
-                        let _e122 = (bitcast<u32>(_e120) & 2147483647u);
-                        let _e128 = global_3.member[_e75].member.member[2u];
-                        let _e130 = (bitcast<u32>(_e128) & 2147483647u);
-                        let _e132 = select(_e98, _e90, (_e98 < _e90));
-                        let _e134 = select(_e106, _e132, (_e106 < _e132));
-                        let _e136 = select(_e114, _e134, (_e114 < _e134));
-                        let _e138 = select(_e122, _e136, (_e122 < _e136));
-                        let _e140 = select(_e130, _e138, (_e130 < _e138));
-                        let _e145 = global_3.member[_e75].member.member_1;
-                        let _e147 = (bitcast<u32>(_e145) & 2147483647u);
-                        let _e155 = global_3.member[_e75].member.member_3;
-                        let _e161 = (((select(_e147, _e140, (_e147 < _e140)) < 2139095040u) && ((bitcast<u32>(_e155) & 2147483647u) <= 2139095040u)) && (_e134 > 0u));
-                        if _e161 {
-                            let _e164 = (bitcast<u32>(bitcast<f32>(_e134)) & 2147483647u);
-                            if (_e164 >= 8388608u) {
-                                phi_265_ = (bitcast<i32>((_e164 >> bitcast<u32>(23i))) - 127i);
+                        let _e92 = global_3.member[_e79].member.member_2[0u];
+                        let _e94 = (bitcast<u32>(_e92) & 2147483647u);
+                        let _e100 = global_3.member[_e79].member.member_2[1u];
+                        let _e102 = (bitcast<u32>(_e100) & 2147483647u);
+                        let _e108 = global_3.member[_e79].member.member_2[2u];
+                        let _e110 = (bitcast<u32>(_e108) & 2147483647u);
+                        let _e116 = global_3.member[_e79].member.member[0u];
+                        let _e118 = (bitcast<u32>(_e116) & 2147483647u);
+                        let _e124 = global_3.member[_e79].member.member[1u];
+                        let _e126 = (bitcast<u32>(_e124) & 2147483647u);
+                        let _e132 = global_3.member[_e79].member.member[2u];
+                        let _e134 = (bitcast<u32>(_e132) & 2147483647u);
+                        let _e136 = select(_e102, _e94, (_e102 < _e94));
+                        let _e138 = select(_e110, _e136, (_e110 < _e136));
+                        let _e140 = select(_e118, _e138, (_e118 < _e138));
+                        let _e142 = select(_e126, _e140, (_e126 < _e140));
+                        let _e144 = select(_e134, _e142, (_e134 < _e142));
+                        let _e149 = global_3.member[_e79].member.member_1;
+                        let _e151 = (bitcast<u32>(_e149) & 2147483647u);
+                        let _e159 = global_3.member[_e79].member.member_3;
+                        let _e165 = (((select(_e151, _e144, (_e151 < _e144)) < 2139095040u) && ((bitcast<u32>(_e159) & 2147483647u) <= 2139095040u)) && (_e138 > 0u));
+                        if _e165 {
+                            let _e168 = (bitcast<u32>(bitcast<f32>(_e138)) & 2147483647u);
+                            if (_e168 >= 8388608u) {
+                                phi_272_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_265_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e164)), 32u, (_e164 == 0u))));
+                                phi_272_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
                             }
-                            let _e178 = phi_265_;
-                            phi_266_ = _e178;
+                            let _e182 = phi_272_;
+                            phi_273_ = _e182;
                         } else {
-                            phi_266_ = 0i;
+                            phi_273_ = 0i;
                         }
-                        let _e180 = phi_266_;
-                        let _e181 = (_e90 == _e134);
-                        if _e181 {
-                            phi_276_ = true;
+                        let _e184 = phi_273_;
+                        let _e185 = (_e94 == _e138);
+                        if _e185 {
+                            phi_283_ = true;
                         } else {
-                            phi_276_ = (_e98 == _e134);
+                            phi_283_ = (_e102 == _e138);
                         }
-                        let _e184 = phi_276_;
-                        let _e185 = select(1u, 0u, _e181);
-                        if _e184 {
-                            let _e186 = (_e185 + 1u);
-                            phi_286_ = _e186;
-                            phi_287_ = _e186;
-                            phi_289_ = select(true, false, (_e186 == 2u));
+                        let _e188 = phi_283_;
+                        let _e189 = select(1u, 0u, _e185);
+                        if _e188 {
+                            let _e190 = (_e189 + 1u);
+                            phi_293_ = _e190;
+                            phi_294_ = _e190;
+                            phi_296_ = select(true, false, (_e190 == 2u));
                         } else {
-                            phi_286_ = u32();
-                            phi_287_ = 0u;
-                            phi_289_ = true;
-                        }
-                        let _e190 = phi_286_;
-                        let _e192 = phi_287_;
-                        let _e194 = phi_289_;
-                        if _e194 {
-                            phi_294_ = (_e192 + 1u);
-                        } else {
+                            phi_293_ = u32();
                             phi_294_ = 0u;
+                            phi_296_ = true;
                         }
-                        let _e198 = phi_294_;
-                        let _e199 = select(_e190, _e192, _e194);
-                        let _e200 = select(_e185, select(2u, _e185, _e184), _e194);
-                        let _e201 = -(_e180);
-                        let _e202 = (_e201 / 2i);
-                        let _e207 = bitcast<f32>((bitcast<u32>((_e202 + 127i)) << bitcast<u32>(23i)));
-                        let _e213 = bitcast<f32>((bitcast<u32>(((_e201 - _e202) + 127i)) << bitcast<u32>(23i)));
-                        let _e218 = global_3.member[_e75].member.member;
-                        let _e219 = (_e199 == 0u);
-                        if _e219 {
-                            phi_338_ = _e218[0];
+                        let _e194 = phi_293_;
+                        let _e196 = phi_294_;
+                        let _e198 = phi_296_;
+                        if _e198 {
+                            phi_301_ = (_e196 + 1u);
                         } else {
-                            phi_338_ = _e218[1];
+                            phi_301_ = 0u;
                         }
-                        let _e223 = phi_338_;
-                        let _e224 = (_e199 == 2u);
-                        if _e224 {
-                            phi_344_ = _e218[2];
+                        let _e202 = phi_301_;
+                        let _e203 = select(_e194, _e196, _e198);
+                        let _e204 = select(_e189, select(2u, _e189, _e188), _e198);
+                        let _e205 = -(_e184);
+                        let _e206 = (_e205 / 2i);
+                        let _e211 = bitcast<f32>((bitcast<u32>((_e206 + 127i)) << bitcast<u32>(23i)));
+                        let _e217 = bitcast<f32>((bitcast<u32>(((_e205 - _e206) + 127i)) << bitcast<u32>(23i)));
+                        let _e222 = global_3.member[_e79].member.member;
+                        let _e223 = (_e203 == 0u);
+                        if _e223 {
+                            phi_345_ = _e222[0];
                         } else {
-                            phi_344_ = _e223;
+                            phi_345_ = _e222[1];
                         }
-                        let _e227 = phi_344_;
-                        let _e228 = global_3.member[_e75].member.member_2;
-                        if _e219 {
-                            phi_355_ = _e228[0];
+                        let _e227 = phi_345_;
+                        let _e228 = (_e203 == 2u);
+                        if _e228 {
+                            phi_351_ = _e222[2];
                         } else {
-                            phi_355_ = _e228[1];
+                            phi_351_ = _e227;
                         }
-                        let _e232 = phi_355_;
-                        if _e224 {
-                            phi_361_ = _e228[2];
+                        let _e231 = phi_351_;
+                        let _e232 = global_3.member[_e79].member.member_2;
+                        if _e223 {
+                            phi_362_ = _e232[0];
                         } else {
-                            phi_361_ = _e232;
+                            phi_362_ = _e232[1];
                         }
-                        let _e235 = phi_361_;
-                        let _e237 = ((_e235 * _e207) * _e213);
-                        let _e241 = (bitcast<f32>((bitcast<u32>(_e237) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e241 {
-                            let _e245 = (bitcast<f32>((bitcast<u32>(_e227) & 2147483647u)) * 0.00000011920929f);
-                            phi_384_ = select(0.00000000000011368684f, _e245, (_e245 > 0.00000000000011368684f));
+                        let _e236 = phi_362_;
+                        if _e228 {
+                            phi_368_ = _e232[2];
                         } else {
-                            phi_384_ = 0f;
+                            phi_368_ = _e236;
                         }
-                        let _e249 = phi_384_;
-                        let _e250 = (_e227 + _e249);
-                        let _e251 = (_e227 - _e249);
-                        let _e252 = select(_e237, 0f, _e241);
-                        if _e241 {
-                            phi_395_ = 38685626000000000000000000f;
+                        let _e239 = phi_368_;
+                        let _e241 = ((_e239 * _e211) * _e217);
+                        let _e245 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e245 {
+                            let _e249 = (bitcast<f32>((bitcast<u32>(_e231) & 2147483647u)) * 0.00000011920929f);
+                            phi_391_ = select(0.00000000000011368684f, _e249, (_e249 > 0.00000000000011368684f));
                         } else {
-                            phi_395_ = (1f / _e237);
+                            phi_391_ = 0f;
                         }
-                        let _e255 = phi_395_;
-                        let _e256 = (_e198 == 0u);
-                        if _e256 {
-                            phi_404_ = _e218[0];
+                        let _e253 = phi_391_;
+                        let _e254 = (_e231 + _e253);
+                        let _e255 = (_e231 - _e253);
+                        let _e256 = select(_e241, 0f, _e245);
+                        if _e245 {
+                            phi_402_ = 38685626000000000000000000f;
                         } else {
-                            phi_404_ = _e218[1];
+                            phi_402_ = (1f / _e241);
                         }
-                        let _e260 = phi_404_;
-                        let _e261 = (_e198 == 2u);
-                        if _e261 {
-                            phi_410_ = _e218[2];
+                        let _e259 = phi_402_;
+                        let _e260 = (_e202 == 0u);
+                        if _e260 {
+                            phi_411_ = _e222[0];
                         } else {
-                            phi_410_ = _e260;
+                            phi_411_ = _e222[1];
                         }
-                        let _e264 = phi_410_;
-                        if _e256 {
-                            phi_421_ = _e228[0];
+                        let _e264 = phi_411_;
+                        let _e265 = (_e202 == 2u);
+                        if _e265 {
+                            phi_417_ = _e222[2];
                         } else {
-                            phi_421_ = _e228[1];
+                            phi_417_ = _e264;
                         }
-                        let _e268 = phi_421_;
-                        if _e261 {
-                            phi_427_ = _e228[2];
+                        let _e268 = phi_417_;
+                        if _e260 {
+                            phi_428_ = _e232[0];
                         } else {
-                            phi_427_ = _e268;
+                            phi_428_ = _e232[1];
                         }
-                        let _e271 = phi_427_;
-                        let _e273 = ((_e271 * _e207) * _e213);
-                        let _e277 = (bitcast<f32>((bitcast<u32>(_e273) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e277 {
-                            let _e281 = (bitcast<f32>((bitcast<u32>(_e264) & 2147483647u)) * 0.00000011920929f);
-                            phi_450_ = select(0.00000000000011368684f, _e281, (_e281 > 0.00000000000011368684f));
+                        let _e272 = phi_428_;
+                        if _e265 {
+                            phi_434_ = _e232[2];
                         } else {
-                            phi_450_ = 0f;
+                            phi_434_ = _e272;
                         }
-                        let _e285 = phi_450_;
-                        let _e286 = (_e264 + _e285);
-                        let _e287 = (_e264 - _e285);
-                        let _e288 = select(_e273, 0f, _e277);
-                        if _e277 {
-                            phi_461_ = 38685626000000000000000000f;
+                        let _e275 = phi_434_;
+                        let _e277 = ((_e275 * _e211) * _e217);
+                        let _e281 = (bitcast<f32>((bitcast<u32>(_e277) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e281 {
+                            let _e285 = (bitcast<f32>((bitcast<u32>(_e268) & 2147483647u)) * 0.00000011920929f);
+                            phi_457_ = select(0.00000000000011368684f, _e285, (_e285 > 0.00000000000011368684f));
                         } else {
-                            phi_461_ = (1f / _e273);
+                            phi_457_ = 0f;
                         }
-                        let _e291 = phi_461_;
-                        let _e292 = (_e200 == 0u);
-                        if _e292 {
-                            phi_470_ = _e218[0];
+                        let _e289 = phi_457_;
+                        let _e290 = (_e268 + _e289);
+                        let _e291 = (_e268 - _e289);
+                        let _e292 = select(_e277, 0f, _e281);
+                        if _e281 {
+                            phi_468_ = 38685626000000000000000000f;
                         } else {
-                            phi_470_ = _e218[1];
+                            phi_468_ = (1f / _e277);
                         }
-                        let _e296 = phi_470_;
-                        let _e297 = (_e200 == 2u);
-                        if _e297 {
-                            phi_476_ = _e218[2];
+                        let _e295 = phi_468_;
+                        let _e296 = (_e204 == 0u);
+                        if _e296 {
+                            phi_477_ = _e222[0];
                         } else {
-                            phi_476_ = _e296;
+                            phi_477_ = _e222[1];
                         }
-                        let _e300 = phi_476_;
-                        if _e292 {
-                            phi_487_ = _e228[0];
+                        let _e300 = phi_477_;
+                        let _e301 = (_e204 == 2u);
+                        if _e301 {
+                            phi_483_ = _e222[2];
                         } else {
-                            phi_487_ = _e228[1];
+                            phi_483_ = _e300;
                         }
-                        let _e304 = phi_487_;
-                        if _e297 {
-                            phi_493_ = _e228[2];
+                        let _e304 = phi_483_;
+                        if _e296 {
+                            phi_494_ = _e232[0];
                         } else {
-                            phi_493_ = _e304;
+                            phi_494_ = _e232[1];
                         }
-                        let _e307 = phi_493_;
-                        let _e309 = ((_e307 * _e207) * _e213);
-                        let _e313 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e313 {
-                            let _e317 = (bitcast<f32>((bitcast<u32>(_e300) & 2147483647u)) * 0.00000011920929f);
-                            phi_516_ = select(0.00000000000011368684f, _e317, (_e317 > 0.00000000000011368684f));
+                        let _e308 = phi_494_;
+                        if _e301 {
+                            phi_500_ = _e232[2];
                         } else {
-                            phi_516_ = 0f;
+                            phi_500_ = _e308;
                         }
-                        let _e321 = phi_516_;
-                        let _e322 = (_e300 + _e321);
-                        let _e323 = (_e300 - _e321);
-                        let _e324 = select(_e309, 0f, _e313);
-                        if _e313 {
-                            phi_527_ = 38685626000000000000000000f;
+                        let _e311 = phi_500_;
+                        let _e313 = ((_e311 * _e211) * _e217);
+                        let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e317 {
+                            let _e321 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) * 0.00000011920929f);
+                            phi_523_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
                         } else {
-                            phi_527_ = (1f / _e309);
+                            phi_523_ = 0f;
                         }
-                        let _e327 = phi_527_;
-                        let _e330 = bitcast<f32>((bitcast<u32>(_e227) & 2147483647u));
-                        let _e333 = bitcast<f32>((bitcast<u32>(_e264) & 2147483647u));
-                        let _e335 = select(_e333, _e330, (_e330 > _e333));
-                        let _e338 = bitcast<f32>((bitcast<u32>(_e300) & 2147483647u));
-                        if (_e161 && (select(_e338, _e335, (_e335 > _e338)) <= 1099511600000f)) {
-                            let _e343 = (_e180 / 3i);
-                            let _e350 = bitcast<f32>((bitcast<u32>((_e343 + 127i)) << bitcast<u32>(23i)));
-                            let _e357 = bitcast<f32>((bitcast<u32>(((_e180 - (2i * _e343)) + 127i)) << bitcast<u32>(23i)));
-                            let _e358 = (((_e145 * _e350) * _e350) * _e357);
-                            let _e360 = select(340282350000000000000000000000000000000f, _e358, (_e358 < 340282350000000000000000000000000000000f));
-                            let _e365 = (((_e155 * _e350) * _e350) * _e357);
-                            let _e367 = select(340282350000000000000000000000000000000f, _e365, (_e365 < 340282350000000000000000000000000000000f));
-                            phi_627_ = select(-340282350000000000000000000000000000000f, _e367, (_e367 > -340282350000000000000000000000000000000f));
-                            phi_628_ = select(-340282350000000000000000000000000000000f, _e360, (_e360 > -340282350000000000000000000000000000000f));
+                        let _e325 = phi_523_;
+                        let _e326 = (_e304 + _e325);
+                        let _e327 = (_e304 - _e325);
+                        let _e328 = select(_e313, 0f, _e317);
+                        if _e317 {
+                            phi_534_ = 38685626000000000000000000f;
                         } else {
-                            phi_627_ = 0f;
-                            phi_628_ = 1f;
+                            phi_534_ = (1f / _e313);
                         }
-                        let _e371 = phi_627_;
-                        let _e373 = phi_628_;
-                        if _e76 {
+                        let _e331 = phi_534_;
+                        let _e334 = bitcast<f32>((bitcast<u32>(_e231) & 2147483647u));
+                        let _e337 = bitcast<f32>((bitcast<u32>(_e268) & 2147483647u));
+                        let _e339 = select(_e337, _e334, (_e334 > _e337));
+                        let _e342 = bitcast<f32>((bitcast<u32>(_e304) & 2147483647u));
+                        if (_e165 && (select(_e342, _e339, (_e339 > _e342)) <= 1099511600000f)) {
+                            let _e347 = (_e184 / 3i);
+                            let _e354 = bitcast<f32>((bitcast<u32>((_e347 + 127i)) << bitcast<u32>(23i)));
+                            let _e361 = bitcast<f32>((bitcast<u32>(((_e184 - (2i * _e347)) + 127i)) << bitcast<u32>(23i)));
+                            let _e362 = (((_e149 * _e354) * _e354) * _e361);
+                            let _e364 = select(340282350000000000000000000000000000000f, _e362, (_e362 < 340282350000000000000000000000000000000f));
+                            let _e369 = (((_e159 * _e354) * _e354) * _e361);
+                            let _e371 = select(340282350000000000000000000000000000000f, _e369, (_e369 < 340282350000000000000000000000000000000f));
+                            phi_634_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
+                            phi_635_ = select(-340282350000000000000000000000000000000f, _e364, (_e364 > -340282350000000000000000000000000000000f));
+                        } else {
+                            phi_634_ = 0f;
+                            phi_635_ = 1f;
+                        }
+                        let _e375 = phi_634_;
+                        let _e377 = phi_635_;
+                        if _e80 {
                         } else {
                             break;
                         }
-                        let _e379 = global_3.member[_e75].member_2;
+                        let _e383 = global_3.member[_e79].member_2;
                         local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2016_ = false;
-                        phi_648_ = type_48(type_43(type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e371), 0u, 0u);
-                        phi_651_ = select(0u, 2147483648u, (_e63 == 0u));
-                        phi_653_ = ((3u * _e63) + 1u);
-                        phi_655_ = (_e373 <= _e371);
-                        phi_657_ = 0u;
+                        phi_2129_ = false;
+                        phi_655_ = type_48(type_44(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e375), 0u, 0u);
+                        phi_658_ = select(0u, 2147483648u, (_e65 == 0u));
+                        phi_660_ = ((3u * _e65) + 1u);
+                        phi_662_ = (_e377 <= _e375);
+                        phi_664_ = 0u;
                         loop {
-                            let _e386 = phi_2016_;
-                            let _e388 = phi_648_;
-                            let _e390 = phi_651_;
-                            let _e392 = phi_653_;
-                            let _e394 = phi_655_;
-                            let _e396 = phi_657_;
-                            local_2 = _e388;
-                            local_3 = _e388;
-                            if _e394 {
-                                phi_668_ = true;
+                            let _e390 = phi_2129_;
+                            let _e392 = phi_655_;
+                            let _e394 = phi_658_;
+                            let _e396 = phi_660_;
+                            let _e398 = phi_662_;
+                            let _e400 = phi_664_;
+                            local_2 = _e392;
+                            local_3 = _e392;
+                            if _e398 {
+                                phi_675_ = true;
                             } else {
-                                phi_668_ = (_e396 > 0u);
+                                phi_675_ = (_e400 > 0u);
                             }
-                            let _e399 = phi_668_;
-                            if _e399 {
-                                let _e400 = (_e392 > 0u);
-                                if _e400 {
-                                    if _e394 {
-                                        phi_698_ = _e390;
-                                        phi_699_ = _e394;
-                                        phi_700_ = _e396;
+                            let _e403 = phi_675_;
+                            if _e403 {
+                                let _e404 = (_e396 > 0u);
+                                if _e404 {
+                                    if _e398 {
+                                        phi_705_ = _e394;
+                                        phi_706_ = _e398;
+                                        phi_707_ = _e400;
                                     } else {
-                                        let _e401 = (_e396 - 1u);
-                                        let _e402 = (_e401 % 128u);
-                                        let _e403 = (_e402 < 128u);
-                                        if _e403 {
+                                        let _e405 = (_e400 - 1u);
+                                        let _e406 = (_e405 % 128u);
+                                        let _e407 = (_e406 < 128u);
+                                        if _e407 {
                                         } else {
-                                            phi_2120_ = true;
+                                            phi_2233_ = true;
                                             break;
                                         }
-                                        let _e405 = local[_e402];
-                                        if _e403 {
+                                        let _e409 = local[_e406];
+                                        if _e407 {
                                         } else {
-                                            phi_2120_ = true;
+                                            phi_2233_ = true;
                                             break;
                                         }
-                                        let _e407 = local_1[_e402];
-                                        phi_698_ = _e405;
-                                        phi_699_ = (_e407 <= _e388.member.member_1);
-                                        phi_700_ = _e401;
+                                        let _e411 = local_1[_e406];
+                                        phi_705_ = _e409;
+                                        phi_706_ = (_e411 <= _e392.member.member_1);
+                                        phi_707_ = _e405;
                                     }
-                                    let _e412 = phi_698_;
-                                    let _e414 = phi_699_;
-                                    let _e416 = phi_700_;
-                                    if _e414 {
-                                        let _e420 = (_e412 & 268435455u);
-                                        if ((_e412 & 2147483648u) != 0u) {
-                                            phi_716_ = _e388;
-                                            phi_719_ = type_7(_e420, (_e420 + ((_e412 >> bitcast<u32>(28u)) & 7u)));
+                                    let _e416 = phi_705_;
+                                    let _e418 = phi_706_;
+                                    let _e420 = phi_707_;
+                                    if _e418 {
+                                        let _e424 = (_e416 & 268435455u);
+                                        if ((_e416 & 2147483648u) != 0u) {
+                                            phi_723_ = _e392;
+                                            phi_726_ = type_7(_e424, (_e424 + ((_e416 >> bitcast<u32>(28u)) & 7u)));
                                             loop {
-                                                let _e622 = phi_716_;
-                                                let _e624 = phi_719_;
-                                                local_4 = _e622;
-                                                if (_e624.member < _e624.member_1) {
-                                                    phi_720_ = type_7((_e624.member + 1u), _e624.member_1);
-                                                    phi_742_ = type_7(1u, _e624.member);
+                                                let _e626 = phi_723_;
+                                                let _e628 = phi_726_;
+                                                local_4 = _e626;
+                                                if (_e628.member < _e628.member_1) {
+                                                    phi_727_ = type_7((_e628.member + 1u), _e628.member_1);
+                                                    phi_749_ = type_7(1u, _e628.member);
                                                 } else {
-                                                    phi_720_ = _e624;
-                                                    phi_742_ = type_7(0u, type_7().member_1);
+                                                    phi_727_ = _e628;
+                                                    phi_749_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e637 = phi_720_;
-                                                let _e639 = phi_742_;
-                                                let _e643 = (bitcast<i32>(_e639.member) != 0i);
-                                                if _e643 {
-                                                    let _e649 = type_48(_e622.member, _e622.member_1, (_e622.member_2 + 1u));
-                                                    let _e650 = (_e639.member_1 < _e65);
-                                                    if _e650 {
-                                                        if _e650 {
+                                                let _e641 = phi_727_;
+                                                let _e643 = phi_749_;
+                                                let _e647 = (bitcast<i32>(_e643.member) != 0i);
+                                                if _e647 {
+                                                    let _e653 = type_48(_e626.member, _e626.member_1, (_e626.member_2 + 1u));
+                                                    let _e654 = (_e643.member_1 < _e67);
+                                                    if _e654 {
+                                                        if _e654 {
                                                         } else {
-                                                            phi_2010_ = true;
+                                                            phi_2123_ = true;
                                                             break;
                                                         }
-                                                        let _e654 = global_1.member[_e639.member_1].member_1;
-                                                        phi_765_ = _e654;
+                                                        let _e658 = global_1.member[_e643.member_1].member_1;
+                                                        phi_772_ = _e658;
                                                     } else {
-                                                        phi_765_ = 4294967295u;
+                                                        phi_772_ = 4294967295u;
                                                     }
-                                                    let _e656 = phi_765_;
-                                                    if (_e639.member_1 >= _e65) {
-                                                        phi_853_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e660 = phi_772_;
+                                                    if (_e643.member_1 >= _e67) {
+                                                        phi_860_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e650 {
+                                                        if _e654 {
                                                         } else {
-                                                            phi_2010_ = true;
+                                                            phi_2123_ = true;
                                                             break;
                                                         }
-                                                        let _e658 = (_e199 % 3u);
-                                                        let _e659 = (_e198 % 3u);
-                                                        let _e660 = (_e200 % 3u);
-                                                        if (_e658 < 9u) {
+                                                        let _e662 = (_e203 % 3u);
+                                                        let _e663 = (_e202 % 3u);
+                                                        let _e664 = (_e204 % 3u);
+                                                        if (_e662 < 9u) {
                                                         } else {
-                                                            phi_2010_ = true;
+                                                            phi_2123_ = true;
                                                             break;
                                                         }
-                                                        let _e666 = global_1.member[_e639.member_1].member[_e658];
-                                                        if (_e659 < 9u) {
+                                                        let _e670 = global_1.member[_e643.member_1].member[_e662];
+                                                        if (_e663 < 9u) {
                                                         } else {
-                                                            phi_2010_ = true;
+                                                            phi_2123_ = true;
                                                             break;
                                                         }
-                                                        let _e672 = global_1.member[_e639.member_1].member[_e659];
-                                                        if (_e660 < 9u) {
+                                                        let _e676 = global_1.member[_e643.member_1].member[_e663];
+                                                        if (_e664 < 9u) {
                                                         } else {
-                                                            phi_2010_ = true;
+                                                            phi_2123_ = true;
                                                             break;
                                                         }
-                                                        let _e678 = global_1.member[_e639.member_1].member[_e660];
-                                                        let _e680 = (3u + _e658);
-                                                        if (_e680 < 9u) {
+                                                        let _e682 = global_1.member[_e643.member_1].member[_e664];
+                                                        let _e684 = (3u + _e662);
+                                                        if (_e684 < 9u) {
                                                         } else {
-                                                            phi_2010_ = true;
+                                                            phi_2123_ = true;
                                                             break;
                                                         }
-                                                        let _e686 = global_1.member[_e639.member_1].member[_e680];
-                                                        let _e687 = (3u + _e659);
-                                                        if (_e687 < 9u) {
+                                                        let _e690 = global_1.member[_e643.member_1].member[_e684];
+                                                        let _e691 = (3u + _e663);
+                                                        if (_e691 < 9u) {
                                                         } else {
-                                                            phi_2010_ = true;
+                                                            phi_2123_ = true;
                                                             break;
                                                         }
-                                                        let _e693 = global_1.member[_e639.member_1].member[_e687];
-                                                        let _e694 = (3u + _e660);
-                                                        if (_e694 < 9u) {
+                                                        let _e697 = global_1.member[_e643.member_1].member[_e691];
+                                                        let _e698 = (3u + _e664);
+                                                        if (_e698 < 9u) {
                                                         } else {
-                                                            phi_2010_ = true;
+                                                            phi_2123_ = true;
                                                             break;
                                                         }
-                                                        let _e700 = global_1.member[_e639.member_1].member[_e694];
-                                                        let _e702 = (6u + _e658);
-                                                        if (_e702 < 9u) {
+                                                        let _e704 = global_1.member[_e643.member_1].member[_e698];
+                                                        let _e706 = (6u + _e662);
+                                                        if (_e706 < 9u) {
                                                         } else {
-                                                            phi_2010_ = true;
+                                                            phi_2123_ = true;
                                                             break;
                                                         }
-                                                        let _e708 = global_1.member[_e639.member_1].member[_e702];
-                                                        let _e709 = (6u + _e659);
-                                                        if (_e709 < 9u) {
+                                                        let _e712 = global_1.member[_e643.member_1].member[_e706];
+                                                        let _e713 = (6u + _e663);
+                                                        if (_e713 < 9u) {
                                                         } else {
-                                                            phi_2010_ = true;
+                                                            phi_2123_ = true;
                                                             break;
                                                         }
-                                                        let _e715 = global_1.member[_e639.member_1].member[_e709];
-                                                        let _e716 = (6u + _e660);
-                                                        if (_e716 < 9u) {
+                                                        let _e719 = global_1.member[_e643.member_1].member[_e713];
+                                                        let _e720 = (6u + _e664);
+                                                        if (_e720 < 9u) {
                                                         } else {
-                                                            phi_2010_ = true;
+                                                            phi_2123_ = true;
                                                             break;
                                                         }
-                                                        let _e722 = global_1.member[_e639.member_1].member[_e716];
-                                                        phi_853_ = array<array<f32, 3>, 3>(array<f32, 3>(_e666, _e672, _e678), array<f32, 3>(_e686, _e693, _e700), array<f32, 3>(_e708, _e715, _e722));
+                                                        let _e726 = global_1.member[_e643.member_1].member[_e720];
+                                                        phi_860_ = array<array<f32, 3>, 3>(array<f32, 3>(_e670, _e676, _e682), array<f32, 3>(_e690, _e697, _e704), array<f32, 3>(_e712, _e719, _e726));
                                                     }
-                                                    let _e726 = phi_853_;
-                                                    let _e735 = (_e726[0][2] - _e300);
-                                                    let _e738 = (((_e726[0][0] - _e227) * _e324) - (_e735 * _e252));
-                                                    let _e741 = (((_e726[0][1] - _e264) * _e324) - (_e735 * _e288));
-                                                    let _e748 = (_e726[1][2] - _e300);
-                                                    let _e751 = (((_e726[1][0] - _e227) * _e324) - (_e748 * _e252));
-                                                    let _e754 = (((_e726[1][1] - _e264) * _e324) - (_e748 * _e288));
-                                                    let _e761 = (_e726[2][2] - _e300);
-                                                    let _e764 = (((_e726[2][0] - _e227) * _e324) - (_e761 * _e252));
-                                                    let _e767 = (((_e726[2][1] - _e264) * _e324) - (_e761 * _e288));
-                                                    let _e768 = (_e764 * _e754);
-                                                    let _e769 = (_e767 * _e751);
-                                                    let _e770 = (_e738 * _e767);
-                                                    let _e771 = (_e741 * _e764);
-                                                    let _e772 = (_e751 * _e741);
-                                                    let _e773 = (_e754 * _e738);
-                                                    let _e778 = (((_e768 >= _e769) && (_e770 >= _e771)) && (_e772 >= _e773));
-                                                    if (_e778 || (((_e768 <= _e769) && (_e770 <= _e771)) && (_e772 <= _e773))) {
-                                                        let _e785 = select(-1f, 1f, _e778);
-                                                        let _e787 = ((_e768 - _e769) * _e785);
-                                                        let _e789 = select(0f, _e787, (_e787 > 0f));
-                                                        let _e791 = ((_e770 - _e771) * _e785);
+                                                    let _e730 = phi_860_;
+                                                    let _e739 = (_e730[0][2] - _e304);
+                                                    let _e742 = (((_e730[0][0] - _e231) * _e328) - (_e739 * _e256));
+                                                    let _e745 = (((_e730[0][1] - _e268) * _e328) - (_e739 * _e292));
+                                                    let _e752 = (_e730[1][2] - _e304);
+                                                    let _e755 = (((_e730[1][0] - _e231) * _e328) - (_e752 * _e256));
+                                                    let _e758 = (((_e730[1][1] - _e268) * _e328) - (_e752 * _e292));
+                                                    let _e765 = (_e730[2][2] - _e304);
+                                                    let _e768 = (((_e730[2][0] - _e231) * _e328) - (_e765 * _e256));
+                                                    let _e771 = (((_e730[2][1] - _e268) * _e328) - (_e765 * _e292));
+                                                    let _e772 = (_e768 * _e758);
+                                                    let _e773 = (_e771 * _e755);
+                                                    let _e774 = (_e742 * _e771);
+                                                    let _e775 = (_e745 * _e768);
+                                                    let _e776 = (_e755 * _e745);
+                                                    let _e777 = (_e758 * _e742);
+                                                    let _e782 = (((_e772 >= _e773) && (_e774 >= _e775)) && (_e776 >= _e777));
+                                                    if (_e782 || (((_e772 <= _e773) && (_e774 <= _e775)) && (_e776 <= _e777))) {
+                                                        let _e789 = select(-1f, 1f, _e782);
+                                                        let _e791 = ((_e772 - _e773) * _e789);
                                                         let _e793 = select(0f, _e791, (_e791 > 0f));
-                                                        let _e795 = ((_e772 - _e773) * _e785);
+                                                        let _e795 = ((_e774 - _e775) * _e789);
                                                         let _e797 = select(0f, _e795, (_e795 > 0f));
-                                                        let _e799 = ((_e789 + _e793) + _e797);
-                                                        if (_e799 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1419_ = type_19();
-                                                            phi_1420_ = true;
+                                                        let _e799 = ((_e776 - _e777) * _e789);
+                                                        let _e801 = select(0f, _e799, (_e799 > 0f));
+                                                        let _e803 = ((_e793 + _e797) + _e801);
+                                                        if (_e803 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1426_ = type_22();
+                                                            phi_1427_ = true;
                                                         } else {
-                                                            let _e802 = select(_e726[1][0], _e726[0][0], (_e726[0][0] < _e726[1][0]));
-                                                            let _e806 = select(_e726[1][0], _e726[0][0], (_e726[0][0] > _e726[1][0]));
-                                                            let _e810 = select(_e726[1][1], _e726[0][1], (_e726[0][1] < _e726[1][1]));
-                                                            let _e814 = select(_e726[1][1], _e726[0][1], (_e726[0][1] > _e726[1][1]));
-                                                            let _e818 = select(_e726[1][2], _e726[0][2], (_e726[0][2] < _e726[1][2]));
-                                                            let _e822 = select(_e726[1][2], _e726[0][2], (_e726[0][2] > _e726[1][2]));
-                                                            let _e827 = ((select(_e726[2][0], _e802, (_e802 < _e726[2][0])) - _e250) * _e255);
-                                                            let _e828 = ((select(_e726[2][0], _e806, (_e806 > _e726[2][0])) - _e251) * _e255);
-                                                            let _e831 = ((select(_e726[2][1], _e810, (_e810 < _e726[2][1])) - _e286) * _e291);
-                                                            let _e832 = ((select(_e726[2][1], _e814, (_e814 > _e726[2][1])) - _e287) * _e291);
-                                                            let _e835 = ((select(_e726[2][2], _e818, (_e818 < _e726[2][2])) - _e322) * _e327);
-                                                            let _e836 = ((select(_e726[2][2], _e822, (_e822 > _e726[2][2])) - _e323) * _e327);
-                                                            let _e838 = select(_e836, _e835, (_e835 < _e836));
-                                                            let _e840 = select(_e836, _e835, (_e835 > _e836));
-                                                            let _e842 = select(_e828, _e827, (_e827 < _e828));
-                                                            let _e844 = select(_e832, _e831, (_e831 < _e832));
-                                                            let _e846 = select(_e844, _e842, (_e842 > _e844));
-                                                            let _e848 = select(_e838, _e846, (_e846 > _e838));
-                                                            let _e850 = select(_e828, _e827, (_e827 > _e828));
-                                                            let _e852 = select(_e832, _e831, (_e831 > _e832));
-                                                            let _e854 = select(_e852, _e850, (_e850 < _e852));
-                                                            let _e856 = select(_e840, _e854, (_e854 < _e840));
-                                                            let _e857 = -(_e838);
-                                                            let _e863 = select(_e373, _e848, (_e848 > _e373));
-                                                            if (_e863 > (_e856 + (select(_e857, _e840, (_e840 > _e857)) * 0.0000019073523f))) {
-                                                                phi_1414_ = type_19();
-                                                                phi_1415_ = true;
+                                                            let _e806 = select(_e730[1][0], _e730[0][0], (_e730[0][0] < _e730[1][0]));
+                                                            let _e810 = select(_e730[1][0], _e730[0][0], (_e730[0][0] > _e730[1][0]));
+                                                            let _e814 = select(_e730[1][1], _e730[0][1], (_e730[0][1] < _e730[1][1]));
+                                                            let _e818 = select(_e730[1][1], _e730[0][1], (_e730[0][1] > _e730[1][1]));
+                                                            let _e822 = select(_e730[1][2], _e730[0][2], (_e730[0][2] < _e730[1][2]));
+                                                            let _e826 = select(_e730[1][2], _e730[0][2], (_e730[0][2] > _e730[1][2]));
+                                                            let _e831 = ((select(_e730[2][0], _e806, (_e806 < _e730[2][0])) - _e254) * _e259);
+                                                            let _e832 = ((select(_e730[2][0], _e810, (_e810 > _e730[2][0])) - _e255) * _e259);
+                                                            let _e835 = ((select(_e730[2][1], _e814, (_e814 < _e730[2][1])) - _e290) * _e295);
+                                                            let _e836 = ((select(_e730[2][1], _e818, (_e818 > _e730[2][1])) - _e291) * _e295);
+                                                            let _e839 = ((select(_e730[2][2], _e822, (_e822 < _e730[2][2])) - _e326) * _e331);
+                                                            let _e840 = ((select(_e730[2][2], _e826, (_e826 > _e730[2][2])) - _e327) * _e331);
+                                                            let _e842 = select(_e840, _e839, (_e839 < _e840));
+                                                            let _e844 = select(_e840, _e839, (_e839 > _e840));
+                                                            let _e846 = select(_e832, _e831, (_e831 < _e832));
+                                                            let _e848 = select(_e836, _e835, (_e835 < _e836));
+                                                            let _e850 = select(_e848, _e846, (_e846 > _e848));
+                                                            let _e852 = select(_e842, _e850, (_e850 > _e842));
+                                                            let _e854 = select(_e832, _e831, (_e831 > _e832));
+                                                            let _e856 = select(_e836, _e835, (_e835 > _e836));
+                                                            let _e858 = select(_e856, _e854, (_e854 < _e856));
+                                                            let _e860 = select(_e844, _e858, (_e858 < _e844));
+                                                            let _e861 = -(_e842);
+                                                            let _e867 = select(_e377, _e852, (_e852 > _e377));
+                                                            if (_e867 > (_e860 + (select(_e861, _e844, (_e844 > _e861)) * 0.0000019073523f))) {
+                                                                phi_1421_ = type_22();
+                                                                phi_1422_ = true;
                                                             } else {
-                                                                let _e865 = (_e863 > _e622.member.member_1);
-                                                                if _e865 {
-                                                                    phi_1413_ = type_19();
+                                                                let _e869 = (_e867 > _e626.member.member_1);
+                                                                if _e869 {
+                                                                    phi_1420_ = type_22();
                                                                 } else {
-                                                                    let _e869 = (_e726[1][0] - _e726[0][0]);
-                                                                    let _e870 = (_e726[1][1] - _e726[0][1]);
-                                                                    let _e871 = (_e726[1][2] - _e726[0][2]);
-                                                                    let _e872 = vec3<f32>(_e869, _e870, _e871);
-                                                                    let _e873 = (_e726[2][0] - _e726[1][0]);
-                                                                    let _e874 = (_e726[2][1] - _e726[1][1]);
-                                                                    let _e875 = (_e726[2][2] - _e726[1][2]);
+                                                                    let _e873 = (_e730[1][0] - _e730[0][0]);
+                                                                    let _e874 = (_e730[1][1] - _e730[0][1]);
+                                                                    let _e875 = (_e730[1][2] - _e730[0][2]);
                                                                     let _e876 = vec3<f32>(_e873, _e874, _e875);
-                                                                    let _e877 = (_e726[0][0] - _e726[2][0]);
-                                                                    let _e878 = (_e726[0][1] - _e726[2][1]);
-                                                                    let _e879 = (_e726[0][2] - _e726[2][2]);
+                                                                    let _e877 = (_e730[2][0] - _e730[1][0]);
+                                                                    let _e878 = (_e730[2][1] - _e730[1][1]);
+                                                                    let _e879 = (_e730[2][2] - _e730[1][2]);
                                                                     let _e880 = vec3<f32>(_e877, _e878, _e879);
-                                                                    let _e883 = bitcast<f32>((bitcast<u32>(_e869) & 2147483647u));
-                                                                    let _e886 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
-                                                                    let _e888 = select(_e886, _e883, (_e883 > _e886));
-                                                                    let _e891 = bitcast<f32>((bitcast<u32>(_e871) & 2147483647u));
-                                                                    let _e893 = select(_e891, _e888, (_e888 > _e891));
-                                                                    let _e896 = bitcast<f32>((bitcast<u32>(_e873) & 2147483647u));
-                                                                    let _e899 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
-                                                                    let _e901 = select(_e899, _e896, (_e896 > _e899));
-                                                                    let _e904 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
-                                                                    let _e906 = select(_e904, _e901, (_e901 > _e904));
-                                                                    let _e909 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
-                                                                    let _e912 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
-                                                                    let _e914 = select(_e912, _e909, (_e909 > _e912));
-                                                                    let _e917 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
-                                                                    let _e919 = select(_e917, _e914, (_e914 > _e917));
-                                                                    let _e921 = select(_e906, _e893, (_e893 > _e906));
-                                                                    let _e923 = select(_e919, _e921, (_e921 > _e919));
-                                                                    if (_e893 == _e923) {
-                                                                        phi_1324_ = _e876;
-                                                                        phi_1325_ = _e880;
+                                                                    let _e881 = (_e730[0][0] - _e730[2][0]);
+                                                                    let _e882 = (_e730[0][1] - _e730[2][1]);
+                                                                    let _e883 = (_e730[0][2] - _e730[2][2]);
+                                                                    let _e884 = vec3<f32>(_e881, _e882, _e883);
+                                                                    let _e887 = bitcast<f32>((bitcast<u32>(_e873) & 2147483647u));
+                                                                    let _e890 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
+                                                                    let _e892 = select(_e890, _e887, (_e887 > _e890));
+                                                                    let _e895 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
+                                                                    let _e897 = select(_e895, _e892, (_e892 > _e895));
+                                                                    let _e900 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
+                                                                    let _e903 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
+                                                                    let _e905 = select(_e903, _e900, (_e900 > _e903));
+                                                                    let _e908 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
+                                                                    let _e910 = select(_e908, _e905, (_e905 > _e908));
+                                                                    let _e913 = bitcast<f32>((bitcast<u32>(_e881) & 2147483647u));
+                                                                    let _e916 = bitcast<f32>((bitcast<u32>(_e882) & 2147483647u));
+                                                                    let _e918 = select(_e916, _e913, (_e913 > _e916));
+                                                                    let _e921 = bitcast<f32>((bitcast<u32>(_e883) & 2147483647u));
+                                                                    let _e923 = select(_e921, _e918, (_e918 > _e921));
+                                                                    let _e925 = select(_e910, _e897, (_e897 > _e910));
+                                                                    let _e927 = select(_e923, _e925, (_e925 > _e923));
+                                                                    if (_e897 == _e927) {
+                                                                        phi_1331_ = _e880;
+                                                                        phi_1332_ = _e884;
                                                                     } else {
-                                                                        let _e926 = vec3((_e906 == _e923));
-                                                                        phi_1324_ = select(_e872, _e880, _e926);
-                                                                        phi_1325_ = select(_e876, _e872, _e926);
+                                                                        let _e930 = vec3((_e910 == _e927));
+                                                                        phi_1331_ = select(_e876, _e884, _e930);
+                                                                        phi_1332_ = select(_e880, _e876, _e930);
                                                                     }
-                                                                    let _e930 = phi_1324_;
-                                                                    let _e932 = phi_1325_;
-                                                                    let _e939 = ((_e930.y * _e932.z) - (_e932.y * _e930.z));
-                                                                    let _e944 = ((_e930.z * _e932.x) - (_e932.z * _e930.x));
-                                                                    let _e947 = ((_e930.x * _e932.y) - (_e932.x * _e930.y));
-                                                                    if (_e789 >= _e793) {
-                                                                        phi_1356_ = select(true, false, (_e789 >= _e797));
+                                                                    let _e934 = phi_1331_;
+                                                                    let _e936 = phi_1332_;
+                                                                    let _e943 = ((_e934.y * _e936.z) - (_e936.y * _e934.z));
+                                                                    let _e948 = ((_e934.z * _e936.x) - (_e936.z * _e934.x));
+                                                                    let _e951 = ((_e934.x * _e936.y) - (_e936.x * _e934.y));
+                                                                    if (_e793 >= _e797) {
+                                                                        phi_1363_ = select(true, false, (_e793 >= _e801));
                                                                     } else {
-                                                                        phi_1356_ = true;
+                                                                        phi_1363_ = true;
                                                                     }
-                                                                    let _e952 = phi_1356_;
-                                                                    if _e952 {
-                                                                        phi_1365_ = select(vec3<f32>(_e726[2][0], _e726[2][1], _e726[2][2]), vec3<f32>(_e726[1][0], _e726[1][1], _e726[1][2]), vec3((_e793 >= _e797)));
+                                                                    let _e956 = phi_1363_;
+                                                                    if _e956 {
+                                                                        phi_1372_ = select(vec3<f32>(_e730[2][0], _e730[2][1], _e730[2][2]), vec3<f32>(_e730[1][0], _e730[1][1], _e730[1][2]), vec3((_e797 >= _e801)));
                                                                     } else {
-                                                                        phi_1365_ = vec3<f32>(_e726[0][0], _e726[0][1], _e726[0][2]);
+                                                                        phi_1372_ = vec3<f32>(_e730[0][0], _e730[0][1], _e730[0][2]);
                                                                     }
-                                                                    let _e957 = phi_1365_;
-                                                                    let _e974 = ((((_e939 * (_e957.x - _e227)) + (_e944 * (_e957.y - _e264))) + (_e947 * (_e957.z - _e300))) / (((_e939 * _e252) + (_e944 * _e288)) + (_e947 * _e324)));
-                                                                    let _e976 = select(_e856, _e974, (_e974 < _e856));
-                                                                    let _e978 = select(_e848, _e976, (_e976 > _e848));
-                                                                    if (_e978 >= _e373) {
-                                                                        let _e980 = (_e978 <= _e622.member.member_1);
-                                                                        if _e980 {
-                                                                            let _e981 = (1f / _e799);
-                                                                            phi_1405_ = type_19(_e978, (_e793 * _e981), (_e797 * _e981), _e656);
+                                                                    let _e961 = phi_1372_;
+                                                                    let _e978 = ((((_e943 * (_e961.x - _e231)) + (_e948 * (_e961.y - _e268))) + (_e951 * (_e961.z - _e304))) / (((_e943 * _e256) + (_e948 * _e292)) + (_e951 * _e328)));
+                                                                    let _e980 = select(_e860, _e978, (_e978 < _e860));
+                                                                    let _e982 = select(_e852, _e980, (_e980 > _e852));
+                                                                    if (_e982 >= _e377) {
+                                                                        let _e984 = (_e982 <= _e626.member.member_1);
+                                                                        if _e984 {
+                                                                            let _e985 = (1f / _e803);
+                                                                            phi_1412_ = type_22(_e982, (_e797 * _e985), (_e801 * _e985), _e660);
                                                                         } else {
-                                                                            phi_1405_ = type_19();
+                                                                            phi_1412_ = type_22();
                                                                         }
-                                                                        let _e986 = phi_1405_;
-                                                                        phi_1407_ = _e986;
-                                                                        phi_1408_ = select(true, false, _e980);
+                                                                        let _e990 = phi_1412_;
+                                                                        phi_1414_ = _e990;
+                                                                        phi_1415_ = select(true, false, _e984);
                                                                     } else {
-                                                                        phi_1407_ = type_19();
-                                                                        phi_1408_ = true;
+                                                                        phi_1414_ = type_22();
+                                                                        phi_1415_ = true;
                                                                     }
-                                                                    let _e989 = phi_1407_;
-                                                                    let _e991 = phi_1408_;
-                                                                    if _e991 {
-                                                                        phi_1412_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e993 = phi_1414_;
+                                                                    let _e995 = phi_1415_;
+                                                                    if _e995 {
+                                                                        phi_1419_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_1412_ = _e989;
+                                                                        phi_1419_ = _e993;
                                                                     }
-                                                                    let _e993 = phi_1412_;
-                                                                    phi_1413_ = _e993;
+                                                                    let _e997 = phi_1419_;
+                                                                    phi_1420_ = _e997;
                                                                 }
-                                                                let _e995 = phi_1413_;
-                                                                phi_1414_ = _e995;
-                                                                phi_1415_ = _e865;
+                                                                let _e999 = phi_1420_;
+                                                                phi_1421_ = _e999;
+                                                                phi_1422_ = _e869;
                                                             }
-                                                            let _e997 = phi_1414_;
-                                                            let _e999 = phi_1415_;
-                                                            phi_1419_ = _e997;
-                                                            phi_1420_ = _e999;
+                                                            let _e1001 = phi_1421_;
+                                                            let _e1003 = phi_1422_;
+                                                            phi_1426_ = _e1001;
+                                                            phi_1427_ = _e1003;
                                                         }
-                                                        let _e1001 = phi_1419_;
-                                                        let _e1003 = phi_1420_;
-                                                        phi_1424_ = _e1001;
-                                                        phi_1425_ = _e1003;
+                                                        let _e1005 = phi_1426_;
+                                                        let _e1007 = phi_1427_;
+                                                        phi_1431_ = _e1005;
+                                                        phi_1432_ = _e1007;
                                                     } else {
-                                                        phi_1424_ = type_19();
-                                                        phi_1425_ = true;
+                                                        phi_1431_ = type_22();
+                                                        phi_1432_ = true;
                                                     }
-                                                    let _e1005 = phi_1424_;
-                                                    let _e1007 = phi_1425_;
-                                                    if _e1007 {
-                                                        phi_1429_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1009 = phi_1431_;
+                                                    let _e1011 = phi_1432_;
+                                                    if _e1011 {
+                                                        phi_1436_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1429_ = _e1005;
+                                                        phi_1436_ = _e1009;
                                                     }
-                                                    let _e1009 = phi_1429_;
-                                                    if (_e1009.member_3 != 4294967295u) {
-                                                        if (_e656 != _e379) {
-                                                            if (_e1009.member < _e622.member.member.member) {
-                                                                phi_1455_ = true;
+                                                    let _e1013 = phi_1436_;
+                                                    if (_e1013.member_3 != 4294967295u) {
+                                                        if (_e660 != _e383) {
+                                                            if (_e1013.member < _e626.member.member.member) {
+                                                                phi_1462_ = true;
                                                             } else {
-                                                                if (_e1009.member == _e622.member.member.member) {
-                                                                    phi_1454_ = (_e1009.member_3 < _e622.member.member.member_3);
+                                                                if (_e1013.member == _e626.member.member.member) {
+                                                                    phi_1461_ = (_e1013.member_3 < _e626.member.member.member_3);
                                                                 } else {
-                                                                    phi_1454_ = false;
+                                                                    phi_1461_ = false;
                                                                 }
-                                                                let _e1024 = phi_1454_;
-                                                                phi_1455_ = _e1024;
+                                                                let _e1028 = phi_1461_;
+                                                                phi_1462_ = _e1028;
                                                             }
-                                                            let _e1026 = phi_1455_;
-                                                            if _e1026 {
-                                                                phi_1462_ = type_48(type_43(_e1009, _e1009.member), _e649.member_1, _e649.member_2);
+                                                            let _e1030 = phi_1462_;
+                                                            if _e1030 {
+                                                                phi_1469_ = type_48(type_44(_e1013, _e1013.member), _e653.member_1, _e653.member_2);
                                                             } else {
-                                                                phi_1462_ = _e649;
+                                                                phi_1469_ = _e653;
                                                             }
-                                                            let _e1033 = phi_1462_;
-                                                            phi_1463_ = _e1033;
+                                                            let _e1037 = phi_1469_;
+                                                            phi_1470_ = _e1037;
                                                         } else {
-                                                            phi_1463_ = _e649;
+                                                            phi_1470_ = _e653;
                                                         }
-                                                        let _e1035 = phi_1463_;
-                                                        phi_1464_ = _e1035;
+                                                        let _e1039 = phi_1470_;
+                                                        phi_1471_ = _e1039;
                                                     } else {
-                                                        phi_1464_ = _e649;
+                                                        phi_1471_ = _e653;
                                                     }
-                                                    let _e1037 = phi_1464_;
-                                                    phi_717_ = _e1037;
+                                                    let _e1041 = phi_1471_;
+                                                    phi_724_ = _e1041;
                                                 } else {
-                                                    phi_717_ = type_48();
+                                                    phi_724_ = type_48();
                                                 }
-                                                let _e1039 = phi_717_;
+                                                let _e1043 = phi_724_;
                                                 continue;
                                                 continuing {
-                                                    phi_716_ = _e1039;
-                                                    phi_719_ = _e637;
-                                                    phi_2010_ = _e386;
-                                                    break if !(_e643);
+                                                    phi_723_ = _e1043;
+                                                    phi_726_ = _e641;
+                                                    phi_2123_ = _e390;
+                                                    break if !(_e647);
                                                 }
                                             }
-                                            let _e1042 = phi_2010_;
-                                            phi_2120_ = _e1042;
-                                            if _e1042 {
+                                            let _e1046 = phi_2123_;
+                                            phi_2233_ = _e1046;
+                                            if _e1046 {
                                                 break;
                                             }
-                                            phi_2124_ = _e1042;
-                                            let _e1213 = local_4;
-                                            phi_1920_ = _e1213;
-                                            phi_1921_ = _e412;
-                                            phi_1922_ = false;
-                                            phi_1923_ = _e416;
+                                            phi_2237_ = _e1046;
+                                            let _e1255 = local_4;
+                                            phi_1927_ = _e1255;
+                                            phi_1928_ = _e416;
+                                            phi_1929_ = false;
+                                            phi_1930_ = _e420;
                                         } else {
-                                            if (_e412 >= _e63) {
-                                                phi_1527_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e416 >= _e65) {
+                                                phi_1534_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e412 < _e63) {
+                                                if (_e416 < _e65) {
                                                 } else {
-                                                    phi_2120_ = true;
+                                                    phi_2233_ = true;
                                                     break;
                                                 }
-                                                let _e432 = (_e199 % 3u);
-                                                if (_e432 < 3u) {
+                                                let _e436 = (_e203 % 3u);
+                                                if (_e436 < 3u) {
                                                 } else {
-                                                    phi_2120_ = true;
+                                                    phi_2233_ = true;
                                                     break;
                                                 }
-                                                let _e438 = global_2.member[_e412].member[_e432];
-                                                let _e444 = (_e198 % 3u);
-                                                if (_e444 < 3u) {
+                                                let _e442 = global_2.member[_e416].member[_e436];
+                                                let _e448 = (_e202 % 3u);
+                                                if (_e448 < 3u) {
                                                 } else {
-                                                    phi_2120_ = true;
+                                                    phi_2233_ = true;
                                                     break;
                                                 }
-                                                let _e450 = global_2.member[_e412].member[_e444];
-                                                let _e456 = (_e200 % 3u);
-                                                if (_e456 < 3u) {
+                                                let _e454 = global_2.member[_e416].member[_e448];
+                                                let _e460 = (_e204 % 3u);
+                                                if (_e460 < 3u) {
                                                 } else {
-                                                    phi_2120_ = true;
+                                                    phi_2233_ = true;
                                                     break;
                                                 }
-                                                let _e462 = global_2.member[_e412].member[_e456];
-                                                let _e472 = global_2.member[_e412].member_1;
-                                                let _e476 = global_2.member[_e412].member_2;
-                                                phi_1527_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e438[0], _e438[1], _e438[2], _e438[3]), vec4<f32>(_e450[0], _e450[1], _e450[2], _e450[3]), vec4<f32>(_e462[0], _e462[1], _e462[2], _e462[3])), _e472, _e476);
+                                                let _e466 = global_2.member[_e416].member[_e460];
+                                                let _e476 = global_2.member[_e416].member_1;
+                                                let _e480 = global_2.member[_e416].member_2;
+                                                phi_1534_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e442[0], _e442[1], _e442[2], _e442[3]), vec4<f32>(_e454[0], _e454[1], _e454[2], _e454[3]), vec4<f32>(_e466[0], _e466[1], _e466[2], _e466[3])), _e476, _e480);
                                             }
-                                            let _e479 = phi_1527_;
-                                            let _e492 = ((_e479.member[0].x - _e250) * _e255);
-                                            let _e493 = ((_e479.member[0].y - _e250) * _e255);
-                                            let _e494 = ((_e479.member[0].z - _e251) * _e255);
-                                            let _e495 = ((_e479.member[0].w - _e251) * _e255);
-                                            let _e505 = ((_e479.member[1].x - _e286) * _e291);
-                                            let _e506 = ((_e479.member[1].y - _e286) * _e291);
-                                            let _e507 = ((_e479.member[1].z - _e287) * _e291);
-                                            let _e508 = ((_e479.member[1].w - _e287) * _e291);
-                                            let _e518 = ((_e479.member[2].x - _e322) * _e327);
-                                            let _e519 = ((_e479.member[2].y - _e322) * _e327);
-                                            let _e520 = ((_e479.member[2].z - _e323) * _e327);
-                                            let _e521 = ((_e479.member[2].w - _e323) * _e327);
-                                            let _e523 = select(_e520, _e518, (_e518 < _e520));
-                                            let _e525 = select(_e521, _e519, (_e519 < _e521));
-                                            let _e527 = select(_e520, _e518, (_e518 > _e520));
-                                            let _e529 = select(_e521, _e519, (_e519 > _e521));
-                                            let _e531 = select(_e494, _e492, (_e492 < _e494));
-                                            let _e533 = select(_e495, _e493, (_e493 < _e495));
-                                            let _e535 = select(_e507, _e505, (_e505 < _e507));
-                                            let _e537 = select(_e508, _e506, (_e506 < _e508));
-                                            let _e539 = select(_e535, _e531, (_e531 > _e535));
-                                            let _e541 = select(_e537, _e533, (_e533 > _e537));
-                                            let _e543 = select(_e523, _e539, (_e539 > _e523));
-                                            let _e545 = select(_e525, _e541, (_e541 > _e525));
-                                            let _e547 = select(_e494, _e492, (_e492 > _e494));
-                                            let _e549 = select(_e495, _e493, (_e493 > _e495));
-                                            let _e551 = select(_e507, _e505, (_e505 > _e507));
-                                            let _e553 = select(_e508, _e506, (_e506 > _e508));
-                                            let _e555 = select(_e551, _e547, (_e547 < _e551));
-                                            let _e557 = select(_e553, _e549, (_e549 < _e553));
-                                            let _e562 = -(_e523);
-                                            let _e563 = -(_e525);
-                                            let _e570 = (select(_e527, _e555, (_e555 < _e527)) + (select(_e562, _e527, (_e527 > _e562)) * 0.0000019073523f));
-                                            let _e571 = (select(_e529, _e557, (_e557 < _e529)) + (select(_e563, _e529, (_e529 > _e563)) * 0.0000019073523f));
-                                            let _e573 = select(_e373, _e543, (_e543 > _e373));
-                                            let _e575 = select(_e373, _e545, (_e545 > _e373));
-                                            let _e580 = (_e573 <= select(_e388.member.member_1, _e570, (_e570 < _e388.member.member_1)));
-                                            let _e581 = (_e575 <= select(_e388.member.member_1, _e571, (_e571 < _e388.member.member_1)));
-                                            let _e582 = (_e573 <= _e575);
-                                            if _e580 {
-                                                if _e581 {
-                                                    if _e582 {
-                                                        phi_1871_ = _e479.member_2;
+                                            let _e483 = phi_1534_;
+                                            let _e496 = ((_e483.member[0].x - _e254) * _e259);
+                                            let _e497 = ((_e483.member[0].y - _e254) * _e259);
+                                            let _e498 = ((_e483.member[0].z - _e255) * _e259);
+                                            let _e499 = ((_e483.member[0].w - _e255) * _e259);
+                                            let _e509 = ((_e483.member[1].x - _e290) * _e295);
+                                            let _e510 = ((_e483.member[1].y - _e290) * _e295);
+                                            let _e511 = ((_e483.member[1].z - _e291) * _e295);
+                                            let _e512 = ((_e483.member[1].w - _e291) * _e295);
+                                            let _e522 = ((_e483.member[2].x - _e326) * _e331);
+                                            let _e523 = ((_e483.member[2].y - _e326) * _e331);
+                                            let _e524 = ((_e483.member[2].z - _e327) * _e331);
+                                            let _e525 = ((_e483.member[2].w - _e327) * _e331);
+                                            let _e527 = select(_e524, _e522, (_e522 < _e524));
+                                            let _e529 = select(_e525, _e523, (_e523 < _e525));
+                                            let _e531 = select(_e524, _e522, (_e522 > _e524));
+                                            let _e533 = select(_e525, _e523, (_e523 > _e525));
+                                            let _e535 = select(_e498, _e496, (_e496 < _e498));
+                                            let _e537 = select(_e499, _e497, (_e497 < _e499));
+                                            let _e539 = select(_e511, _e509, (_e509 < _e511));
+                                            let _e541 = select(_e512, _e510, (_e510 < _e512));
+                                            let _e543 = select(_e539, _e535, (_e535 > _e539));
+                                            let _e545 = select(_e541, _e537, (_e537 > _e541));
+                                            let _e547 = select(_e527, _e543, (_e543 > _e527));
+                                            let _e549 = select(_e529, _e545, (_e545 > _e529));
+                                            let _e551 = select(_e498, _e496, (_e496 > _e498));
+                                            let _e553 = select(_e499, _e497, (_e497 > _e499));
+                                            let _e555 = select(_e511, _e509, (_e509 > _e511));
+                                            let _e557 = select(_e512, _e510, (_e510 > _e512));
+                                            let _e559 = select(_e555, _e551, (_e551 < _e555));
+                                            let _e561 = select(_e557, _e553, (_e553 < _e557));
+                                            let _e566 = -(_e527);
+                                            let _e567 = -(_e529);
+                                            let _e574 = (select(_e531, _e559, (_e559 < _e531)) + (select(_e566, _e531, (_e531 > _e566)) * 0.0000019073523f));
+                                            let _e575 = (select(_e533, _e561, (_e561 < _e533)) + (select(_e567, _e533, (_e533 > _e567)) * 0.0000019073523f));
+                                            let _e577 = select(_e377, _e547, (_e547 > _e377));
+                                            let _e579 = select(_e377, _e549, (_e549 > _e377));
+                                            let _e584 = (_e577 <= select(_e392.member.member_1, _e574, (_e574 < _e392.member.member_1)));
+                                            let _e585 = (_e579 <= select(_e392.member.member_1, _e575, (_e575 < _e392.member.member_1)));
+                                            let _e586 = (_e577 <= _e579);
+                                            if _e584 {
+                                                if _e585 {
+                                                    if _e586 {
+                                                        phi_1878_ = _e483.member_2;
                                                     } else {
-                                                        phi_1871_ = _e479.member_1;
+                                                        phi_1878_ = _e483.member_1;
                                                     }
-                                                    let _e586 = phi_1871_;
-                                                    let _e587 = (_e416 % 128u);
-                                                    let _e588 = (_e587 < 128u);
-                                                    if _e588 {
+                                                    let _e590 = phi_1878_;
+                                                    let _e591 = (_e420 % 128u);
+                                                    let _e592 = (_e591 < 128u);
+                                                    if _e592 {
                                                     } else {
-                                                        phi_2120_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
-                                                    local[_e587] = _e586;
-                                                    if _e588 {
+                                                    local[_e591] = _e590;
+                                                    if _e592 {
                                                     } else {
-                                                        phi_2120_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e587] = select(_e575, _e573, (_e573 > _e575));
-                                                    if _e582 {
-                                                        phi_1897_ = _e479.member_1;
+                                                    local_1[_e591] = select(_e579, _e577, (_e577 > _e579));
+                                                    if _e586 {
+                                                        phi_1904_ = _e483.member_1;
                                                     } else {
-                                                        phi_1897_ = _e479.member_2;
+                                                        phi_1904_ = _e483.member_2;
                                                     }
-                                                    let _e597 = phi_1897_;
-                                                    phi_1898_ = _e597;
-                                                    phi_1899_ = (_e416 + 1u);
+                                                    let _e601 = phi_1904_;
+                                                    phi_1905_ = _e601;
+                                                    phi_1906_ = (_e420 + 1u);
                                                 } else {
-                                                    phi_1898_ = u32();
-                                                    phi_1899_ = u32();
+                                                    phi_1905_ = u32();
+                                                    phi_1906_ = u32();
                                                 }
-                                                let _e599 = phi_1898_;
-                                                let _e601 = phi_1899_;
-                                                phi_1901_ = _e599;
-                                                phi_1902_ = _e601;
-                                                phi_1903_ = select(true, false, _e581);
+                                                let _e603 = phi_1905_;
+                                                let _e605 = phi_1906_;
+                                                phi_1908_ = _e603;
+                                                phi_1909_ = _e605;
+                                                phi_1910_ = select(true, false, _e585);
                                             } else {
-                                                phi_1901_ = u32();
-                                                phi_1902_ = u32();
-                                                phi_1903_ = true;
+                                                phi_1908_ = u32();
+                                                phi_1909_ = u32();
+                                                phi_1910_ = true;
                                             }
-                                            let _e604 = phi_1901_;
-                                            let _e606 = phi_1902_;
-                                            let _e608 = phi_1903_;
-                                            if _e608 {
-                                                if _e580 {
-                                                    phi_1912_ = _e479.member_1;
+                                            let _e608 = phi_1908_;
+                                            let _e610 = phi_1909_;
+                                            let _e612 = phi_1910_;
+                                            if _e612 {
+                                                if _e584 {
+                                                    phi_1919_ = _e483.member_1;
                                                 } else {
-                                                    phi_1912_ = _e479.member_2;
+                                                    phi_1919_ = _e483.member_2;
                                                 }
-                                                let _e612 = phi_1912_;
-                                                phi_1917_ = _e612;
-                                                phi_1918_ = select(_e581, true, _e580);
+                                                let _e616 = phi_1919_;
+                                                phi_1924_ = _e616;
+                                                phi_1925_ = select(_e585, true, _e584);
                                             } else {
-                                                phi_1917_ = _e604;
-                                                phi_1918_ = _e414;
+                                                phi_1924_ = _e608;
+                                                phi_1925_ = _e418;
                                             }
-                                            let _e615 = phi_1917_;
-                                            let _e617 = phi_1918_;
-                                            phi_2124_ = _e386;
-                                            phi_1920_ = type_48(_e388.member, (_e388.member_1 + 1u), _e388.member_2);
-                                            phi_1921_ = _e615;
-                                            phi_1922_ = _e617;
-                                            phi_1923_ = select(_e606, _e416, _e608);
+                                            let _e619 = phi_1924_;
+                                            let _e621 = phi_1925_;
+                                            phi_2237_ = _e390;
+                                            phi_1927_ = type_48(_e392.member, (_e392.member_1 + 1u), _e392.member_2);
+                                            phi_1928_ = _e619;
+                                            phi_1929_ = _e621;
+                                            phi_1930_ = select(_e610, _e420, _e612);
                                         }
-                                        let _e1044 = phi_2124_;
-                                        let _e1046 = phi_1920_;
-                                        let _e1048 = phi_1921_;
-                                        let _e1050 = phi_1922_;
-                                        let _e1052 = phi_1923_;
-                                        phi_2123_ = _e1044;
-                                        phi_1924_ = _e1046;
-                                        phi_1925_ = _e1048;
-                                        phi_1926_ = (_e392 - 1u);
-                                        phi_1927_ = _e1050;
-                                        phi_1928_ = _e1052;
+                                        let _e1048 = phi_2237_;
+                                        let _e1050 = phi_1927_;
+                                        let _e1052 = phi_1928_;
+                                        let _e1054 = phi_1929_;
+                                        let _e1056 = phi_1930_;
+                                        phi_2236_ = _e1048;
+                                        phi_1931_ = _e1050;
+                                        phi_1932_ = _e1052;
+                                        phi_1933_ = (_e396 - 1u);
+                                        phi_1934_ = _e1054;
+                                        phi_1935_ = _e1056;
                                     } else {
-                                        phi_2123_ = _e386;
-                                        phi_1924_ = _e388;
-                                        phi_1925_ = _e412;
-                                        phi_1926_ = _e392;
-                                        phi_1927_ = _e414;
-                                        phi_1928_ = _e416;
+                                        phi_2236_ = _e390;
+                                        phi_1931_ = _e392;
+                                        phi_1932_ = _e416;
+                                        phi_1933_ = _e396;
+                                        phi_1934_ = _e418;
+                                        phi_1935_ = _e420;
                                     }
-                                    let _e1054 = phi_2123_;
-                                    let _e1056 = phi_1924_;
-                                    let _e1058 = phi_1925_;
-                                    let _e1060 = phi_1926_;
-                                    let _e1062 = phi_1927_;
-                                    let _e1064 = phi_1928_;
-                                    phi_2122_ = _e1054;
-                                    phi_1929_ = _e1056;
-                                    phi_1930_ = _e1058;
-                                    phi_1931_ = _e1060;
-                                    phi_1932_ = _e1062;
-                                    phi_1933_ = _e1064;
+                                    let _e1058 = phi_2236_;
+                                    let _e1060 = phi_1931_;
+                                    let _e1062 = phi_1932_;
+                                    let _e1064 = phi_1933_;
+                                    let _e1066 = phi_1934_;
+                                    let _e1068 = phi_1935_;
+                                    phi_2235_ = _e1058;
+                                    phi_1936_ = _e1060;
+                                    phi_1937_ = _e1062;
+                                    phi_1938_ = _e1064;
+                                    phi_1939_ = _e1066;
+                                    phi_1940_ = _e1068;
                                 } else {
-                                    phi_2122_ = _e386;
-                                    phi_1929_ = type_48();
-                                    phi_1930_ = u32();
-                                    phi_1931_ = u32();
-                                    phi_1932_ = bool();
-                                    phi_1933_ = u32();
+                                    phi_2235_ = _e390;
+                                    phi_1936_ = type_48();
+                                    phi_1937_ = u32();
+                                    phi_1938_ = u32();
+                                    phi_1939_ = bool();
+                                    phi_1940_ = u32();
                                 }
-                                let _e1066 = phi_2122_;
-                                let _e1068 = phi_1929_;
-                                let _e1070 = phi_1930_;
-                                let _e1072 = phi_1931_;
-                                let _e1074 = phi_1932_;
-                                let _e1076 = phi_1933_;
-                                phi_2121_ = _e1066;
-                                phi_649_ = _e1068;
-                                phi_652_ = _e1070;
-                                phi_654_ = _e1072;
-                                phi_656_ = _e1074;
-                                phi_658_ = _e1076;
-                                phi_1934_ = _e400;
+                                let _e1070 = phi_2235_;
+                                let _e1072 = phi_1936_;
+                                let _e1074 = phi_1937_;
+                                let _e1076 = phi_1938_;
+                                let _e1078 = phi_1939_;
+                                let _e1080 = phi_1940_;
+                                phi_2234_ = _e1070;
+                                phi_656_ = _e1072;
+                                phi_659_ = _e1074;
+                                phi_661_ = _e1076;
+                                phi_663_ = _e1078;
+                                phi_665_ = _e1080;
+                                phi_1941_ = _e404;
                             } else {
-                                phi_2121_ = _e386;
-                                phi_649_ = type_48();
-                                phi_652_ = u32();
-                                phi_654_ = u32();
-                                phi_656_ = bool();
-                                phi_658_ = u32();
-                                phi_1934_ = false;
+                                phi_2234_ = _e390;
+                                phi_656_ = type_48();
+                                phi_659_ = u32();
+                                phi_661_ = u32();
+                                phi_663_ = bool();
+                                phi_665_ = u32();
+                                phi_1941_ = false;
                             }
-                            let _e1078 = phi_2121_;
-                            let _e1080 = phi_649_;
-                            let _e1082 = phi_652_;
-                            let _e1084 = phi_654_;
-                            let _e1086 = phi_656_;
-                            let _e1088 = phi_658_;
-                            let _e1090 = phi_1934_;
+                            let _e1082 = phi_2234_;
+                            let _e1084 = phi_656_;
+                            let _e1086 = phi_659_;
+                            let _e1088 = phi_661_;
+                            let _e1090 = phi_663_;
+                            let _e1092 = phi_665_;
+                            let _e1094 = phi_1941_;
                             continue;
                             continuing {
-                                phi_2016_ = _e1078;
-                                phi_648_ = _e1080;
-                                phi_651_ = _e1082;
-                                phi_653_ = _e1084;
-                                phi_655_ = _e1086;
-                                phi_657_ = _e1088;
-                                phi_2120_ = _e1078;
-                                break if !(_e1090);
+                                phi_2129_ = _e1082;
+                                phi_655_ = _e1084;
+                                phi_658_ = _e1086;
+                                phi_660_ = _e1088;
+                                phi_662_ = _e1090;
+                                phi_664_ = _e1092;
+                                phi_2233_ = _e1082;
+                                break if !(_e1094);
                             }
                         }
-                        let _e1093 = phi_2120_;
-                        if _e1093 {
+                        let _e1097 = phi_2233_;
+                        if _e1097 {
                             break;
                         }
-                        let _e1095 = local_2;
-                        if (_e1095.member.member.member_3 != 4294967295u) {
-                            let _e1101 = (_e201 / 3i);
-                            let _e1108 = bitcast<f32>((bitcast<u32>((_e1101 + 127i)) << bitcast<u32>(23i)));
-                            let _e1116 = (((_e1095.member.member.member * _e1108) * _e1108) * bitcast<f32>((bitcast<u32>(((_e201 - (2i * _e1101)) + 127i)) << bitcast<u32>(23i))));
-                            let _e1118 = select(340282350000000000000000000000000000000f, _e1116, (_e1116 < 340282350000000000000000000000000000000f));
-                            phi_1986_ = type_19(select(-340282350000000000000000000000000000000f, _e1118, (_e1118 > -340282350000000000000000000000000000000f)), _e1095.member.member.member_1, _e1095.member.member.member_2, _e1095.member.member.member_3);
+                        let _e1099 = local_2;
+                        if (_e1099.member.member.member_3 != 4294967295u) {
+                            let _e1105 = (_e205 / 3i);
+                            let _e1112 = bitcast<f32>((bitcast<u32>((_e1105 + 127i)) << bitcast<u32>(23i)));
+                            let _e1120 = (((_e1099.member.member.member * _e1112) * _e1112) * bitcast<f32>((bitcast<u32>(((_e205 - (2i * _e1105)) + 127i)) << bitcast<u32>(23i))));
+                            let _e1122 = select(340282350000000000000000000000000000000f, _e1120, (_e1120 < 340282350000000000000000000000000000000f));
+                            phi_1993_ = type_22(select(-340282350000000000000000000000000000000f, _e1122, (_e1122 > -340282350000000000000000000000000000000f)), _e1099.member.member.member_1, _e1099.member.member.member_2, _e1099.member.member.member_3);
                         } else {
-                            phi_1986_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_1993_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1125 = phi_1986_;
-                        if _e77 {
-                        } else {
-                            break;
-                        }
-                        global_4.member[_e75] = _e1125;
-                        let _e1129 = local_3;
-                        if _e78 {
+                        let _e1129 = phi_1993_;
+                        if _e81 {
                         } else {
                             break;
                         }
-                        global_5.member[_e75] = _e1129.member_1;
+                        global_4.member[_e79] = _e1129;
+                        let _e1133 = local_3;
+                        if _e82 {
+                        } else {
+                            break;
+                        }
+                        global_5.member[_e79] = _e1133.member_1;
+                        if _e80 {
+                        } else {
+                            break;
+                        }
+                        let _e1138 = select(0u, 1u, (_e149 <= _e159));
+                        if (_e1138 > 0u) {
+                            let _e1140 = (1u < _e75);
+                            if _e1140 {
+                                if (0u < _e75) {
+                                } else {
+                                    break;
+                                }
+                                let _e1144 = atomicAdd((&global_6.member[0u]), _e1138);
+                                if ((_e1144 + _e1138) < _e1144) {
+                                    if _e1140 {
+                                    } else {
+                                        break;
+                                    }
+                                    let _e1149 = atomicAdd((&global_6.member[1u]), 1u);
+                                }
+                            }
+                        }
+                        let _e1152 = select(0u, 1u, (_e1129.member_3 != 4294967295u));
+                        if (_e1152 > 0u) {
+                            let _e1154 = (3u < _e75);
+                            if _e1154 {
+                                if (2u < _e75) {
+                                } else {
+                                    break;
+                                }
+                                let _e1158 = atomicAdd((&global_6.member[2u]), _e1152);
+                                if ((_e1158 + _e1152) < _e1158) {
+                                    if _e1154 {
+                                    } else {
+                                        break;
+                                    }
+                                    let _e1163 = atomicAdd((&global_6.member[3u]), 1u);
+                                }
+                            }
+                        }
+                        if (_e1133.member_1 > 0u) {
+                            let _e1165 = (5u < _e75);
+                            if _e1165 {
+                                if (4u < _e75) {
+                                } else {
+                                    break;
+                                }
+                                let _e1169 = atomicAdd((&global_6.member[4u]), _e1133.member_1);
+                                if ((_e1169 + _e1133.member_1) < _e1169) {
+                                    if _e1165 {
+                                    } else {
+                                        break;
+                                    }
+                                    let _e1174 = atomicAdd((&global_6.member[5u]), 1u);
+                                }
+                            }
+                        }
                     }
                 }
             }

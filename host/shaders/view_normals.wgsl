@@ -10,34 +10,34 @@ struct type_16 {
     member: array<array<u32, 3>>,
 }
 
-struct type_23 {
+struct type_24 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_25 {
-    member: array<type_23>,
+struct type_26 {
+    member: array<type_24>,
 }
 
-struct type_27 {
+struct type_28 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
     member_3: f32,
 }
 
-struct type_28 {
-    member: type_27,
+struct type_29 {
+    member: type_28,
     member_1: array<f32, 3>,
     member_2: u32,
     member_3: array<f32, 3>,
     member_4: u32,
 }
 
-struct type_30 {
-    member: array<type_28>,
+struct type_31 {
+    member: array<type_29>,
 }
 
 var<private> global: vec3<u32>;
@@ -50,25 +50,25 @@ var<storage> global_3: type_16;
 @group(0) @binding(3) 
 var<storage> global_4: type_12;
 @group(0) @binding(4) 
-var<storage> global_5: type_25;
+var<storage> global_5: type_26;
 @group(0) @binding(5) 
-var<storage, read_write> global_6: type_30;
+var<storage, read_write> global_6: type_31;
 
 fn function_() {
-    var phi_180_: array<u32, 3>;
-    var phi_195_: array<f32, 3>;
-    var phi_213_: array<f32, 3>;
-    var phi_231_: array<f32, 3>;
-    var phi_314_: array<u32, 3>;
-    var phi_331_: vec3<f32>;
-    var phi_348_: vec3<f32>;
-    var phi_365_: vec3<f32>;
-    var phi_442_: i32;
-    var phi_473_: i32;
-    var phi_492_: vec3<f32>;
-    var phi_575_: i32;
-    var phi_606_: i32;
-    var phi_625_: vec3<f32>;
+    var phi_181_: array<u32, 3>;
+    var phi_196_: array<f32, 3>;
+    var phi_214_: array<f32, 3>;
+    var phi_232_: array<f32, 3>;
+    var phi_315_: array<u32, 3>;
+    var phi_332_: vec3<f32>;
+    var phi_349_: vec3<f32>;
+    var phi_366_: vec3<f32>;
+    var phi_443_: i32;
+    var phi_474_: i32;
+    var phi_493_: vec3<f32>;
+    var phi_576_: i32;
+    var phi_607_: i32;
+    var phi_626_: vec3<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -108,11 +108,11 @@ fn function_() {
                                 break;
                             }
                             let _e78 = global_3.member[_e58.member_3];
-                            phi_180_ = _e78;
+                            phi_181_ = _e78;
                         } else {
-                            phi_180_ = array<u32, 3>(0u, 0u, 0u);
+                            phi_181_ = array<u32, 3>(0u, 0u, 0u);
                         }
-                        let _e80 = phi_180_;
+                        let _e80 = phi_181_;
                         let _e82 = (_e80[0] < _e32);
                         if _e82 {
                             if _e82 {
@@ -120,11 +120,11 @@ fn function_() {
                                 break;
                             }
                             let _e84 = global_2.member[_e80[0]];
-                            phi_195_ = _e84;
+                            phi_196_ = _e84;
                         } else {
-                            phi_195_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_196_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e86 = phi_195_;
+                        let _e86 = phi_196_;
                         let _e91 = (_e80[1] < _e32);
                         if _e91 {
                             if _e91 {
@@ -132,11 +132,11 @@ fn function_() {
                                 break;
                             }
                             let _e93 = global_2.member[_e80[1]];
-                            phi_213_ = _e93;
+                            phi_214_ = _e93;
                         } else {
-                            phi_213_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_214_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e95 = phi_213_;
+                        let _e95 = phi_214_;
                         let _e100 = (_e80[2] < _e32);
                         if _e100 {
                             if _e100 {
@@ -144,11 +144,11 @@ fn function_() {
                                 break;
                             }
                             let _e102 = global_2.member[_e80[2]];
-                            phi_231_ = _e102;
+                            phi_232_ = _e102;
                         } else {
-                            phi_231_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_232_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e104 = phi_231_;
+                        let _e104 = phi_232_;
                         let _e109 = ((_e86[0] * _e68) * _e74);
                         let _e111 = select(_e109, 0f, (_e109 == 0f));
                         let _e113 = ((_e86[1] * _e68) * _e74);
@@ -167,11 +167,11 @@ fn function_() {
                                 break;
                             }
                             let _e145 = global_3.member[_e58.member_3];
-                            phi_314_ = _e145;
+                            phi_315_ = _e145;
                         } else {
-                            phi_314_ = array<u32, 3>(0u, 0u, 0u);
+                            phi_315_ = array<u32, 3>(0u, 0u, 0u);
                         }
-                        let _e147 = phi_314_;
+                        let _e147 = phi_315_;
                         let _e149 = (_e147[0] < _e37);
                         if _e149 {
                             if _e149 {
@@ -179,11 +179,11 @@ fn function_() {
                                 break;
                             }
                             let _e152 = global_4.member[_e147[0]];
-                            phi_331_ = vec3<f32>(_e152[0], _e152[1], _e152[2]);
+                            phi_332_ = vec3<f32>(_e152[0], _e152[1], _e152[2]);
                         } else {
-                            phi_331_ = vec3<f32>(0f, 0f, 0f);
+                            phi_332_ = vec3<f32>(0f, 0f, 0f);
                         }
-                        let _e158 = phi_331_;
+                        let _e158 = phi_332_;
                         let _e160 = (_e147[1] < _e37);
                         if _e160 {
                             if _e160 {
@@ -191,11 +191,11 @@ fn function_() {
                                 break;
                             }
                             let _e163 = global_4.member[_e147[1]];
-                            phi_348_ = vec3<f32>(_e163[0], _e163[1], _e163[2]);
+                            phi_349_ = vec3<f32>(_e163[0], _e163[1], _e163[2]);
                         } else {
-                            phi_348_ = vec3<f32>(0f, 0f, 0f);
+                            phi_349_ = vec3<f32>(0f, 0f, 0f);
                         }
-                        let _e169 = phi_348_;
+                        let _e169 = phi_349_;
                         let _e171 = (_e147[2] < _e37);
                         if _e171 {
                             if _e171 {
@@ -203,11 +203,11 @@ fn function_() {
                                 break;
                             }
                             let _e174 = global_4.member[_e147[2]];
-                            phi_365_ = vec3<f32>(_e174[0], _e174[1], _e174[2]);
+                            phi_366_ = vec3<f32>(_e174[0], _e174[1], _e174[2]);
                         } else {
-                            phi_365_ = vec3<f32>(0f, 0f, 0f);
+                            phi_366_ = vec3<f32>(0f, 0f, 0f);
                         }
-                        let _e180 = phi_365_;
+                        let _e180 = phi_366_;
                         let _e189 = ((1f - _e58.member_1) - _e58.member_2);
                         let _e191 = select(0f, _e189, (_e189 > 0f));
                         let _e193 = select(1f, _e58.member_1, (_e58.member_1 < 1f));
@@ -227,31 +227,31 @@ fn function_() {
                         let _e221 = bitcast<f32>((bitcast<u32>(_e210) & 2147483647u));
                         let _e223 = select(_e221, _e218, (_e218 > _e221));
                         if (_e223 < 0.000000000000000000000000000000000000011754944f) {
-                            phi_492_ = vec3<f32>(0f, 0f, 0f);
+                            phi_493_ = vec3<f32>(0f, 0f, 0f);
                         } else {
                             let _e226 = (bitcast<u32>(_e223) & 2147483647u);
                             let _e227 = (_e226 >= 8388608u);
                             if _e227 {
-                                phi_442_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
+                                phi_443_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_442_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
+                                phi_443_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
                             }
-                            let _e240 = phi_442_;
+                            let _e240 = phi_443_;
                             let _e247 = bitcast<f32>((bitcast<u32>(((_e240 / -2i) + 127i)) << bitcast<u32>(23i)));
                             if _e227 {
-                                phi_473_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
+                                phi_474_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_473_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
+                                phi_474_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
                             }
-                            let _e263 = phi_473_;
+                            let _e263 = phi_474_;
                             let _e269 = bitcast<f32>((bitcast<u32>((((_e240 / 2i) - _e263) + 127i)) << bitcast<u32>(23i)));
                             let _e270 = ((_e204 * _e247) * _e269);
                             let _e271 = ((_e207 * _e247) * _e269);
                             let _e272 = ((_e210 * _e247) * _e269);
                             let _e278 = sqrt((((_e270 * _e270) + (_e271 * _e271)) + (_e272 * _e272)));
-                            phi_492_ = vec3<f32>((_e270 / _e278), (_e271 / _e278), (_e272 / _e278));
+                            phi_493_ = vec3<f32>((_e270 / _e278), (_e271 / _e278), (_e272 / _e278));
                         }
-                        let _e284 = phi_492_;
+                        let _e284 = phi_493_;
                         let _e294 = select(1f, -1f, ((((_e284.x * _e57.member.member_2[0]) + (_e284.y * _e57.member.member_2[1])) + (_e284.z * _e57.member.member_2[2])) > 0f));
                         let _e320 = (((_e158.x * _e191) + (_e169.x * _e193)) + (_e180.x * _e195));
                         let _e321 = (((_e158.y * _e191) + (_e169.y * _e193)) + (_e180.y * _e195));
@@ -262,37 +262,37 @@ fn function_() {
                         let _e333 = bitcast<f32>((bitcast<u32>(_e322) & 2147483647u));
                         let _e335 = select(_e333, _e330, (_e330 > _e333));
                         if (_e335 < 0.000000000000000000000000000000000000011754944f) {
-                            phi_625_ = vec3<f32>(0f, 0f, 0f);
+                            phi_626_ = vec3<f32>(0f, 0f, 0f);
                         } else {
                             let _e338 = (bitcast<u32>(_e335) & 2147483647u);
                             let _e339 = (_e338 >= 8388608u);
                             if _e339 {
-                                phi_575_ = (bitcast<i32>((_e338 >> bitcast<u32>(23i))) - 127i);
+                                phi_576_ = (bitcast<i32>((_e338 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_575_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u))));
+                                phi_576_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u))));
                             }
-                            let _e352 = phi_575_;
+                            let _e352 = phi_576_;
                             let _e359 = bitcast<f32>((bitcast<u32>(((_e352 / -2i) + 127i)) << bitcast<u32>(23i)));
                             if _e339 {
-                                phi_606_ = (bitcast<i32>((_e338 >> bitcast<u32>(23i))) - 127i);
+                                phi_607_ = (bitcast<i32>((_e338 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_606_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u))));
+                                phi_607_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u))));
                             }
-                            let _e375 = phi_606_;
+                            let _e375 = phi_607_;
                             let _e381 = bitcast<f32>((bitcast<u32>((((_e352 / 2i) - _e375) + 127i)) << bitcast<u32>(23i)));
                             let _e382 = ((_e320 * _e359) * _e381);
                             let _e383 = ((_e321 * _e359) * _e381);
                             let _e384 = ((_e322 * _e359) * _e381);
                             let _e390 = sqrt((((_e382 * _e382) + (_e383 * _e383)) + (_e384 * _e384)));
-                            phi_625_ = vec3<f32>((_e382 / _e390), (_e383 / _e390), (_e384 / _e390));
+                            phi_626_ = vec3<f32>((_e382 / _e390), (_e383 / _e390), (_e384 / _e390));
                         }
-                        let _e396 = phi_625_;
+                        let _e396 = phi_626_;
                         let _e411 = select((_e284 * _e294), (_e396 * _e294), vec3((((((_e396.x * _e294) * (_e284.x * _e294)) + ((_e396.y * _e294) * (_e284.y * _e294))) + ((_e396.z * _e294) * (_e284.z * _e294))) > 0f)));
                         if _e46 {
                         } else {
                             break;
                         }
-                        global_6.member[_e45] = type_28(_e57.member, _e57.member_1, _e57.member_2, array<f32, 3>((_e57.member_3[0] + (((_e411.x * 0.5f) + 0.5f) * _e57.member_1[0])), (_e57.member_3[1] + (((_e411.y * 0.5f) + 0.5f) * _e57.member_1[1])), (_e57.member_3[2] + (((_e411.z * 0.5f) + 0.5f) * _e57.member_1[2]))), _e57.member_4);
+                        global_6.member[_e45] = type_29(_e57.member, _e57.member_1, _e57.member_2, array<f32, 3>((_e57.member_3[0] + (((_e411.x * 0.5f) + 0.5f) * _e57.member_1[0])), (_e57.member_3[1] + (((_e411.y * 0.5f) + 0.5f) * _e57.member_1[1])), (_e57.member_3[2] + (((_e411.z * 0.5f) + 0.5f) * _e57.member_1[2]))), _e57.member_4);
                     }
                 }
             }

@@ -6,6 +6,8 @@ mod bvh;
 mod cpu;
 #[cfg(feature = "scenes")]
 pub mod generate;
+#[cfg(feature = "gpu")]
+pub mod gpu;
 mod mesh;
 mod picture;
 pub mod scene;
@@ -18,5 +20,5 @@ pub use cpu::{BuildConfig, Builder, CodeBits, RefitError, Renderer};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, RenderReport, RenderSettings, View};
 pub use scene::{Camera, Light, Material, Projection, Scene, ViewError};
-pub use slimbvh_core::{Aabb, Hit, Ray};
+pub use slimbvh_core::{Aabb, Hit, Node, Ray};
 pub use stages::Stages;

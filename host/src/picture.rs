@@ -1,6 +1,7 @@
 //! Pictures and what a render is asked for.
 
 use crate::Stages;
+use slimbvh_core::color::srgb_bytes;
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -60,20 +61,10 @@ impl Picture {
     pub fn to_srgb(&self) -> Vec<u8> {
         self.pixels
             .iter()
-            .flatten()
-            .map(|&x| srgb_byte(x))
+            .flat_map(|&pixel| srgb_bytes(pixel.into()))
+            .map(|byte| byte as u8)
             .collect()
     }
-}
-
-fn srgb_byte(linear: f32) -> u8 {
-    let x = linear.clamp(0.0, 1.0);
-    let encoded = if x <= 0.003_130_8 {
-        12.92 * x
-    } else {
-        1.055 * x.powf(1.0 / 2.4) - 0.055
-    };
-    (encoded * 255.0 + 0.5) as u8
 }
 
 /// What a render did.
@@ -98,16 +89,5 @@ impl RenderReport {
     #[must_use]
     pub fn ray_count(&self) -> u64 {
         self.primary_ray_count + self.shadow_ray_count + self.mirror_ray_count
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn srgb_of_known_values() {
-        let bytes = [0.0, 1.0, 0.5, 0.002, 7.0, -1.0].map(srgb_byte);
-        assert_eq!(bytes, [0, 255, 188, 7, 255, 0]);
     }
 }

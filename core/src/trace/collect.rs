@@ -60,6 +60,53 @@ impl Collector for ClosestHit {
     }
 }
 
+/// The closest hit, or the first that is found where any will do: for callers that choose as they run.
+#[derive(Clone, Copy, Debug)]
+pub struct ClosestOrAny {
+    /// The best so far.
+    pub closest: ClosestHit,
+    any_will_do: bool,
+}
+
+impl ClosestOrAny {
+    /// Looks for hits up to `t_max`: the closest.
+    #[inline(always)]
+    #[must_use]
+    pub fn closest(t_max: f32) -> Self {
+        Self {
+            closest: ClosestHit::new(t_max),
+            any_will_do: false,
+        }
+    }
+
+    /// Looks for hits up to `t_max`: any.
+    #[inline(always)]
+    #[must_use]
+    pub fn any(t_max: f32) -> Self {
+        Self {
+            any_will_do: true,
+            ..Self::closest(t_max)
+        }
+    }
+}
+
+impl Collector for ClosestOrAny {
+    #[inline(always)]
+    fn limit(&self) -> f32 {
+        self.closest.limit()
+    }
+
+    #[inline(always)]
+    fn offer(&mut self, hit: Hit) {
+        self.closest.offer(hit);
+    }
+
+    #[inline(always)]
+    fn is_done(&self) -> bool {
+        self.any_will_do && self.closest.hit.is_hit()
+    }
+}
+
 /// Whether there is a hit at all.
 #[derive(Clone, Copy, Debug)]
 pub struct AnyHit {
@@ -192,5 +239,39 @@ impl<C: Collector> Collector for Counted<C> {
     #[inline(always)]
     fn count_triangle(&mut self) {
         self.triangle_count += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn offered<C: Collector>(collector: &mut C, hits: &[(f32, u32)]) {
+        for &(t, primitive) in hits {
+            if t <= collector.limit() && !collector.is_done() {
+                collector.offer(Hit {
+                    t,
+                    primitive,
+                    ..Hit::MISS
+                });
+            }
+        }
+    }
+
+    #[test]
+    fn one_collector_asks_either_question() {
+        let hits = [(5.0, 1), (3.0, 8), (3.0, 2), (4.0, 0), (9.0, 3)];
+        let mut closest = ClosestOrAny::closest(7.0);
+        offered(&mut closest, &hits);
+        assert_eq!(
+            (closest.closest.hit.t, closest.closest.hit.primitive),
+            (3.0, 2)
+        );
+        let mut any = ClosestOrAny::any(7.0);
+        offered(&mut any, &hits);
+        assert!(any.is_done() && any.closest.hit.primitive == 1);
+        let mut none = ClosestOrAny::any(7.0);
+        offered(&mut none, &hits[4..]);
+        assert!(!none.is_done() && !none.closest.hit.is_hit());
     }
 }

@@ -1,8 +1,10 @@
-//! Builds the modules under `host/shaders` from `gpu-shaders`; `--check` only says whether they are up to date.
+//! Builds the modules under `host/shaders` from `gpu-shaders`, and those of an example; `--check` only says whether they
+//! are up to date.
 //!
 //! `RUST_GPU_TOOLCHAIN` names the toolchain. `RUSTC_CODEGEN_SPIRV` is the path of a ready backend, for a build with
 //! `--no-default-features`.
 
+mod callable;
 mod module;
 mod source_hash;
 
@@ -15,11 +17,44 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// All entry points: releases of rust-gpu have lost some in silence.
-const ENTRY_POINTS: [&str; 38] = [
+/// A crate of entry points.
+struct ShaderCrate {
+    /// Where it is.
+    folder: &'static str,
+    /// Where its modules go.
+    output: &'static str,
+    /// The endings of the files made there; others are left alone.
+    made: &'static [&'static str],
+    /// All of them: releases of rust-gpu have lost some in silence.
+    entry_points: &'static [&'static str],
+}
+
+const CRATES: [ShaderCrate; 2] = [
+    ShaderCrate {
+        folder: "gpu-shaders",
+        output: "host/shaders",
+        made: &["spv", "wgsl", "json"],
+        entry_points: &ENTRY_POINTS,
+    },
+    ShaderCrate {
+        folder: "host/examples/own_shader/shader",
+        output: "host/examples/own_shader",
+        made: &["spv"],
+        entry_points: &["thickness"],
+    },
+];
+
+const MANIFEST: &str = "host/shaders/manifest.json";
+
+/// The entry points of `gpu-shaders`.
+const ENTRY_POINTS: [&str; 46] = [
     "bounds",
+    "call_trace",
+    "camera_encode",
     "camera_rays",
     "camera_resolve",
+    "compact",
+    "compact_counts",
     "frame",
     "morton_30",
     "morton_63",
@@ -52,7 +87,11 @@ const ENTRY_POINTS: [&str; 38] = [
     "trace_paths_counted",
     "trace_shadows",
     "view_depth",
+    "view_depth_range",
+    "view_depth_values",
     "view_heat",
+    "view_heat_range",
+    "view_items",
     "view_normals",
     "view_primitives",
 ];
@@ -60,7 +99,7 @@ const ENTRY_POINTS: [&str; 38] = [
 /// The toolchain that spirv-builder 0.10.0 belongs to.
 const TOOLCHAIN: &str = "nightly-2026-07-03";
 
-/// The files under `host/shaders`.
+/// What is made, by its path from the root.
 type Files = BTreeMap<String, Vec<u8>>;
 
 fn main() -> ExitCode {
@@ -86,19 +125,15 @@ fn run(is_check: bool) -> Result<()> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../..")
         .canonicalize()?;
-    let folder = root.join("host/shaders");
     let files = build(&root)?;
+    let old = read(&root)?;
     if is_check {
-        compare(&files, &read(&folder)?)?;
-        println!("host/shaders is up to date: {} modules", ENTRY_POINTS.len());
+        compare(&files, &old)?;
+        println!("all {} files are up to date", files.len());
     } else {
-        write(&files, &folder)?;
+        write(&files, &old, &root)?;
         let bytes: usize = files.values().map(Vec::len).sum();
-        println!(
-            "wrote {} modules, {bytes} bytes in {} files",
-            ENTRY_POINTS.len(),
-            files.len()
-        );
+        println!("made {} files, {bytes} bytes", files.len());
     }
     Ok(())
 }
@@ -107,30 +142,43 @@ fn run(is_check: bool) -> Result<()> {
 fn build(root: &Path) -> Result<Files> {
     let mut files = Files::new();
     let mut manifest = Vec::new();
-    for (name, path) in compile(root)? {
-        let compiled = fs::read(&path).with_context(|| path.display().to_string())?;
-        let module = Module::new(&name, &compiled).context(name.clone())?;
-        check_paths(&module.spirv, root).context(name.clone())?;
-        manifest.push(module.manifest);
-        files.insert(format!("{name}.spv"), module.spirv);
-        files.insert(format!("{name}.wgsl"), module.wgsl.into_bytes());
+    for shader_crate in &CRATES {
+        let ShaderCrate { output, made, .. } = shader_crate;
+        for (name, path) in compile(root, shader_crate)? {
+            let compiled = fs::read(&path).with_context(|| path.display().to_string())?;
+            let module = Module::new(&name, &compiled).context(name.clone())?;
+            check_paths(&module.spirv, root).context(name.clone())?;
+            if name == callable::ENTRY_POINT {
+                let text = callable::wgsl(module.ir).context(name)?;
+                files.insert(format!("{output}/slimbvh.wgsl"), text.into_bytes());
+                continue;
+            }
+            files.insert(format!("{output}/{name}.spv"), module.spirv);
+            if made.contains(&"wgsl") {
+                files.insert(format!("{output}/{name}.wgsl"), module.wgsl.into_bytes());
+            }
+            if made.contains(&"json") {
+                manifest.push(module.manifest);
+            }
+        }
     }
     let versions: BTreeMap<_, _> = source_hash::pinned_versions(root)?.into_iter().collect();
+    let sources: Vec<&str> = CRATES.iter().map(|c| c.folder).collect();
     let manifest = json!({
-        "source_hash": source_hash::source_hash(root)?,
+        "source_hash": source_hash::source_hash(root, &sources)?,
         "versions": versions,
         "modules": manifest,
     });
     let text = serde_json::to_string_pretty(&manifest)? + "\n";
-    files.insert("manifest.json".to_owned(), text.into_bytes());
+    files.insert(MANIFEST.to_owned(), text.into_bytes());
     Ok(files)
 }
 
-/// Compiles the crate. Returns the path of each entry point's module, by its short name.
-fn compile(root: &Path) -> Result<BTreeMap<String, PathBuf>> {
+/// Compiles a crate. Returns the path of each entry point's module, by its short name.
+fn compile(root: &Path, shader_crate: &ShaderCrate) -> Result<BTreeMap<String, PathBuf>> {
     let target = std::env::var_os("CARGO_TARGET_DIR")
         .map_or_else(|| root.join("gpu-shaders/builder/target"), PathBuf::from);
-    let mut builder = SpirvBuilder::new(root.join("gpu-shaders"), "spirv-unknown-vulkan1.2");
+    let mut builder = SpirvBuilder::new(root.join(shader_crate.folder), "spirv-unknown-vulkan1.2");
     builder.multimodule = true;
     builder.target_dir_path = Some(std::path::absolute(target)?.join("spirv"));
     builder.toolchain_overwrite =
@@ -140,26 +188,29 @@ fn compile(root: &Path) -> Result<BTreeMap<String, PathBuf>> {
     } else if !cfg!(feature = "build-backend") {
         bail!("RUSTC_CODEGEN_SPIRV must name the backend in a build without `build-backend`");
     }
-    let result = builder.build().context("the shaders do not compile")?;
+    let folder = shader_crate.folder;
+    let result = builder
+        .build()
+        .with_context(|| format!("{folder} does not compile"))?;
 
     let names: Vec<&str> = result.entry_points.iter().map(|e| short(e)).collect();
     let found: BTreeSet<&str> = names.iter().copied().collect();
-    let expected = BTreeSet::from(ENTRY_POINTS);
+    let expected: BTreeSet<&str> = shader_crate.entry_points.iter().copied().collect();
     if found != expected || names.len() != expected.len() {
         let missing: Vec<_> = expected.difference(&found).collect();
         let unknown: Vec<_> = found.difference(&expected).collect();
         bail!(
-            "entry points: missing {missing:?}, not expected {unknown:?}, {} in all",
+            "entry points of {folder}: missing {missing:?}, not expected {unknown:?}, {} in all",
             names.len()
         );
     }
-    let ModuleResult::MultiModule(modules) = result.module else {
-        bail!("the backend made one module for all entry points");
-    };
-    Ok(modules
-        .into_iter()
-        .map(|(entry, path)| (short(&entry).to_owned(), path))
-        .collect())
+    Ok(match result.module {
+        ModuleResult::MultiModule(modules) => modules
+            .into_iter()
+            .map(|(entry, path)| (short(&entry).to_owned(), path))
+            .collect(),
+        ModuleResult::SingleModule(_) => bail!("the backend made one module for all entry points"),
+    })
 }
 
 /// The function's name, without its module's.
@@ -178,29 +229,37 @@ fn check_paths(spirv: &[u8], root: &Path) -> Result<()> {
     Ok(())
 }
 
-fn read(folder: &Path) -> Result<Files> {
+/// What has been made before, also for entry points that are no more.
+fn read(root: &Path) -> Result<Files> {
     let mut files = Files::new();
-    if !folder.exists() {
-        return Ok(files);
-    }
-    for entry in fs::read_dir(folder)? {
-        let entry = entry?;
-        let name = entry.file_name().to_string_lossy().into_owned();
-        files.insert(name, fs::read(entry.path())?);
+    for ShaderCrate { output, made, .. } in &CRATES {
+        let folder = root.join(output);
+        if !folder.exists() {
+            continue;
+        }
+        for entry in fs::read_dir(folder)? {
+            let path = entry?.path();
+            let ending = path.extension().unwrap_or_default().to_string_lossy();
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            if made.contains(&ending.as_ref()) {
+                files.insert(format!("{output}/{name}"), fs::read(&path)?);
+            }
+        }
     }
     Ok(files)
 }
 
-/// Writes what has changed and removes what is left over from earlier entry points.
-fn write(files: &Files, folder: &Path) -> Result<()> {
-    fs::create_dir_all(folder)?;
-    let old = read(folder)?;
+/// Writes what has changed and removes what is left over.
+fn write(files: &Files, old: &Files, root: &Path) -> Result<()> {
     for name in old.keys().filter(|name| !files.contains_key(*name)) {
-        fs::remove_file(folder.join(name))?;
+        fs::remove_file(root.join(name))?;
+    }
+    for shader_crate in &CRATES {
+        fs::create_dir_all(root.join(shader_crate.output))?;
     }
     for (name, bytes) in files {
         if old.get(name) != Some(bytes) {
-            fs::write(folder.join(name), bytes)?;
+            fs::write(root.join(name), bytes)?;
         }
     }
     Ok(())
@@ -225,7 +284,7 @@ fn compare(new: &Files, old: &Files) -> Result<()> {
     }
     let (now, then) = (hash_of(new), hash_of(old));
     bail!(
-        "host/shaders is out of date (code {now}, modules made from {then}): {}; run the shader builder",
+        "shaders are out of date (code {now}, modules made from {then}): {}; run the shader builder",
         changed.join(", ")
     )
 }
@@ -233,7 +292,7 @@ fn compare(new: &Files, old: &Files) -> Result<()> {
 /// The hash that a manifest names.
 fn hash_of(files: &Files) -> String {
     files
-        .get("manifest.json")
+        .get(MANIFEST)
         .and_then(|text| serde_json::from_slice::<Value>(text).ok())
         .and_then(|manifest| Some(manifest["source_hash"].as_str()?.to_owned()))
         .unwrap_or_else(|| "nothing".to_owned())

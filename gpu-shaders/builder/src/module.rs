@@ -10,6 +10,8 @@ use serde_json::{Value, json};
 pub struct Module {
     /// SPIR-V.
     pub spirv: Vec<u8>,
+    /// As naga sees it.
+    pub ir: naga::Module,
     /// Its translation.
     pub wgsl: String,
     /// Its entry in the manifest.
@@ -35,6 +37,7 @@ impl Module {
         let manifest = describe(name, &module)?;
         Ok(Self {
             spirv,
+            ir: module,
             wgsl,
             manifest,
         })

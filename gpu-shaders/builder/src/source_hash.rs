@@ -17,17 +17,15 @@ const PINNED: [(&str, &str); 6] = [
     ("gpu-shaders/builder/Cargo.lock", "spirv-builder"),
 ];
 
-/// Crates whose code counts.
-const CRATES: [&str; 2] = ["core/src", "gpu-shaders/src"];
-
-/// The hash of the repository at `root`, in hexadecimal.
+/// The hash of core and of the shader crates in these folders, in hexadecimal.
 ///
 /// # Errors
 /// Where a file cannot be read or is no Rust.
-pub fn source_hash(root: &Path) -> Result<String> {
+pub fn source_hash(root: &Path, shader_crates: &[&str]) -> Result<String> {
     let mut hash = Fnv(0xcbf2_9ce4_8422_2325);
-    for source in CRATES {
-        hash_module(&root.join(source), "lib", &root.join(source), &mut hash)?;
+    for folder in ["core"].iter().chain(shader_crates) {
+        let source = root.join(folder).join("src");
+        hash_module(&source, "lib", &source, &mut hash)?;
     }
     for (package, version) in pinned_versions(root)? {
         hash.text(&package);

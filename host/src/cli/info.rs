@@ -15,6 +15,11 @@ pub struct InfoArguments {
     #[command(flatten)]
     scene: SceneArguments,
 
+    /// List the GPUs that can be used, with their limits, instead
+    #[cfg(feature = "gpu")]
+    #[arg(long, conflicts_with_all = ["scene", "lenient", "all"])]
+    adapters: bool,
+
     /// List all connected components, not the largest only
     #[arg(long)]
     all: bool,
@@ -63,6 +68,10 @@ pub fn run(arguments: &InfoArguments) -> Result<()> {
     let json_on_stdout = output::is_stdout(arguments.json.as_deref());
     if let Some(json) = arguments.json.as_deref().filter(|_| !json_on_stdout) {
         output::check_place(json, arguments.scene.scene.as_deref().as_slice())?;
+    }
+    #[cfg(feature = "gpu")]
+    if arguments.adapters {
+        return super::adapters::run(arguments.json.as_deref());
     }
     let scene = arguments.scene.load()?;
     let progress = output::spinner("looking at the mesh".into());

@@ -1,5 +1,8 @@
 //! Command line of the `slimbvh` binary.
 
+#[cfg(feature = "gpu")]
+mod adapters;
+mod backend;
 mod info;
 mod options;
 mod output;

@@ -16,6 +16,11 @@ pub fn print(text: &str) -> Result<()> {
     written.context("cannot write to standard output")
 }
 
+/// Tells of something that went otherwise than it might have.
+pub fn warn(text: &str) {
+    eprintln!("note: {text}");
+}
+
 /// Whether a report goes to standard output.
 pub fn is_stdout(path: Option<&Path>) -> bool {
     path == Some(Path::new("-"))
@@ -184,8 +189,8 @@ pub fn things(n: impl TryInto<u64>, thing: &str) -> String {
 }
 
 /// Bytes in binary units: 19.5 MiB.
-pub fn bytes(n: usize) -> String {
-    indicatif::BinaryBytes(n as u64).to_string()
+pub fn bytes(n: impl TryInto<u64>) -> String {
+    indicatif::BinaryBytes(n.try_into().unwrap_or(u64::MAX)).to_string()
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! `slimbvh render`.
 
+use super::backend::{BackendArguments, Chosen, choose};
 use super::options::{self, CameraOption};
 use super::output::{self, bytes, count, things};
 use super::{SceneArguments, ThreadArguments};
@@ -41,9 +42,8 @@ pub struct RenderArguments {
     #[command(flatten)]
     threads: ThreadArguments,
 
-    /// What computes
-    #[arg(long, value_enum, default_value_t = Backend::Auto)]
-    backend: Backend,
+    #[command(flatten)]
+    backend: BackendArguments,
 
     /// What to show
     #[arg(long, value_enum, default_value_t = View::Color)]
@@ -72,16 +72,6 @@ pub struct RenderArguments {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Backend {
-    /// The best there is
-    Auto,
-    /// This machine's cores
-    Cpu,
-    /// A GPU
-    Gpu,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Codes {
     #[value(name = "30")]
     Bits30,
@@ -98,6 +88,7 @@ struct Summary {
     height: u32,
     samples_per_pixel: u32,
     backend: &'static str,
+    adapter: Option<String>,
     threads: usize,
     triangles: usize,
     dropped_faces: usize,
@@ -117,12 +108,11 @@ struct Summary {
 }
 
 pub fn run(arguments: &RenderArguments) -> Result<()> {
-    if arguments.backend == Backend::Gpu {
-        bail!("this build has no GPU backend; use --backend cpu");
-    }
     check_places(arguments)?;
+    let chosen = choose(&arguments.backend)?;
     let mut scene = arguments.scene.load()?;
-    let (summary, text, picture) = arguments.threads.run(|| render(arguments, &mut scene))??;
+    let work = || render(arguments, &chosen, &mut scene);
+    let (summary, text, picture) = arguments.threads.run(work)??;
     output::write_png(&arguments.output, &picture)?;
     if !output::is_stdout(arguments.json.as_deref()) {
         output::print(&text)?;
@@ -156,18 +146,23 @@ fn check_places(arguments: &RenderArguments) -> Result<()> {
     }
 }
 
-fn render(arguments: &RenderArguments, scene: &mut Scene) -> Result<(Summary, String, Picture)> {
-    let mut builder = Builder::new(BuildConfig {
-        code_bits: match arguments.codes {
-            Codes::Bits30 => CodeBits::Bits30,
-            Codes::Bits63 => CodeBits::Bits63,
-        },
-    });
-    let mut bvh = Bvh::default();
-    let build = builder
-        .build_into(&scene.mesh, &mut bvh)
-        .with_context(|| arguments.scene.name())?;
+/// What was computed, and what it took.
+struct Outcome {
+    backend: &'static str,
+    adapter: Option<String>,
+    build: Stages,
+    report: RenderReport,
+    node_count: usize,
+    node_bytes: usize,
+    triangle_bytes: usize,
+    scratch_bytes: usize,
+}
 
+fn render(
+    arguments: &RenderArguments,
+    chosen: &Chosen,
+    scene: &mut Scene,
+) -> Result<(Summary, String, Picture)> {
     if !arguments.light.is_empty() {
         scene.lights.clone_from(&arguments.light);
     }
@@ -177,33 +172,104 @@ fn render(arguments: &RenderArguments, scene: &mut Scene) -> Result<(Summary, St
         view: arguments.view,
         mirror_depth: arguments.mirror_depth,
     };
-    scene.complete(bvh.bounds(), settings.size);
+    scene
+        .mesh
+        .validate()
+        .with_context(|| arguments.scene.name())?;
+    scene.complete(scene.mesh.bounds(), settings.size);
     if let Some(camera) = &arguments.camera {
         camera.apply(&mut scene.cameras[0]);
     }
-
-    let mut renderer = Renderer::new();
+    let config = BuildConfig {
+        code_bits: match arguments.codes {
+            Codes::Bits30 => CodeBits::Bits30,
+            Codes::Bits63 => CodeBits::Bits63,
+        },
+    };
     let mut picture = Picture::default();
-    let progress = output::bar("rendering");
-    let report = renderer.render(scene, &bvh, &settings, &mut picture, |share| {
-        progress.set(share);
-    })?;
-    drop(progress);
-
-    let scratch = builder.scratch_bytes() + renderer.scratch_bytes();
-    let summary = summarize(arguments, scene, &bvh, &build, &report, scratch);
-    let text = describe(&summary, &build, &report);
+    let outcome = match chosen {
+        Chosen::Cpu => render_on_cpu(scene, config, &settings, &mut picture)?,
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu(gpu) => render_on_gpu(gpu, scene, config, &settings, &mut picture)?,
+        #[cfg(feature = "gpu")]
+        Chosen::GpuIfItFits(gpu) => {
+            match render_on_gpu(gpu, scene, config, &settings, &mut picture) {
+                Err(error) if super::backend::is_the_gpus_fault(&error) => {
+                    output::warn(&format!("{error:#}; the CPU does it"));
+                    render_on_cpu(scene, config, &settings, &mut picture)?
+                }
+                outcome => outcome?,
+            }
+        }
+    };
+    let summary = summarize(arguments, scene, &outcome);
+    let text = describe(&summary, &outcome);
     Ok((summary, text, picture))
 }
 
-fn summarize(
-    arguments: &RenderArguments,
+fn render_on_cpu(
     scene: &Scene,
-    bvh: &Bvh,
-    build: &Stages,
-    report: &RenderReport,
-    scratch_bytes: usize,
-) -> Summary {
+    config: BuildConfig,
+    settings: &RenderSettings,
+    picture: &mut Picture,
+) -> Result<Outcome> {
+    let (mut builder, mut bvh) = (Builder::new(config), Bvh::default());
+    let build = builder.build_into(&scene.mesh, &mut bvh)?;
+    let mut renderer = Renderer::new();
+    let progress = output::bar("rendering");
+    let report = renderer.render(scene, &bvh, settings, picture, |share| {
+        progress.set(share);
+    })?;
+    Ok(Outcome {
+        backend: "cpu",
+        adapter: None,
+        build,
+        report,
+        node_count: bvh.node_count(),
+        node_bytes: bvh.node_bytes(),
+        triangle_bytes: bvh.triangle_bytes(),
+        scratch_bytes: builder.scratch_bytes() + renderer.scratch_bytes(),
+    })
+}
+
+#[cfg(feature = "gpu")]
+fn render_on_gpu(
+    gpu: &slimbvh::gpu::Gpu,
+    scene: &Scene,
+    config: BuildConfig,
+    settings: &RenderSettings,
+    picture: &mut Picture,
+) -> Result<Outcome> {
+    let mut builder = slimbvh::gpu::Builder::new(config);
+    let mut renderer = slimbvh::gpu::Renderer::new();
+    let mut bvh = slimbvh::gpu::Bvh::new();
+    let progress = output::bar("rendering");
+    let (build, report) = slimbvh::gpu::render_image(
+        gpu,
+        slimbvh::gpu::Tools {
+            builder: &mut builder,
+            bvh: &mut bvh,
+            renderer: &mut renderer,
+        },
+        scene,
+        settings,
+        picture,
+        |share| progress.set(share),
+    )?;
+    let node_count = bvh.read_node_count(gpu)? as usize;
+    Ok(Outcome {
+        backend: "gpu",
+        adapter: Some(gpu.name().into()),
+        build,
+        report,
+        node_count,
+        node_bytes: node_count * size_of::<slimbvh::Node>(),
+        triangle_bytes: bvh.triangle_bytes() as usize,
+        scratch_bytes: (builder.scratch_bytes() + renderer.scratch_bytes()) as usize,
+    })
+}
+
+fn summarize(arguments: &RenderArguments, scene: &Scene, outcome: &Outcome) -> Summary {
     let times = |stages: &Stages| {
         stages
             .iter()
@@ -212,18 +278,20 @@ fn summarize(
     };
     let [width, height] = arguments.size;
     let mesh = &scene.mesh;
+    let report = &outcome.report;
     Summary {
         scene: arguments.scene.name(),
         picture: arguments.output.display().to_string(),
         width,
         height,
         samples_per_pixel: arguments.spp,
-        backend: "cpu",
+        backend: outcome.backend,
+        adapter: outcome.adapter.clone(),
         threads: rayon::current_num_threads(),
-        triangles: bvh.triangle_count(),
+        triangles: mesh.indices.len(),
         dropped_faces: scene.dropped_face_count,
-        nodes: bvh.node_count(),
-        build_ms: times(build),
+        nodes: outcome.node_count,
+        build_ms: times(&outcome.build),
         render_ms: times(&report.stages),
         primary_rays: report.primary_ray_count,
         primary_hits: report.primary_hit_count,
@@ -231,18 +299,19 @@ fn summarize(
         mirror_rays: report.mirror_ray_count,
         mrays_per_second: report.ray_count() as f64 / report.stages.total().as_secs_f64() / 1e6,
         node_visits: (arguments.view == View::Heatmap).then_some(report.node_visit_count),
-        node_bytes: bvh.node_bytes(),
-        triangle_bytes: bvh.triangle_bytes(),
+        node_bytes: outcome.node_bytes,
+        triangle_bytes: outcome.triangle_bytes,
         mesh_bytes: size_of_val(mesh.vertices.as_slice())
             + size_of_val(mesh.indices.as_slice())
             + size_of_val(mesh.normals.as_slice())
             + size_of_val(mesh.materials.as_slice()),
-        scratch_bytes,
+        scratch_bytes: outcome.scratch_bytes,
     }
 }
 
 /// The summary for people.
-fn describe(s: &Summary, build: &Stages, report: &RenderReport) -> String {
+fn describe(s: &Summary, outcome: &Outcome) -> String {
+    let Outcome { build, report, .. } = outcome;
     let mut text = String::new();
     let mut line = |name: &str, value: String| {
         // Writing to a string cannot fail.
@@ -263,7 +332,10 @@ fn describe(s: &Summary, build: &Stages, report: &RenderReport) -> String {
             s.width,
             s.height,
             things(s.samples_per_pixel, "sample"),
-            things(s.threads, "thread")
+            match &s.adapter {
+                Some(adapter) => adapter.clone(),
+                None => things(s.threads, "thread"),
+            }
         ),
     );
     let ms = |stages: &Stages| stages.total().as_secs_f64() * 1e3;

@@ -9,6 +9,7 @@ mod sort;
 mod topology;
 
 pub use build::{BuildConfig, Builder, CodeBits, RefitError};
+pub(crate) use order::scene_bounds;
 pub use render::Renderer;
 
 /// Items that a task takes at once.

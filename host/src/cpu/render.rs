@@ -29,7 +29,7 @@ pub struct Renderer {
     paths: Vec<Path>,
     hits: Vec<Hit>,
     heat: Vec<u32>,
-    depths: Vec<f32>,
+    depths: Vec<u32>,
 }
 
 /// All that a picture is made from, next to the tree.
@@ -85,21 +85,21 @@ impl Renderer {
                 self.trace_primary(&stage, &mut report);
                 match settings.view {
                     View::Color => self.shade(&stage, settings.mirror_depth, &mut report),
-                    View::Depth => self.depths.extend(self.hits.iter().map(|hit| hit.t)),
+                    View::Depth => self.depths.extend(self.hits.iter().map(view::depth_value)),
                     view => self.show(&stage, view, &mut report),
                 }
             }
             let to = &mut picture.pixels[first_pixel as usize..(first_pixel + pixels) as usize];
             report.stages.time("resolve", || {
-                resolve(&self.paths, settings.sample_count as usize, to);
+                resolve(&self.paths, settings.sample_count, to);
             });
             progress(f64::from(first_pixel + pixels) / f64::from(pixel_count));
         }
         if settings.view == View::Depth {
-            paint_depth(&self.depths, settings.sample_count as usize, picture);
+            paint_depth(&self.depths, settings.sample_count, picture);
         }
         if settings.view == View::Heatmap {
-            paint_heat(&self.heat, settings.sample_count as usize, picture);
+            paint_heat(&self.heat, settings.sample_count, picture);
             report.node_visit_count = self.heat.iter().map(|&count| u64::from(count)).sum();
         }
         Ok(report)
@@ -189,12 +189,11 @@ impl Renderer {
                     continue;
                 }
                 let (surface, material) = stage.surface(path, hit);
-                let direct = direct_light(&surface, &material, light);
-                if direct.is_possible() {
+                let shadow = direct_light(&surface, hit.primitive, &material, light);
+                if shadow.is_possible() {
                     rays += 1;
-                    let ray = &direct.shadow_ray;
-                    if !trace::any_hit(&nodes, &triangles, ray, 0, hit.primitive) {
-                        *path = path.with_light(direct.radiance);
+                    if !trace::any_hit(&nodes, &triangles, &shadow.ray, 0, shadow.skip) {
+                        *path = path.with_light(glam::Vec3::from_array(shadow.radiance));
                     }
                 }
             }
@@ -290,16 +289,18 @@ impl<'a> Stage<'a> {
             });
         }
         let exponent = bvh.scene_exponent();
-        let core_camera = camera.to_core(exponent, settings.size, settings.sample_count)?;
+        let scale = PowerOfTwo::new(exponent);
+        let core_camera = camera.to_core(settings.size, settings.sample_count)?;
+        camera.check_reach(exponent)?;
         let lights = scene.lights.iter().enumerate();
         Ok(Self {
             scene,
             bvh,
-            scale: PowerOfTwo::new(exponent),
-            camera: core_camera,
+            scale,
+            camera: core_camera.scaled(&scale),
             lights: lights
-                .map(|(index, light)| light.to_core(exponent, index))
-                .collect::<Result<_, _>>()?,
+                .map(|(index, light)| Ok(light.to_core(index)?.scaled(&scale)))
+                .collect::<Result<_, ViewError>>()?,
             materials: scene.core_materials(),
             environment: Scene::environment(camera.up),
         })

@@ -1,10 +1,10 @@
-//! From a scene's camera and lights, in the caller's unit, to core's, in the scene's magnitude.
+//! From a scene's camera and lights to core's. Both are in the caller's unit; core scales them to the scene's magnitude.
 
 use super::{Camera, Light, Material, Projection, Scene};
 use crate::wide::{cross, dot, normalized};
 use glam::Vec3;
 use slimbvh_core::Aabb;
-use slimbvh_core::float::scale_by_power_of_two;
+use slimbvh_core::float::{abs, exponent, max, scale_by_power_of_two};
 use slimbvh_core::shade::Environment;
 use thiserror::Error;
 
@@ -140,13 +140,12 @@ impl Camera {
         }
     }
 
-    /// The camera as core traces it, its positions multiplied by two to the scene's exponent.
+    /// The camera as core traces it, in the caller's unit.
     ///
     /// # Errors
     /// For a view that makes no picture.
     pub fn to_core(
         &self,
-        scene_exponent: i32,
         [width, height]: [u32; 2],
         sample_count: u32,
     ) -> Result<slimbvh_core::camera::Camera, ViewError> {
@@ -170,44 +169,62 @@ impl Camera {
         }
 
         // At magnitude 1 neither differences nor squares overflow.
-        let scale =
-            |p: [f32; 3]| Vec3::from_array(p.map(|x| scale_by_power_of_two(x, scene_exponent)));
-        let (eye, target) = (scale(self.eye), scale(self.target));
-        if !(eye.is_finite() && target.is_finite()) {
-            return Err(ViewError::TooFar { eye: self.eye });
-        }
-        let toward =
-            unit((target - eye).to_array()).ok_or(ViewError::NoDirection { eye: self.eye })?;
+        let points = self.eye.iter().chain(&self.target);
+        let largest = points.fold(0.0, |largest, &x| max(largest, abs(x)));
+        let to_one = -exponent(largest) - 1;
+        let scale = |p: [f32; 3]| Vec3::from_array(p.map(|x| scale_by_power_of_two(x, to_one)));
+        let toward = unit((scale(self.target) - scale(self.eye)).to_array())
+            .ok_or(ViewError::NoDirection { eye: self.eye })?;
         let right = unit(toward.cross(unit(self.up).unwrap_or(Vec3::Y)).to_array())
             .unwrap_or_else(|| toward.any_orthonormal_vector());
         let up = right.cross(toward);
-        let (half_height, is_parallel) = match self.projection {
+        // A height in the caller's unit is brought to magnitude 1 and back.
+        let (half_height, magnitude, is_parallel) = match self.projection {
             Projection::Perspective { vertical_fov } => {
                 if !(vertical_fov > 0.0 && vertical_fov < 180.0) {
                     return Err(ViewError::AngleOfView {
                         degrees: vertical_fov,
                     });
                 }
-                ((vertical_fov.to_radians() / 2.0).tan(), 0)
+                ((vertical_fov.to_radians() / 2.0).tan(), 0, 0)
             }
             Projection::Orthographic { height } => {
                 if !(height > 0.0 && height.is_finite()) {
                     return Err(ViewError::PictureHeight { height });
                 }
-                (scale_by_power_of_two(height, scene_exponent) / 2.0, 1)
+                let magnitude = exponent(height);
+                let height = scale_by_power_of_two(height, -magnitude);
+                (height / 2.0, magnitude, 1)
             }
         };
         let half_width = half_height * width as f32 / height as f32;
+        let edge = |v: Vec3| {
+            v.to_array()
+                .map(|x| scale_by_power_of_two(x, magnitude).clamp(-f32::MAX, f32::MAX))
+        };
         Ok(slimbvh_core::camera::Camera {
-            eye: eye.to_array(),
+            eye: self.eye,
             is_parallel,
             forward: toward.to_array(),
             width,
-            right: (right * half_width).to_array(),
+            right: edge(right * half_width),
             height,
-            up: (up * half_height).to_array(),
+            up: edge(up * half_height),
             sample_count,
         })
+    }
+
+    /// Whether a scene of this exponent can be seen from where the camera is.
+    ///
+    /// # Errors
+    /// [`ViewError::TooFar`] where it is farther away than numbers reach in the scene's magnitude.
+    pub fn check_reach(&self, scene_exponent: i32) -> Result<(), ViewError> {
+        let reaches = |&x: &f32| scale_by_power_of_two(x, scene_exponent).is_finite();
+        if self.eye.iter().all(reaches) {
+            Ok(())
+        } else {
+            Err(ViewError::TooFar { eye: self.eye })
+        }
     }
 }
 
@@ -227,15 +244,11 @@ impl Light {
         }
     }
 
-    /// The light as core shades with it, its position multiplied by two to the scene's exponent.
+    /// The light as core shades with it, in the caller's unit.
     ///
     /// # Errors
     /// For a light with numbers that make no light; `index` is for the message.
-    pub fn to_core(
-        &self,
-        scene_exponent: i32,
-        index: usize,
-    ) -> Result<slimbvh_core::shade::Light, ViewError> {
+    pub fn to_core(&self, index: usize) -> Result<slimbvh_core::shade::Light, ViewError> {
         let fault = |fault| ViewError::Light { index, fault };
         let (Self::Directional { color, .. } | Self::Point { color, .. }) = *self;
         if color.iter().any(|x| !x.is_finite() || *x < 0.0) {
@@ -260,13 +273,11 @@ impl Light {
                 if range.is_nan() || range <= 0.0 {
                     return Err(fault("has a range that is not above 0"));
                 }
-                // Irradiance falls off with the squared distance, which is scaled twice.
-                let scale = |x| scale_by_power_of_two(x, scene_exponent);
                 Ok(slimbvh_core::shade::Light {
-                    point: position.map(scale),
+                    point: position,
                     is_position: 1,
-                    color: color.map(|x| scale(scale(x)).min(f32::MAX)),
-                    range: scale(range).min(f32::MAX),
+                    color,
+                    range: range.min(f32::MAX),
                 })
             }
         }

@@ -4,6 +4,8 @@ mod bad_input;
 mod files;
 mod golden;
 mod good_output;
+#[cfg(feature = "gpu")]
+mod gpu;
 mod process;
 mod shading_is_right;
 mod wide;

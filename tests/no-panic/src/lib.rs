@@ -5,18 +5,20 @@
 use core::panic::PanicInfo;
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent};
 use slimbvh_core::camera::Camera;
+use slimbvh_core::color::{pack_texel, srgb_bytes};
+use slimbvh_core::compact::{is_set, rank};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
 use slimbvh_core::orientation::{Orientation, Target};
 use slimbvh_core::refit::{PyramidBox, group_bounds, parent_bounds, refit_node};
 use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
 use slimbvh_core::shade::{
-    DirectLight, Environment, Light, Material, Path, ambient_light, direct_light,
+    DirectLight, Environment, Light, Material, Path, ambient_light, direct_light, mean_radiance,
 };
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::sort::{DigitCounts, count_digit, digit, place};
 use slimbvh_core::surface::Surface;
-use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes, rank, single_node};
+use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes, single_node};
 use slimbvh_core::trace::{
     BruteForce, LeafTriangles, PlainNodes, any_hit, closest_hit, nearest_hits,
 };
@@ -90,7 +92,8 @@ pub fn connect(
         internal_node(i, &short, bits, before),
         internal_node(i, &long, bits, before),
     ];
-    kept_nodes(i, &short) ^ kept_nodes(i, &long) ^ rank(i, bits, before)
+    let rank = rank(i, bits, before) ^ u32::from(is_set(i, bits));
+    kept_nodes(i, &short) ^ kept_nodes(i, &long) ^ rank
 }
 
 #[unsafe(no_mangle)]
@@ -129,29 +132,41 @@ pub fn shade(
     triangle: &Triangle,
     hit: &Hit,
     scene: &(Light, Material, Environment, Target),
-    to: Out<(Path, Path, DirectLight, Orientation)>,
+    to: Out<(Path, Path, DirectLight, Orientation, Vec3)>,
 ) {
     let (light, material, environment, target) = scene;
-    let path = Path::new(camera.ray(hit.primitive));
+    let scale = PowerOfTwo::new(9);
+    let path = Path::new(camera.scaled(&scale).ray(hit.primitive));
     let normal = triangle.normal();
     let surface = Surface::new(*triangle, hit, normal, [normal; 3]);
     *to = (
         path.with_light(ambient_light(material, environment))
             .scattered(&surface, material, hit.primitive),
         path.escaped(environment),
-        direct_light(&surface, material, light),
+        direct_light(&surface, material, &light.scaled(&scale)),
         Orientation::new(triangle, target),
+        mean_radiance(&[path], hit.primitive, 2),
     );
 }
 
 #[unsafe(no_mangle)]
-pub fn show(hit: &Hit, normal: &Vec3, to: Out<[Vec3; 4]>) {
+pub fn show(
+    hit: &Hit,
+    normal: &Vec3,
+    items: &[[u32; 2]],
+    values: &[u32],
+    to: Out<[Vec3; 6]>,
+) -> u32 {
+    let i = view::depth_value(hit);
     *to = [
         view::normal_color(*normal),
         view::primitive_color(hit.primitive),
         view::depth_color(hit.t, hit.u, hit.v),
         view::heat_color(hit.primitive, 9),
+        view::mean_depth_color(values, i, 4, view::depth_range(items)),
+        view::mean_heat_color(values, i, 4, view::heat_range(items)),
     ];
+    pack_texel(srgb_bytes(*normal))
 }
 
 #[cfg(feature = "plant-panic")]

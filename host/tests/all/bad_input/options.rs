@@ -202,12 +202,31 @@ fn words_that_mean_nothing() {
     assert!(help.contains("Usage: slimbvh <COMMAND>"), "{help}");
 }
 
-/// As long as there is none.
 #[test]
-fn a_backend_that_is_not_built() {
+fn a_gpu_on_a_machine_without_one() {
     let folder = folder();
     for output in OUTPUTS {
         let arguments = ["render", "sound.obj", "-o", output, "--backend", "gpu"];
-        refuses(&folder, &arguments, &["no GPU backend", "--backend cpu"]);
+        refuses(&folder, &arguments, &["there is no GPU", "use the CPU"]);
+        let arguments = ["render", "sound.obj", "-o", output, "--adapter", "nothing"];
+        refuses(&folder, &arguments, &["there is no GPU", "use the CPU"]);
     }
+}
+
+#[test]
+fn a_gpu_for_the_cpu() {
+    let folder = folder();
+    let arguments = ["render", "sound.obj", "--backend=cpu", "--adapter=llvm"];
+    refuses(
+        &folder,
+        &arguments,
+        &["--adapter \"llvm\"", "--backend cpu"],
+    );
+}
+
+#[test]
+fn adapters_of_a_scene() {
+    let folder = folder();
+    let arguments = ["info", "sound.obj", "--adapters"];
+    refuses_usage(&folder, &arguments, &["--adapters", "cannot be used with"]);
 }

@@ -23,6 +23,7 @@ fn help_has_every_option() {
     let folder = Folder::new();
     let render = folder.succeed(["render", "--help"]);
     let expected = [
+        "--adapter",
         "--backend",
         "--camera",
         "--codes",
@@ -58,7 +59,7 @@ fn help_has_every_option() {
     let info = folder.succeed(["info", "--help"]);
     assert_eq!(
         options_in(&info),
-        ["--all", "--help", "--json", "--lenient"],
+        ["--adapters", "--all", "--help", "--json", "--lenient"],
         "{info}"
     );
     let top = folder.succeed(["--help"]);

@@ -57,6 +57,7 @@ fn check_report(report: &Value, counts_visits: bool) {
         "samples_per_pixel",
         "backend",
         "threads",
+        "adapter",
         "triangles",
         "dropped_faces",
         "nodes",
@@ -81,6 +82,7 @@ fn check_report(report: &Value, counts_visits: bool) {
     let [triangles, nodes] = ["triangles", "nodes"].map(|key| number(report, key));
     assert_eq!(report["scene"], "default scene");
     assert_eq!(report["backend"], "cpu");
+    assert!(report["adapter"].is_null());
     assert_eq!(number(report, "threads"), 2.0);
     assert_eq!(number(report, "dropped_faces"), 0.0);
     assert_eq!(

@@ -3,9 +3,11 @@
 use super::{is_inside, meet, pixel_ray, pixels, quads, render, settings};
 use crate::wide::{Wide, wide};
 use glam::Vec3;
+use slimbvh::scene::ViewError;
 use slimbvh::{Camera, Mesh, Projection, RenderSettings, Scene, View};
 use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
+use slimbvh_core::float::PowerOfTwo;
 
 /// Four quads of one size, facing +z, at several depths.
 const QUADS: [(Wide, Wide, Wide); 4] = [
@@ -148,6 +150,47 @@ fn depth_of_what_faces_the_camera_is_even() {
     }
 }
 
+#[test]
+fn a_camera_is_the_same_in_every_unit() {
+    for projection in [
+        Projection::Perspective { vertical_fov: 50.0 },
+        Projection::Orthographic { height: 6.5 },
+    ] {
+        let of = |exponent: i32| {
+            let unit = 2.0_f32.powi(exponent);
+            let place = |p: [f32; 3]| p.map(|x| x * unit);
+            let camera = Camera {
+                eye: place([1.0, 2.0, 3.5]),
+                target: place([-0.3, 0.7, -9.0]),
+                up: [0.1, 1.0, 0.0],
+                projection: match projection {
+                    Projection::Orthographic { height } => Projection::Orthographic {
+                        height: height * unit,
+                    },
+                    perspective => perspective,
+                },
+            };
+            let core = camera.to_core([17, 9], 4).expect("it is sound");
+            core.scaled(&PowerOfTwo::new(-exponent))
+        };
+        for exponent in [-110, -3, 40, 120] {
+            assert_eq!(of(exponent), of(0));
+        }
+    }
+}
+
+#[test]
+fn a_camera_may_be_too_far_away_for_a_tiny_scene() {
+    let far = Camera {
+        eye: [0.0, 1e30, 0.0],
+        ..camera(Projection::Perspective { vertical_fov: 50.0 })
+    };
+    assert!(far.to_core([4, 3], 1).is_ok());
+    assert_eq!(far.check_reach(20), Ok(()));
+    let error = ViewError::TooFar { eye: far.eye };
+    assert_eq!(far.check_reach(60), Err(error));
+}
+
 /// Boxes of all sizes and places.
 fn boxes() -> Vec<Aabb> {
     let mut boxes = Vec::new();
@@ -186,9 +229,10 @@ fn the_default_camera_sees_the_whole_model() {
             let mut scene = Scene::default();
             scene.complete(Some(bounds), size);
             let exponent = scene_exponent(&bounds);
-            let camera = scene.cameras[0].to_core(exponent, size, 1);
+            let camera = scene.cameras[0].to_core(size, 1);
             let camera = camera.unwrap_or_else(|error| panic!("{bounds:?} {size:?}: {error}"));
-            let light = scene.lights[0].to_core(exponent, 0);
+            let camera = camera.scaled(&PowerOfTwo::new(exponent));
+            let light = scene.lights[0].to_core(0);
             light.unwrap_or_else(|error| panic!("{bounds:?}: {error}"));
             let [eye, forward, right, up] =
                 [camera.eye, camera.forward, camera.right, camera.up].map(Wide::from);

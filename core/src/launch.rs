@@ -1,0 +1,60 @@
+//! How the threads of a GPU are counted: what its entry points and those who dispatch them must agree on.
+
+/// Threads in a workgroup.
+pub const LANES: usize = 64;
+
+/// Digits that a pass of the sort tells apart: 4 bits.
+pub const DIGITS: usize = 16;
+
+/// Items that a lane takes in `bounds`, `sort` and `scan`.
+pub const RUN: u32 = 16;
+
+/// Items that a workgroup takes in `bounds`, `sort` and `scan`: a block.
+pub const BLOCK: u32 = LANES as u32 * RUN;
+
+/// Hits that `trace_nearest` finds.
+pub const NEAREST_COUNT: usize = 8;
+
+/// Workgroups along x in a dispatch; what is more goes on in the next row. Each axis takes at most 65,535.
+pub const GROUPS_PER_ROW: u32 = 1 << 15;
+
+/// The dispatch of this many workgroups, and of as many more as fill the last row.
+#[inline(always)]
+#[must_use]
+pub const fn dispatch(group_count: u32) -> [u32; 3] {
+    let row = if group_count < GROUPS_PER_ROW {
+        group_count
+    } else {
+        GROUPS_PER_ROW
+    };
+    [row, group_count.div_ceil(GROUPS_PER_ROW), 1]
+}
+
+/// A thread's number among all rows of a [`dispatch`], from its place along x and y.
+#[inline(always)]
+#[must_use]
+pub const fn thread_index(x: u32, y: u32) -> u32 {
+    x + y * (GROUPS_PER_ROW * LANES as u32)
+}
+
+/// A workgroup's number among all rows of a [`dispatch`], from its place along x and y.
+#[inline(always)]
+#[must_use]
+pub const fn group_index(x: u32, y: u32) -> u32 {
+    x + y * GROUPS_PER_ROW
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_hold_every_group_once() {
+        assert_eq!(dispatch(0), [0, 0, 1]);
+        assert_eq!(dispatch(5), [5, 1, 1]);
+        assert_eq!(dispatch(GROUPS_PER_ROW), [GROUPS_PER_ROW, 1, 1]);
+        assert_eq!(dispatch(GROUPS_PER_ROW + 1), [GROUPS_PER_ROW, 2, 1]);
+        assert_eq!(group_index(3, 1), GROUPS_PER_ROW + 3);
+        assert_eq!(thread_index(7, 1), GROUPS_PER_ROW * LANES as u32 + 7);
+    }
+}

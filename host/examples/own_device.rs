@@ -1,0 +1,111 @@
+//! An application that has a wgpu device and geometry on it already: two hills that move, built once, then refitted, and
+//! traced straight down in the same submission. Nothing is read back but the hits.
+
+use bytemuck::cast_slice;
+use slimbvh::gpu::{Builder, Bvh, Gpu, Mesh, Query, wgpu};
+use slimbvh::{BuildConfig, Hit, Ray};
+use std::error::Error;
+use wgpu::BufferUsages;
+
+/// Squares along a side of the ground.
+const SIDE: u32 = 64;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let (device, queue) = pollster::block_on(open())?;
+    let buffer = |label, bytes: u64, usage| {
+        device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size: bytes,
+            usage: usage | BufferUsages::STORAGE | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        })
+    };
+
+    // What the application has: vertices, indices, rays, and room for hits.
+    let indices = squares();
+    let rays: Vec<Ray> = (0..SIDE)
+        .map(|i| Ray::new([i as f32 + 0.3, 100.0, 31.6], [0.0, -1.0, 0.0]))
+        .collect();
+    let vertex_buffer = buffer(
+        "vertices",
+        12 * u64::from((SIDE + 1) * (SIDE + 1)),
+        BufferUsages::VERTEX,
+    );
+    let index_buffer = buffer("indices", 12 * indices.len() as u64, BufferUsages::INDEX);
+    let ray_buffer = buffer("rays", 32 * u64::from(SIDE), BufferUsages::empty());
+    let hit_buffer = buffer("hits", 16 * u64::from(SIDE), BufferUsages::COPY_SRC);
+    queue.write_buffer(&index_buffer, 0, cast_slice(&indices));
+    queue.write_buffer(&ray_buffer, 0, cast_slice(&rays));
+
+    // slimbvh works on the same device.
+    let gpu = Gpu::from_device(device.clone(), queue.clone())?;
+    let mesh = Mesh::from_buffers(&gpu, vertex_buffer.slice(..), index_buffer.slice(..))?;
+    let mut builder = Builder::new(BuildConfig::default());
+    let mut bvh = Bvh::new();
+
+    for step in 0..3 {
+        let phase = step as f32;
+        queue.write_buffer(&vertex_buffer, 0, cast_slice(&hills(phase)));
+
+        let mut frame = gpu.frame();
+        if step == 0 {
+            builder.build(&mut frame, &mesh, &mut bvh)?;
+        } else {
+            builder.refit(&mut frame, &mesh, &mut bvh)?;
+        }
+        bvh.trace(
+            &mut frame,
+            Query::Closest,
+            ray_buffer.slice(..),
+            hit_buffer.slice(..),
+        )?;
+        let hits = frame.read_later(hit_buffer.slice(..))?;
+        let stages = frame.submit()?.wait()?;
+
+        let hits: Vec<Hit> = hits.read(&gpu)?;
+        let heights = hits.iter().map(|hit| 100.0 - hit.t);
+        println!("{}", heights.clone().map(mark).collect::<String>());
+        println!("  {stages}");
+        for (i, found) in heights.enumerate() {
+            let expected = height(i as f32 + 0.3, 31.6, phase);
+            assert!((found - expected).abs() < 0.1, "{i}: {found} {expected}");
+        }
+    }
+    Ok(())
+}
+
+/// The application's own device, on whatever there is.
+async fn open() -> Result<(wgpu::Device, wgpu::Queue), Box<dyn Error>> {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+    let adapter = instance
+        .request_adapter(&wgpu::RequestAdapterOptions::default())
+        .await?;
+    Ok(adapter
+        .request_device(&wgpu::DeviceDescriptor::default())
+        .await?)
+}
+
+fn height(x: f32, z: f32, phase: f32) -> f32 {
+    4.0 * (0.2 * x + phase).sin() + 2.0 * (0.15 * z).cos()
+}
+
+fn hills(phase: f32) -> Vec<[f32; 3]> {
+    let points = (0..=SIDE).flat_map(|z| (0..=SIDE).map(move |x| (x as f32, z as f32)));
+    points.map(|(x, z)| [x, height(x, z, phase), z]).collect()
+}
+
+fn squares() -> Vec<[u32; 3]> {
+    let corners = (0..SIDE).flat_map(|z| (0..SIDE).map(move |x| z * (SIDE + 1) + x));
+    corners
+        .flat_map(|a| {
+            let (b, c, d) = (a + 1, a + SIDE + 1, a + SIDE + 2);
+            [[a, c, b], [b, c, d]]
+        })
+        .collect()
+}
+
+/// A height as a character, low to high.
+fn mark(height: f32) -> char {
+    let marks = ['_', '.', '-', '=', '+', '*', '#', '%'];
+    marks[((height + 6.0) / 12.0 * 8.0).clamp(0.0, 7.0) as usize]
+}

@@ -1,0 +1,108 @@
+//! A compute shader of one's own, in WGSL, that traces rays: it looks at a teapot and stores how steep what it sees is.
+
+use slimbvh::gpu::{AdapterChoice, Builder, Bvh, Gpu, Mesh, wgpu, wgsl};
+use slimbvh::{BuildConfig, generate};
+use std::error::Error;
+
+const SIZE: [u32; 2] = [78, 30];
+
+/// Group 0 belongs to slimbvh, group 1 to us.
+const SHADER: &str = "
+@group(1) @binding(0) var<storage, read_write> steepness: array<f32>;
+
+@compute @workgroup_size(8, 8)
+fn look(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x >= 78u || id.y >= 30u {
+        return;
+    }
+    // Parallel rays, seen from the front and a little from above.
+    let x = (f32(id.x) / 77.0 - 0.5) * 35.0;
+    let y = (0.5 - f32(id.y) / 29.0) * 26.0;
+    let origin = vec3<f32>(x, y + 25.0, 50.0);
+    let direction = vec3<f32>(0.0, -0.5, -1.0);
+    let hit = slimbvh_closest_hit(origin, 0.0, direction, 100.0);
+
+    // Two more rays beside it tell the slope.
+    var answer = -1.0;
+    if hit.primitive != 0xffffffffu {
+        let across = slimbvh_closest_hit(origin + vec3<f32>(0.01, 0.0, 0.0), 0.0, direction, 100.0);
+        let along = slimbvh_closest_hit(origin + vec3<f32>(0.0, 0.01, 0.0), 0.0, direction, 100.0);
+        let slope = vec2<f32>(across.t - hit.t, along.t - hit.t) / 0.01;
+        answer = min(length(slope), 4.0) / 4.0;
+    }
+    steepness[id.y * 78u + id.x] = answer;
+}
+";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let gpu = Gpu::open(&AdapterChoice::Any)?;
+    let device = gpu.device();
+    let mesh = Mesh::upload(&gpu, &generate::teapot())?;
+    let (mut builder, mut bvh) = (Builder::new(BuildConfig::default()), Bvh::new());
+
+    // The shader, after slimbvh's text.
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some("look"),
+        source: wgpu::ShaderSource::Wgsl((wgsl(0) + SHADER).into()),
+    });
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some("look"),
+        layout: None,
+        module: &module,
+        entry_point: Some("look"),
+        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        cache: None,
+    });
+    let steepness = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("steepness"),
+        size: 4 * u64::from(SIZE[0] * SIZE[1]),
+        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
+        mapped_at_creation: false,
+    });
+
+    // Build, then look, in one submission.
+    let mut frame = gpu.frame();
+    builder.build(&mut frame, &mesh, &mut bvh)?;
+    let tree = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("tree"),
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &bvh.bindings()?,
+    });
+    let own = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("own"),
+        layout: &pipeline.get_bind_group_layout(1),
+        entries: &[wgpu::BindGroupEntry {
+            binding: 0,
+            resource: steepness.as_entire_binding(),
+        }],
+    });
+    let mut pass = frame.encoder().begin_compute_pass(&Default::default());
+    pass.set_pipeline(&pipeline);
+    pass.set_bind_group(0, &tree, &[]);
+    pass.set_bind_group(1, &own, &[]);
+    pass.dispatch_workgroups(SIZE[0].div_ceil(8), SIZE[1].div_ceil(8), 1);
+    drop(pass);
+    let answers = frame.read_later(steepness.slice(..))?;
+    frame.submit()?.wait()?;
+
+    let answers: Vec<f32> = answers.read(&gpu)?;
+    for row in answers.chunks(SIZE[0] as usize) {
+        println!("{}", row.iter().copied().map(mark).collect::<String>());
+    }
+    let seen = answers.iter().filter(|&&answer| answer >= 0.0).count();
+    let share = seen as f64 / answers.len() as f64;
+    assert!(
+        (0.3..0.7).contains(&share),
+        "{share} of the picture is teapot"
+    );
+    Ok(())
+}
+
+/// Flat to steep, and nothing.
+fn mark(steepness: f32) -> char {
+    let marks = ['@', '%', '#', '*', '+', '=', '-', ':', '.'];
+    if steepness < 0.0 {
+        return ' ';
+    }
+    marks[(steepness * 8.99) as usize]
+}

@@ -1,0 +1,76 @@
+//! What computes: the CPU or a GPU.
+
+use anyhow::{Result, bail};
+use clap::{Args, ValueEnum};
+
+#[derive(Debug, Args)]
+pub struct BackendArguments {
+    /// What computes
+    #[arg(long, value_enum, default_value_t = Backend::Auto)]
+    backend: Backend,
+
+    /// The GPU with this in its name, also one that computes in software; `slimbvh info --adapters` lists them
+    #[arg(long, value_name = "NAME")]
+    adapter: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Backend {
+    /// A GPU where there is a real one, else the CPU
+    Auto,
+    /// This machine's cores
+    Cpu,
+    /// A GPU
+    Gpu,
+}
+
+/// What was chosen.
+pub enum Chosen {
+    Cpu,
+    #[cfg(feature = "gpu")]
+    Gpu(slimbvh::gpu::Gpu),
+    /// Nobody asked for it: where it is too small, the CPU does it.
+    #[cfg(feature = "gpu")]
+    GpuIfItFits(slimbvh::gpu::Gpu),
+}
+
+/// Opens what the arguments ask for.
+#[cfg(feature = "gpu")]
+pub fn choose(arguments: &BackendArguments) -> Result<Chosen> {
+    use slimbvh::gpu::{AdapterChoice, Gpu, GpuError};
+    match (arguments.backend, &arguments.adapter) {
+        (Backend::Cpu, Some(name)) => {
+            bail!("--adapter {name:?} asks for a GPU, but --backend cpu for none; leave one out")
+        }
+        (Backend::Cpu, None) => Ok(Chosen::Cpu),
+        (_, Some(name)) => Ok(Chosen::Gpu(Gpu::open(&AdapterChoice::Named(name.clone()))?)),
+        (Backend::Gpu, None) => Ok(Chosen::Gpu(Gpu::open(&AdapterChoice::Hardware)?)),
+        (Backend::Auto, None) => Ok(match Gpu::open(&AdapterChoice::Hardware) {
+            Ok(gpu) => Chosen::GpuIfItFits(gpu),
+            Err(GpuError::NoAdapter(_)) => Chosen::Cpu,
+            Err(error) => {
+                super::output::warn(&format!("{error}; the CPU does it"));
+                Chosen::Cpu
+            }
+        }),
+    }
+}
+
+/// The CPU, as there is nothing else.
+#[cfg(not(feature = "gpu"))]
+pub fn choose(arguments: &BackendArguments) -> Result<Chosen> {
+    if arguments.backend == Backend::Gpu || arguments.adapter.is_some() {
+        bail!("this build has no GPU backend; use --backend cpu, or build with the feature gpu");
+    }
+    Ok(Chosen::Cpu)
+}
+
+/// Whether the CPU may do what the GPU could not.
+#[cfg(feature = "gpu")]
+pub fn is_the_gpus_fault(error: &anyhow::Error) -> bool {
+    use slimbvh::gpu::GpuError;
+    match error.downcast_ref() {
+        Some(GpuError::Mesh(_) | GpuError::Refit(_) | GpuError::View(_)) | None => false,
+        Some(_) => true,
+    }
+}

@@ -1,0 +1,131 @@
+//! Which GPUs there are, and which one to take.
+
+use super::AdapterError;
+use pollster::block_on;
+
+/// Which GPU to take.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum AdapterChoice {
+    /// The strongest real GPU: a discrete one before an integrated one. Never one that computes on the CPU.
+    #[default]
+    Hardware,
+    /// The strongest, one that computes on the CPU where there is nothing else.
+    Any,
+    /// The first with this in its name, in capitals or not, real or software.
+    Named(String),
+}
+
+/// An adapter, for people.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AdapterSummary {
+    /// Its name.
+    pub name: String,
+    /// Discrete, integrated, virtual, software, or other.
+    pub kind: &'static str,
+    /// Vulkan, Metal, or Direct3D 12.
+    pub api: &'static str,
+    /// The driver and its version.
+    pub driver: String,
+    /// Whether it computes on the CPU.
+    pub is_software: bool,
+    /// Whether stages are timed on it.
+    pub has_timestamps: bool,
+    /// Most bytes in a buffer.
+    pub max_buffer_bytes: u64,
+    /// Most bytes that a kernel sees of a buffer.
+    pub max_binding_bytes: u64,
+    /// Most storage buffers that a kernel sees.
+    pub max_storage_buffers: u32,
+    /// Most bytes that a workgroup shares.
+    pub max_workgroup_bytes: u32,
+    /// Threads of a subgroup, at least and at most.
+    pub subgroup_size: [u32; 2],
+}
+
+/// All adapters, in the order in which they are preferred.
+#[must_use]
+pub fn adapters() -> Vec<AdapterSummary> {
+    enumerate().iter().map(summarize).collect()
+}
+
+pub(super) fn choose(choice: &AdapterChoice) -> Result<wgpu::Adapter, AdapterError> {
+    let adapters = enumerate();
+    let names = adapters
+        .iter()
+        .map(|adapter| format!("{:?}", adapter.get_info().name))
+        .collect::<Vec<_>>()
+        .join(", ");
+    if adapters.is_empty() {
+        return Err(AdapterError::None);
+    }
+    match choice {
+        AdapterChoice::Any => adapters.into_iter().next().ok_or(AdapterError::None),
+        AdapterChoice::Hardware => adapters
+            .into_iter()
+            .find(|adapter| !is_software(&adapter.get_info()))
+            .ok_or(AdapterError::OnlySoftware { names }),
+        AdapterChoice::Named(wanted) => {
+            let lower = wanted.to_lowercase();
+            adapters
+                .into_iter()
+                .find(|adapter| adapter.get_info().name.to_lowercase().contains(&lower))
+                .ok_or(AdapterError::NoSuchName {
+                    wanted: wanted.clone(),
+                    names,
+                })
+        }
+    }
+}
+
+/// All adapters that run compute shaders, the preferred ones first.
+fn enumerate() -> Vec<wgpu::Adapter> {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = wgpu::Backends::PRIMARY;
+    // Errors come to us; a driver's own validation layer is for its developers.
+    descriptor.flags = wgpu::InstanceFlags::empty().with_env();
+    let instance = wgpu::Instance::new(descriptor);
+    let mut adapters = block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY));
+    let compute = wgpu::DownlevelFlags::COMPUTE_SHADERS;
+    adapters.retain(|adapter| adapter.get_downlevel_capabilities().flags.contains(compute));
+    adapters.sort_by_key(|adapter| match adapter.get_info().device_type {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Other => 3,
+        wgpu::DeviceType::Cpu => 4,
+    });
+    adapters
+}
+
+fn is_software(info: &wgpu::AdapterInfo) -> bool {
+    info.device_type == wgpu::DeviceType::Cpu
+}
+
+fn summarize(adapter: &wgpu::Adapter) -> AdapterSummary {
+    let (info, limits) = (adapter.get_info(), adapter.limits());
+    let driver = format!("{} {}", info.driver, info.driver_info);
+    AdapterSummary {
+        kind: match info.device_type {
+            wgpu::DeviceType::DiscreteGpu => "discrete",
+            wgpu::DeviceType::IntegratedGpu => "integrated",
+            wgpu::DeviceType::VirtualGpu => "virtual",
+            wgpu::DeviceType::Cpu => "software",
+            wgpu::DeviceType::Other => "other",
+        },
+        api: match info.backend {
+            wgpu::Backend::Vulkan => "Vulkan",
+            wgpu::Backend::Metal => "Metal",
+            wgpu::Backend::Dx12 => "Direct3D 12",
+            _ => "other",
+        },
+        driver: driver.trim().into(),
+        is_software: is_software(&info),
+        has_timestamps: adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY),
+        max_buffer_bytes: limits.max_buffer_size,
+        max_binding_bytes: limits.max_storage_buffer_binding_size,
+        max_storage_buffers: limits.max_storage_buffers_per_shader_stage,
+        max_workgroup_bytes: limits.max_compute_workgroup_storage_size,
+        subgroup_size: [info.subgroup_min_size, info.subgroup_max_size],
+        name: info.name,
+    }
+}

@@ -1,0 +1,176 @@
+//! Buffers that are used again, ranges of them, and what comes back from them.
+
+use super::{Gpu, GpuError};
+use bytemuck::AnyBitPattern;
+use wgpu::BufferUsages;
+
+/// Ranges begin at multiples of this, which every adapter takes.
+pub const ALIGNMENT: u64 = 256;
+
+/// A part of a buffer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Range {
+    pub buffer: wgpu::Buffer,
+    pub offset: u64,
+    pub size: u64,
+}
+
+impl Range {
+    pub fn whole(buffer: &wgpu::Buffer) -> Self {
+        Self {
+            buffer: buffer.clone(),
+            offset: 0,
+            size: buffer.size(),
+        }
+    }
+
+    pub fn of_slice(slice: wgpu::BufferSlice) -> Self {
+        Self {
+            buffer: slice.buffer().clone(),
+            offset: slice.offset(),
+            size: slice.size(),
+        }
+    }
+
+    /// A part of this range.
+    pub fn part(&self, offset: u64, size: u64) -> Self {
+        debug_assert!(offset + size <= self.size, "{offset} {size} {}", self.size);
+        Self {
+            buffer: self.buffer.clone(),
+            offset: self.offset + offset,
+            size,
+        }
+    }
+
+    pub fn binding(&self) -> wgpu::BufferBinding<'_> {
+        wgpu::BufferBinding {
+            buffer: &self.buffer,
+            offset: self.offset,
+            size: wgpu::BufferSize::new(self.size),
+        }
+    }
+}
+
+/// A buffer that grows when more is needed, and else is used again.
+#[derive(Clone, Debug)]
+pub struct Slot {
+    label: &'static str,
+    usage: BufferUsages,
+    buffer: Option<wgpu::Buffer>,
+}
+
+impl Slot {
+    /// A place for a storage buffer.
+    pub const fn storage(label: &'static str) -> Self {
+        Self::new(label, BufferUsages::STORAGE)
+    }
+
+    pub const fn new(label: &'static str, usage: BufferUsages) -> Self {
+        Self {
+            label,
+            usage: usage.union(BufferUsages::COPY_SRC),
+            buffer: None,
+        }
+    }
+
+    /// A range of this many bytes, what it holds being of no account. Sizes are checked before.
+    pub fn range(&mut self, gpu: &Gpu, bytes: u64) -> Range {
+        let fits = self.buffer.as_ref().filter(|b| b.size() >= bytes).cloned();
+        let buffer = fits.unwrap_or_else(|| {
+            // The old one goes first.
+            self.buffer = None;
+            gpu.device().create_buffer(&wgpu::BufferDescriptor {
+                label: Some(self.label),
+                size: bytes,
+                usage: self.usage,
+                mapped_at_creation: false,
+            })
+        });
+        self.buffer = Some(buffer.clone());
+        Range {
+            buffer,
+            offset: 0,
+            size: bytes,
+        }
+    }
+
+    pub fn bytes(&self) -> u64 {
+        self.buffer.as_ref().map_or(0, wgpu::Buffer::size)
+    }
+}
+
+/// A new buffer that holds this, or one zeroed element where there is none: no binding can be empty.
+pub fn upload<T: bytemuck::NoUninit>(
+    gpu: &Gpu,
+    label: &'static str,
+    usage: BufferUsages,
+    items: &[T],
+) -> wgpu::Buffer {
+    let bytes: &[u8] = bytemuck::cast_slice(items);
+    let buffer = gpu.device().create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size: bytes.len().max(size_of::<T>()).next_multiple_of(4) as u64,
+        usage: usage | BufferUsages::COPY_DST | BufferUsages::COPY_SRC,
+        mapped_at_creation: false,
+    });
+    if !bytes.is_empty() {
+        gpu.queue().write_buffer(&buffer, 0, bytes);
+    }
+    buffer
+}
+
+/// What a submitted frame has copied, to be read when it is done.
+#[derive(Debug)]
+#[must_use]
+pub struct Download(wgpu::Buffer);
+
+impl Download {
+    /// Records the copy of a range.
+    pub(super) fn record(gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, from: &Range) -> Self {
+        let to = gpu.device().create_buffer(&wgpu::BufferDescriptor {
+            label: Some("slimbvh download"),
+            size: from.size,
+            usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        encoder.copy_buffer_to_buffer(&from.buffer, from.offset, &to, 0, from.size);
+        Self(to)
+    }
+
+    /// Waits for the copy, and reads it.
+    ///
+    /// # Errors
+    /// If the device was lost.
+    pub fn read<T: AnyBitPattern + bytemuck::NoUninit>(
+        self,
+        gpu: &Gpu,
+    ) -> Result<Vec<T>, GpuError> {
+        read_mapped(gpu, &self.0)
+    }
+}
+
+/// Maps a buffer, waits for it, and copies what it holds.
+pub fn read_mapped<T: AnyBitPattern + bytemuck::NoUninit>(
+    gpu: &Gpu,
+    buffer: &wgpu::Buffer,
+) -> Result<Vec<T>, GpuError> {
+    gpu.checked(|| {
+        let (sender, mapped) = std::sync::mpsc::channel();
+        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+            // Nobody waits for it after an error.
+            let _ = sender.send(result);
+        });
+        gpu.wait(None)?;
+        match mapped.try_recv() {
+            Ok(Ok(())) => {}
+            _ => return Err(gpu.lost("its memory cannot be read")),
+        }
+        let view = buffer
+            .get_mapped_range(..)
+            .map_err(|error| gpu.lost(&error.to_string()))?;
+        let items = bytemuck::pod_collect_to_vec(&view);
+        drop(view);
+        buffer.unmap();
+        Ok(items)
+    })
+}

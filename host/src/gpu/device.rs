@@ -1,0 +1,261 @@
+//! A device with its compiled kernels, and the errors that it reports.
+
+use super::kernel::{Kernel, Pipelines};
+use super::timer::TimerPool;
+use super::{AdapterChoice, Frame, GpuError, adapter};
+use pollster::block_on;
+use std::sync::{Arc, OnceLock};
+
+/// A GPU ready to work: its own, or one that the caller has opened already.
+///
+/// Kernels are compiled when they are first used. All methods that record or submit work report errors of the driver as
+/// [`GpuError`]; nothing panics, and nothing is left to wgpu's own handler.
+#[derive(Debug)]
+pub struct Gpu {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    name: String,
+    limits: wgpu::Limits,
+    pipelines: Pipelines,
+    pub(super) timers: TimerPool,
+    lost: Arc<OnceLock<String>>,
+}
+
+impl Gpu {
+    /// Opens an adapter with all the limits that it has.
+    ///
+    /// # Errors
+    /// Where there is no such adapter, the driver refuses to open it, or it is too small for the kernels.
+    pub fn open(choice: &AdapterChoice) -> Result<Self, GpuError> {
+        let adapter = adapter::choose(choice)?;
+        let info = adapter.get_info();
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("slimbvh"),
+            required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
+            required_limits: adapter.limits(),
+            memory_hints: wgpu::MemoryHints::MemoryUsage,
+            ..wgpu::DeviceDescriptor::default()
+        };
+        let opened = block_on(adapter.request_device(&descriptor));
+        let (device, queue) = opened.map_err(|error| GpuError::Refused {
+            adapter: info.name,
+            reason: one_line(&error.to_string()),
+        })?;
+        let gpu = Self::from_device(device, queue)?;
+
+        // Ours alone: nobody else waits for these.
+        let lost = Arc::clone(&gpu.lost);
+        gpu.device.set_device_lost_callback(move |_, message| {
+            // Only the first reason counts.
+            let _ = lost.set(one_line(&message));
+        });
+        let late = Arc::clone(&gpu.lost);
+        gpu.device.on_uncaptured_error(Arc::new(move |error| {
+            let _ = late.set(one_line(&error.to_string()));
+        }));
+        Ok(gpu)
+    }
+
+    /// Works on a device that the caller has opened; its limits hold. With the feature `TIMESTAMP_QUERY` stages are
+    /// timed. The caller's own handlers of errors and of device loss stay in place.
+    ///
+    /// # Errors
+    /// Where the device is too small for the kernels.
+    pub fn from_device(device: wgpu::Device, queue: wgpu::Queue) -> Result<Self, GpuError> {
+        let (limits, name) = (device.limits(), device.adapter_info().name);
+        let needs: [(&'static str, u64, u64); 4] = [
+            (
+                "max_storage_buffers_per_shader_stage",
+                limits.max_storage_buffers_per_shader_stage.into(),
+                8,
+            ),
+            (
+                "max_compute_workgroup_storage_size",
+                limits.max_compute_workgroup_storage_size.into(),
+                4096,
+            ),
+            (
+                "max_compute_invocations_per_workgroup",
+                limits.max_compute_invocations_per_workgroup.into(),
+                slimbvh_core::launch::LANES as u64,
+            ),
+            (
+                "max_compute_workgroups_per_dimension",
+                limits.max_compute_workgroups_per_dimension.into(),
+                slimbvh_core::launch::GROUPS_PER_ROW.into(),
+            ),
+        ];
+        for (limit, has, needs) in needs {
+            if has < needs {
+                return Err(GpuError::TooSmall {
+                    adapter: name,
+                    limit,
+                    has,
+                    needs,
+                });
+            }
+        }
+        Ok(Self {
+            timers: TimerPool::new(&device),
+            device,
+            queue,
+            name,
+            limits,
+            pipelines: Pipelines::default(),
+            lost: Arc::default(),
+        })
+    }
+
+    /// The device, for own work.
+    #[must_use]
+    pub fn device(&self) -> &wgpu::Device {
+        &self.device
+    }
+
+    /// The queue, for own work.
+    #[must_use]
+    pub fn queue(&self) -> &wgpu::Queue {
+        &self.queue
+    }
+
+    /// The adapter's name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The device's limits.
+    #[must_use]
+    pub fn limits(&self) -> &wgpu::Limits {
+        &self.limits
+    }
+
+    /// Begins a frame: all that is recorded into it is one submission.
+    #[must_use]
+    pub fn frame(&self) -> Frame<'_> {
+        Frame::new(self)
+    }
+
+    /// A compiled kernel, for own dispatches; see [`Kernel`].
+    ///
+    /// # Errors
+    /// Those of the driver's compiler.
+    pub fn pipeline(&self, kernel: Kernel) -> Result<wgpu::ComputePipeline, GpuError> {
+        self.checked(|| Ok(self.pipelines.pipeline(&self.device, kernel)))
+    }
+
+    /// Runs commands, and turns what the driver objects to into an error.
+    pub(super) fn checked<R>(
+        &self,
+        work: impl FnOnce() -> Result<R, GpuError>,
+    ) -> Result<R, GpuError> {
+        self.check_alive()?;
+        let filters = [
+            wgpu::ErrorFilter::OutOfMemory,
+            wgpu::ErrorFilter::Internal,
+            wgpu::ErrorFilter::Validation,
+        ];
+        let [memory, internal, validation] = filters.map(|f| self.device.push_error_scope(f));
+        let result = work();
+        // Scopes end in the order opposite to that in which they began.
+        let (validation, internal, memory) = (
+            block_on(validation.pop()),
+            block_on(internal.pop()),
+            block_on(memory.pop()),
+        );
+        self.check_alive()?;
+        match memory.or(internal).or(validation) {
+            Some(error) => Err(self.describe(&error)),
+            None => result,
+        }
+    }
+
+    /// Fails once the device is lost.
+    pub(super) fn check_alive(&self) -> Result<(), GpuError> {
+        match self.lost.get() {
+            Some(reason) => Err(self.lost(reason)),
+            None => Ok(()),
+        }
+    }
+
+    pub(super) fn lost(&self, reason: &str) -> GpuError {
+        GpuError::Lost {
+            adapter: self.name.clone(),
+            reason: reason.into(),
+        }
+    }
+
+    /// Waits for a submission, or for all.
+    pub(super) fn wait(&self, submission: Option<wgpu::SubmissionIndex>) -> Result<(), GpuError> {
+        let waited = self.device.poll(wgpu::PollType::Wait {
+            submission_index: submission,
+            timeout: None,
+        });
+        self.check_alive()?;
+        match waited {
+            Ok(_) => Ok(()),
+            Err(error) => Err(self.lost(&one_line(&error.to_string()))),
+        }
+    }
+
+    /// Refuses what is too large for a buffer or for a kernel to see, before anything is allocated.
+    pub(super) fn check_sizes(
+        &self,
+        sizes: &[(&'static str, u64)],
+        advice: &'static str,
+    ) -> Result<(), GpuError> {
+        let limit_bytes = self.limits.max_storage_buffer_binding_size;
+        for &(what, bytes) in sizes {
+            self.check_buffer(what, bytes, advice)?;
+            if bytes > limit_bytes {
+                return Err(GpuError::TooLarge {
+                    what,
+                    bytes,
+                    limit: "max_storage_buffer_binding_size",
+                    limit_bytes,
+                    adapter: self.name.clone(),
+                    advice,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses what is too large for a buffer.
+    pub(super) fn check_buffer(
+        &self,
+        what: &'static str,
+        bytes: u64,
+        advice: &'static str,
+    ) -> Result<(), GpuError> {
+        let limit_bytes = self.limits.max_buffer_size;
+        if bytes > limit_bytes {
+            return Err(GpuError::TooLarge {
+                what,
+                bytes,
+                limit: "max_buffer_size",
+                limit_bytes,
+                adapter: self.name.clone(),
+                advice,
+            });
+        }
+        Ok(())
+    }
+
+    fn describe(&self, error: &wgpu::Error) -> GpuError {
+        let adapter = self.name.clone();
+        match error {
+            wgpu::Error::OutOfMemory { .. } => GpuError::OutOfMemory { adapter },
+            wgpu::Error::Validation { description, .. }
+            | wgpu::Error::Internal { description, .. } => GpuError::Invalid {
+                adapter,
+                reason: one_line(description),
+            },
+        }
+    }
+}
+
+/// Drivers and wgpu explain in many lines.
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}

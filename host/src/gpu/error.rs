@@ -1,0 +1,119 @@
+//! What can go wrong on a GPU.
+
+use crate::{MeshError, RefitError, ViewError};
+use thiserror::Error;
+
+/// Why a GPU did not do what it was asked for.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum GpuError {
+    /// There is no GPU, or none of that name.
+    #[error("{0}")]
+    NoAdapter(AdapterError),
+    /// The driver refused to open the adapter.
+    #[error("cannot open the GPU {adapter:?}: {reason}")]
+    Refused {
+        /// The adapter's name.
+        adapter: String,
+        /// What the driver says.
+        reason: String,
+    },
+    /// Something is larger than the adapter takes.
+    #[error(
+        "{what} would take {bytes} bytes, but {limit} of {adapter:?} is {limit_bytes}; {advice}"
+    )]
+    TooLarge {
+        /// What is too large.
+        what: &'static str,
+        /// Its size.
+        bytes: u64,
+        /// Name of the limit, as wgpu has it.
+        limit: &'static str,
+        /// The limit.
+        limit_bytes: u64,
+        /// The adapter's name.
+        adapter: String,
+        /// What to do.
+        advice: &'static str,
+    },
+    /// The adapter is too small for the kernels.
+    #[error("{adapter:?} cannot run the kernels: its {limit} is {has}, and {needs} is needed")]
+    TooSmall {
+        /// The adapter's name.
+        adapter: String,
+        /// Name of the limit, as wgpu has it.
+        limit: &'static str,
+        /// What it has.
+        has: u64,
+        /// What is needed.
+        needs: u64,
+    },
+    /// A buffer of the caller does not fit its use.
+    #[error("the buffer of {what} {fault}")]
+    Buffer {
+        /// What the buffer holds.
+        what: &'static str,
+        /// What is wrong with it.
+        fault: String,
+    },
+    /// The GPU has no memory left.
+    #[error("{adapter:?} is out of memory; render a smaller scene or picture, or use the CPU")]
+    OutOfMemory {
+        /// The adapter's name.
+        adapter: String,
+    },
+    /// The GPU went away: its driver crashed, was reset, or it was unplugged.
+    #[error("{adapter:?} was lost ({reason}); try again, or use the CPU")]
+    Lost {
+        /// The adapter's name.
+        adapter: String,
+        /// What the driver says.
+        reason: String,
+    },
+    /// The driver found fault with a command.
+    #[error("{adapter:?} refused a command: {reason}")]
+    Invalid {
+        /// The adapter's name.
+        adapter: String,
+        /// What the driver says.
+        reason: String,
+    },
+    /// The mesh is unfit.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The hierarchy cannot be moved to this mesh.
+    #[error(transparent)]
+    Refit(#[from] RefitError),
+    /// The camera or a light is unfit.
+    #[error(transparent)]
+    View(#[from] ViewError),
+}
+
+/// Why no adapter was chosen.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum AdapterError {
+    /// None at all.
+    #[error(
+        "there is no GPU that can be used: no driver for Vulkan, Metal or Direct3D 12 was found; use the CPU"
+    )]
+    None,
+    /// Only those that compute on the CPU.
+    #[error("there is no GPU, only software: {names}; use the CPU, or choose one of these by name")]
+    OnlySoftware {
+        /// What there is.
+        names: String,
+    },
+    /// None of that name.
+    #[error("no GPU has {wanted:?} in its name; there is {names}")]
+    NoSuchName {
+        /// What was asked for.
+        wanted: String,
+        /// What there is.
+        names: String,
+    },
+}
+
+impl From<AdapterError> for GpuError {
+    fn from(error: AdapterError) -> Self {
+        Self::NoAdapter(error)
+    }
+}

@@ -1,0 +1,129 @@
+//! Triangles in buffers.
+
+use super::buffer::{Range, upload};
+use super::{Gpu, GpuError};
+use crate::MeshError;
+use slimbvh_core::MAX_TRIANGLES;
+use wgpu::BufferUsages;
+
+/// Bytes of a vertex, and of a triangle's three indices.
+const ELEMENT_BYTES: u64 = 12;
+
+/// Triangles as indices into shared vertices, in buffers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    pub(super) vertices: Range,
+    pub(super) indices: Range,
+    pub(super) triangle_count: u32,
+}
+
+impl Mesh {
+    /// Copies a mesh to the GPU.
+    ///
+    /// # Errors
+    /// Those of [`crate::Mesh::validate`], and a mesh larger than the GPU takes.
+    pub fn upload(gpu: &Gpu, mesh: &crate::Mesh) -> Result<Self, GpuError> {
+        mesh.validate()?;
+        gpu.check_sizes(
+            &[
+                ("the vertices", size_of_val(mesh.vertices.as_slice()) as u64),
+                ("the indices", size_of_val(mesh.indices.as_slice()) as u64),
+            ],
+            "take a smaller mesh, or the CPU",
+        )?;
+        gpu.checked(|| {
+            let usage = BufferUsages::STORAGE;
+            let vertices = upload(gpu, "slimbvh vertices", usage, &mesh.vertices);
+            let indices = upload(gpu, "slimbvh indices", usage, &mesh.indices);
+            Ok(Self {
+                vertices: Range::whole(&vertices),
+                indices: Range::whole(&indices),
+                triangle_count: mesh.indices.len() as u32,
+            })
+        })
+    }
+
+    /// Takes buffers that are on the GPU already: three `f32` a vertex and three `u32` a triangle, without gaps. The
+    /// counts are those that the slices hold.
+    ///
+    /// Nothing is read back, so what the buffers hold is not checked: coordinates must be finite. A corner whose index is
+    /// out of range counts as a vertex at the origin.
+    ///
+    /// # Errors
+    /// For a buffer that is not a storage buffer, a slice that begins or ends at odd places, more than the GPU sees of a
+    /// buffer, and more than 2^28 triangles.
+    pub fn from_buffers(
+        gpu: &Gpu,
+        vertices: wgpu::BufferSlice,
+        indices: wgpu::BufferSlice,
+    ) -> Result<Self, GpuError> {
+        let (vertices, indices) = (Range::of_slice(vertices), Range::of_slice(indices));
+        for (what, range) in [("vertices", &vertices), ("indices", &indices)] {
+            check_storage(gpu, what, range, ELEMENT_BYTES)?;
+        }
+        gpu.check_sizes(
+            &[
+                ("the vertices", vertices.size),
+                ("the indices", indices.size),
+            ],
+            "take a smaller mesh",
+        )?;
+        let triangle_count = indices.size / ELEMENT_BYTES;
+        if triangle_count > u64::from(MAX_TRIANGLES) {
+            return Err(GpuError::Mesh(MeshError::TooManyTriangles {
+                triangle_count: triangle_count as usize,
+                limit: MAX_TRIANGLES as usize,
+            }));
+        }
+        Ok(Self {
+            vertices,
+            indices,
+            triangle_count: triangle_count as u32,
+        })
+    }
+
+    /// How many triangles there are.
+    #[must_use]
+    pub fn triangle_count(&self) -> u32 {
+        self.triangle_count
+    }
+
+    /// The vertices' buffer, to move them.
+    #[must_use]
+    pub fn vertex_buffer(&self) -> &wgpu::Buffer {
+        &self.vertices.buffer
+    }
+
+    /// Bytes of both.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        self.vertices.size + self.indices.size
+    }
+}
+
+/// Refuses a range of the caller's that no kernel can read.
+pub fn check_storage(
+    gpu: &Gpu,
+    what: &'static str,
+    range: &Range,
+    element_bytes: u64,
+) -> Result<(), GpuError> {
+    let fault = |fault: String| Err(GpuError::Buffer { what, fault });
+    if !range.buffer.usage().contains(BufferUsages::STORAGE) {
+        return fault("was made without the usage STORAGE".into());
+    }
+    let alignment = u64::from(gpu.limits().min_storage_buffer_offset_alignment);
+    if !range.offset.is_multiple_of(alignment) {
+        return fault(format!(
+            "begins at byte {}, which is no multiple of {alignment}",
+            range.offset
+        ));
+    }
+    if range.size == 0 || !range.size.is_multiple_of(element_bytes) {
+        return fault(format!(
+            "has {} bytes, which is not one element of {element_bytes} bytes or more",
+            range.size
+        ));
+    }
+    Ok(())
+}

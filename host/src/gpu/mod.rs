@@ -1,0 +1,63 @@
+//! The GPU backend: core's kernels, compiled to SPIR-V, driven by wgpu.
+//!
+//! Everything of a frame stays on the GPU. What is recorded into one [`Frame`] is one submission: no stage waits for the
+//! host, sizes that the GPU decides drive indirect dispatches, and buffers, bindings and kernels are used again from one
+//! frame to the next.
+//!
+//! ```no_run
+//! use slimbvh::gpu::{AdapterChoice, Builder, Bvh, Gpu, Mesh, Query};
+//! # fn run(mesh: &slimbvh::Mesh, rays: &wgpu::Buffer, hits: &wgpu::Buffer) -> Result<(), slimbvh::gpu::GpuError> {
+//! let gpu = Gpu::open(&AdapterChoice::Hardware)?;
+//! let mesh = Mesh::upload(&gpu, mesh)?;
+//! let mut builder = Builder::new(slimbvh::BuildConfig::default());
+//! let mut bvh = Bvh::new();
+//!
+//! let mut frame = gpu.frame();
+//! builder.build(&mut frame, &mesh, &mut bvh)?;
+//! bvh.trace(&mut frame, Query::Closest, rays.slice(..), hits.slice(..))?;
+//! let stages = frame.submit()?.wait()?;
+//! println!("{stages}");
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Devices must be true to IEEE 754 in what Vulkan leaves open: subtract, multiply and compare round to nearest.
+
+mod adapter;
+mod buffer;
+mod build;
+mod bvh;
+mod compact;
+mod device;
+mod error;
+mod frame;
+mod kernel;
+mod mesh;
+mod program;
+mod render;
+mod scan;
+mod scene;
+mod sort;
+mod timer;
+mod trace;
+mod wgsl;
+
+pub use adapter::{AdapterChoice, AdapterSummary, adapters};
+pub use buffer::Download;
+pub use build::Builder;
+pub use bvh::Bvh;
+pub use compact::Compact;
+pub use device::Gpu;
+pub use error::{AdapterError, GpuError};
+pub use frame::{Frame, Submission};
+pub use kernel::Kernel;
+pub use mesh::Mesh;
+pub use program::Work;
+pub use render::{Counters, PictureDownload, Renderer, Tools, render_image};
+pub use scan::Scan;
+pub use scene::Scene;
+pub use sort::{Keys, Sort};
+pub use trace::Query;
+/// The version of wgpu that all of this is made with.
+pub use wgpu;
+pub use wgsl::wgsl;

@@ -1,0 +1,361 @@
+//! Dispatches that are prepared once and encoded into every frame.
+
+use super::buffer::{ALIGNMENT, Range, upload};
+use super::{Frame, Gpu, Kernel};
+use slimbvh_core::launch::{LANES, dispatch};
+
+/// How many workgroups are dispatched.
+#[derive(Clone, Debug)]
+pub enum Groups {
+    /// Known now.
+    Direct([u32; 3]),
+    /// Three numbers that the GPU has stored by then.
+    Indirect(Range),
+}
+
+/// Workgroups that give each item a thread.
+pub fn threads(item_count: u32) -> Groups {
+    Groups::Direct(dispatch(item_count.div_ceil(LANES as u32)))
+}
+
+/// That many workgroups.
+pub fn groups(group_count: u32) -> Groups {
+    Groups::Direct(dispatch(group_count))
+}
+
+/// A uniform: parameters known now, or what a kernel has stored.
+#[derive(Clone, Copy, Debug)]
+pub enum Uniform<'a> {
+    /// Four numbers.
+    Params([u32; 4]),
+    /// Sixteen bytes or more of a buffer.
+    Stored(&'a Range),
+}
+
+enum Bound {
+    Params(u64),
+    Range(Range),
+}
+
+enum Step<D> {
+    /// What follows belongs to this stage.
+    Stage(&'static str),
+    Dispatch(D),
+    Copy(Range, Range),
+    Clear(Range),
+    /// Parameters that begin here go to a range.
+    Write(u64, Range),
+}
+
+struct Call {
+    kernel: Kernel,
+    bindings: Vec<Bound>,
+    groups: Groups,
+}
+
+struct Dispatch {
+    pipeline: wgpu::ComputePipeline,
+    bind_group: wgpu::BindGroup,
+    groups: Groups,
+}
+
+/// What a stage asks of the GPU.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// The stage.
+    pub stage: &'static str,
+    /// Dispatches.
+    pub dispatch_count: u32,
+    /// Bytes of all ranges that are read, each counted once a dispatch.
+    pub read_bytes: u64,
+    /// Bytes of all ranges that are written, each counted once a dispatch.
+    pub written_bytes: u64,
+    /// Bytes of what the stage reads that is not its own, and of what it leaves for others, each counted once: no stage that
+    /// does the same can move less.
+    pub least_bytes: u64,
+}
+
+/// That a stage reads or writes a range.
+struct Access {
+    stage: usize,
+    range: Range,
+    is_write: bool,
+}
+
+/// Records a [`Program`].
+#[derive(Default)]
+pub struct Recorder {
+    steps: Vec<Step<Call>>,
+    params: Vec<u8>,
+    work: Vec<Work>,
+    accesses: Vec<Access>,
+}
+
+impl Recorder {
+    /// Begins a stage.
+    pub fn stage(&mut self, stage: &'static str) {
+        self.steps.push(Step::Stage(stage));
+        self.work.push(Work {
+            stage,
+            ..Work::default()
+        });
+    }
+
+    /// Records a dispatch that reads and writes; bindings are numbered in this order.
+    pub fn dispatch(
+        &mut self,
+        kernel: Kernel,
+        uniforms: &[Uniform],
+        reads: &[&Range],
+        writes: &[&Range],
+        groups: Groups,
+    ) {
+        for (ranges, is_write) in [(reads, false), (writes, true)] {
+            for range in ranges {
+                self.access(range, is_write);
+            }
+        }
+        if let Some(work) = self.work.last_mut() {
+            work.dispatch_count += 1;
+        }
+        let uniforms = uniforms.iter().map(|uniform| match uniform {
+            Uniform::Stored(range) => Bound::Range((*range).clone()),
+            Uniform::Params(params) => Bound::Params(push_params(&mut self.params, params)),
+        });
+        let ranges = reads.iter().chain(writes);
+        let ranges = ranges.map(|&range| Bound::Range(range.clone()));
+        let bindings = uniforms.chain(ranges).collect();
+        self.steps.push(Step::Dispatch(Call {
+            kernel,
+            bindings,
+            groups,
+        }));
+    }
+
+    /// Records a dispatch that also reads what it writes.
+    pub fn update(
+        &mut self,
+        kernel: Kernel,
+        uniforms: &[Uniform],
+        reads: &[&Range],
+        updates: &[&Range],
+        groups: Groups,
+    ) {
+        for range in updates {
+            self.access(range, false);
+        }
+        self.dispatch(kernel, uniforms, reads, updates, groups);
+    }
+
+    fn access(&mut self, range: &Range, is_write: bool) {
+        if let Some(work) = self.work.last_mut() {
+            let bytes = if is_write {
+                &mut work.written_bytes
+            } else {
+                &mut work.read_bytes
+            };
+            *bytes += range.size;
+            self.accesses.push(Access {
+                stage: self.work.len() - 1,
+                range: range.clone(),
+                is_write,
+            });
+        }
+    }
+
+    /// Records a copy.
+    pub fn copy(&mut self, from: &Range, to: &Range) {
+        self.steps.push(Step::Copy(from.clone(), to.clone()));
+    }
+
+    /// Records that a range be zeroed.
+    pub fn clear(&mut self, range: &Range) {
+        self.steps.push(Step::Clear(range.clone()));
+    }
+
+    /// Records that words be written to the beginning of a range.
+    pub fn write(&mut self, to: &Range, words: &[u32]) {
+        let mut first = 0;
+        for words in words.chunks(4) {
+            let mut params = [0; 4];
+            params[..words.len()].copy_from_slice(words);
+            let size = size_of_val(words) as u64;
+            let offset = push_params(&mut self.params, &params);
+            self.steps.push(Step::Write(offset, to.part(first, size)));
+            first += size;
+        }
+    }
+
+    /// Compiles what is not yet, and binds everything.
+    pub fn finish(self, gpu: &Gpu) -> Result<Program, super::GpuError> {
+        let params = (!self.params.is_empty()).then(|| {
+            upload(
+                gpu,
+                "slimbvh parameters",
+                wgpu::BufferUsages::UNIFORM,
+                &self.params,
+            )
+        });
+        let mut steps = Vec::with_capacity(self.steps.len());
+        for step in self.steps {
+            steps.push(match step {
+                Step::Stage(stage) => Step::Stage(stage),
+                Step::Copy(from, to) => Step::Copy(from, to),
+                Step::Clear(range) => Step::Clear(range),
+                Step::Write(offset, to) => Step::Write(offset, to),
+                Step::Dispatch(call) => Step::Dispatch(bind(gpu, params.as_ref(), call)?),
+            });
+        }
+        let mut work = self.work;
+        for (stage, work) in work.iter_mut().enumerate() {
+            work.least_bytes = least_bytes(stage, &self.accesses);
+        }
+        Ok(Program {
+            steps,
+            params,
+            work,
+        })
+    }
+}
+
+/// Bytes that come into a stage from outside, and that it leaves: for a later stage, or as nobody here reads them.
+fn least_bytes(stage: usize, accesses: &[Access]) -> u64 {
+    let own = |access: &&Access| access.stage == stage;
+    let mut inputs: Vec<&Range> = Vec::new();
+    let mut outputs: Vec<&Range> = Vec::new();
+    for (i, access) in accesses
+        .iter()
+        .enumerate()
+        .filter(|(_, a)| a.stage == stage)
+    {
+        let is_same = |other: &&Access| other.range == access.range;
+        if access.is_write {
+            let is_read_later = |other: &&Access| !other.is_write && other.stage > stage;
+            let for_later = accesses[i..]
+                .iter()
+                .filter(is_same)
+                .any(|a| is_read_later(&a));
+            let in_stage = accesses[i..].iter().filter(own).filter(is_same);
+            let for_itself = in_stage.into_iter().any(|other| !other.is_write);
+            if (for_later || !for_itself) && !outputs.contains(&&access.range) {
+                outputs.push(&access.range);
+            }
+        } else {
+            let mut before = accesses[..i].iter().filter(own).filter(is_same);
+            if !before.any(|other| other.is_write) && !inputs.contains(&&access.range) {
+                inputs.push(&access.range);
+            }
+        }
+    }
+    inputs.iter().chain(&outputs).map(|range| range.size).sum()
+}
+
+/// Stores parameters where a uniform may begin, and returns where.
+fn push_params(bytes: &mut Vec<u8>, params: &[u32; 4]) -> u64 {
+    let offset = bytes.len().next_multiple_of(ALIGNMENT as usize);
+    bytes.resize(offset, 0);
+    bytes.extend_from_slice(bytemuck::bytes_of(params));
+    offset as u64
+}
+
+fn bind(gpu: &Gpu, params: Option<&wgpu::Buffer>, call: Call) -> Result<Dispatch, super::GpuError> {
+    let pipeline = gpu.pipeline(call.kernel)?;
+    let entries = call
+        .bindings
+        .iter()
+        .zip(0..)
+        .filter_map(|(bound, binding)| {
+            let buffer = match bound {
+                Bound::Range(range) => range.binding(),
+                Bound::Params(offset) => wgpu::BufferBinding {
+                    buffer: params?,
+                    offset: *offset,
+                    size: wgpu::BufferSize::new(size_of::<[u32; 4]>() as u64),
+                },
+            };
+            Some(wgpu::BindGroupEntry {
+                binding,
+                resource: wgpu::BindingResource::Buffer(buffer),
+            })
+        });
+    let entries: Vec<_> = entries.collect();
+    let bind_group = gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some(call.kernel.name()),
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &entries,
+    });
+    Ok(Dispatch {
+        pipeline,
+        bind_group,
+        groups: call.groups,
+    })
+}
+
+/// Commands with all their bindings, ready for any number of frames.
+pub struct Program {
+    steps: Vec<Step<Dispatch>>,
+    params: Option<wgpu::Buffer>,
+    work: Vec<Work>,
+}
+
+impl std::fmt::Debug for Program {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.debug_list().entries(&self.work).finish()
+    }
+}
+
+impl Program {
+    /// Adds all commands to a frame: a pass for each stage.
+    pub fn encode(&self, frame: &mut Frame) {
+        let mut stage = "slimbvh";
+        let mut pass: Option<wgpu::ComputePass> = None;
+        for step in &self.steps {
+            match step {
+                Step::Stage(name) => {
+                    pass = None;
+                    stage = name;
+                }
+                Step::Dispatch(dispatch) => {
+                    let pass = pass.get_or_insert_with(|| frame.pass(stage));
+                    pass.set_pipeline(&dispatch.pipeline);
+                    pass.set_bind_group(0, &dispatch.bind_group, &[]);
+                    match &dispatch.groups {
+                        Groups::Direct([x, y, z]) => pass.dispatch_workgroups(*x, *y, *z),
+                        Groups::Indirect(range) => {
+                            pass.dispatch_workgroups_indirect(&range.buffer, range.offset);
+                        }
+                    }
+                }
+                Step::Copy(from, to) => {
+                    pass = None;
+                    frame.encoder().copy_buffer_to_buffer(
+                        &from.buffer,
+                        from.offset,
+                        &to.buffer,
+                        to.offset,
+                        from.size,
+                    );
+                }
+                Step::Write(offset, to) => {
+                    pass = None;
+                    if let Some(params) = &self.params {
+                        frame
+                            .encoder()
+                            .copy_buffer_to_buffer(params, *offset, &to.buffer, to.offset, to.size);
+                    }
+                }
+                Step::Clear(range) => {
+                    pass = None;
+                    frame
+                        .encoder()
+                        .clear_buffer(&range.buffer, range.offset, Some(range.size));
+                }
+            }
+        }
+    }
+
+    /// What each stage asks of the GPU.
+    pub fn work(&self) -> &[Work] {
+        &self.work
+    }
+}

@@ -1,0 +1,548 @@
+//! Pictures on the GPU, in waves of samples.
+
+mod counters;
+mod target;
+mod wave;
+
+use super::buffer::{Download, Range, Slot};
+use super::bvh::Built;
+use super::program::{Program, Recorder, Uniform, Work, groups, threads};
+use super::sort::{Keys, Sort};
+use super::{Bvh, Frame, Gpu, GpuError, Kernel, Scene};
+use crate::Stages;
+use crate::picture::{Picture, RenderReport, RenderSettings, View};
+use crate::scene::{Camera, Light, ViewError};
+pub use counters::Counters;
+use slimbvh_core::shade::{Environment, Light as CoreLight, Path};
+use slimbvh_core::{Hit, camera::Camera as CoreCamera};
+use std::time::Instant;
+use wave::{Wave, waves};
+use wgpu::BufferUsages;
+
+/// Samples in flight.
+const WAVE: u32 = 1 << 20;
+
+/// Bytes of the light that a path's hit may get, in `shade_light`.
+const SHADOW_BYTES: u64 = size_of::<slimbvh_core::shade::Shadow>() as u64;
+
+/// A texel of the picture: linear RGB and 1, in `f32`.
+const TEXEL_BYTES: u64 = 16;
+
+/// Rows of the picture begin at multiples of this, so that they can be copied to textures.
+const ROW_TEXELS: u32 = 64;
+
+/// Programs of pictures in more waves than this are not kept.
+const KEPT_WAVES: usize = 4;
+
+/// Where the view's parts lie in its buffer; lights follow, each in a step of its own.
+const VIEW_STEP: u64 = 256;
+const ENVIRONMENT: u64 = VIEW_STEP;
+const LIGHTS: u64 = 2 * VIEW_STEP;
+
+/// Renders pictures on the GPU, and keeps its buffers and programs from one to the next.
+#[derive(Debug)]
+pub struct Renderer {
+    view: Slot,
+    paths: Slot,
+    hits: Slot,
+    shadows: Slot,
+    values: Slot,
+    items: Slot,
+    sort: Sort,
+    range: Slot,
+    counters: Slot,
+    picture: Slot,
+    texels: Slot,
+    kept: Option<(Key, Vec<Program>)>,
+    size: [u32; 2],
+    work: Vec<Work>,
+}
+
+/// What programs were made for.
+#[derive(Clone, Debug, PartialEq)]
+struct Key {
+    settings: RenderSettings,
+    light_count: usize,
+    scene: [Range; 5],
+    has_mirrors: bool,
+    bvh: Built,
+    scratch_bytes: u64,
+}
+
+/// All that the waves of one picture need.
+pub(super) struct Plan<'a> {
+    scene: &'a Scene,
+    bvh: Built,
+    settings: RenderSettings,
+    mirror_depth: u32,
+    light_count: usize,
+    buffers: Buffers,
+    waves: Vec<Wave>,
+}
+
+/// The ranges that a picture uses.
+#[derive(Clone, Debug)]
+struct Buffers {
+    view: Range,
+    paths: Range,
+    hits: Range,
+    shadows: Range,
+    values: Range,
+    counters: Range,
+    picture: Range,
+}
+
+impl Default for Renderer {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Renderer {
+    /// A renderer without buffers yet.
+    #[must_use]
+    pub const fn new() -> Self {
+        let copied_to = BufferUsages::STORAGE.union(BufferUsages::COPY_DST);
+        Self {
+            view: Slot::new("slimbvh view", copied_to.union(BufferUsages::UNIFORM)),
+            paths: Slot::storage("slimbvh paths"),
+            hits: Slot::storage("slimbvh hits"),
+            shadows: Slot::storage("slimbvh shadows"),
+            values: Slot::storage("slimbvh values"),
+            items: Slot::storage("slimbvh values to sort"),
+            sort: Sort::new(),
+            range: Slot::new("slimbvh range", copied_to.union(BufferUsages::UNIFORM)),
+            counters: Slot::new("slimbvh counters", copied_to),
+            picture: Slot::new("slimbvh picture", copied_to),
+            texels: Slot::storage("slimbvh texels"),
+            kept: None,
+            size: [0, 0],
+            work: Vec::new(),
+        }
+    }
+
+    /// Records a picture of a scene, over whose mesh the hierarchy was or is being built in this frame. It stays in a
+    /// buffer, from where [`Self::copy_to_texture`] and [`Self::read_later`] take it.
+    ///
+    /// # Errors
+    /// For cameras and lights that make no picture, a mesh with another number of triangles than the hierarchy, and
+    /// pictures larger than the GPU takes, before anything is allocated.
+    pub fn render(
+        &mut self,
+        frame: &mut Frame,
+        scene: &Scene,
+        bvh: &Bvh,
+        camera: &Camera,
+        lights: &[Light],
+        settings: &RenderSettings,
+    ) -> Result<(), GpuError> {
+        let plan = self.plan(frame, scene, bvh, camera, lights, settings)?;
+        self.encode(frame, &plan, 0..plan.waves.len())
+    }
+
+    /// Checks everything, makes room, and records the upload of the camera and the lights.
+    pub(super) fn plan<'a>(
+        &mut self,
+        frame: &mut Frame,
+        scene: &'a Scene,
+        bvh: &Bvh,
+        camera: &Camera,
+        lights: &[Light],
+        settings: &RenderSettings,
+    ) -> Result<Plan<'a>, GpuError> {
+        let gpu = frame.gpu();
+        let built = bvh.built()?.clone();
+        if scene.mesh.triangle_count != built.triangle_count {
+            return Err(GpuError::View(ViewError::OtherMesh {
+                triangle_count: scene.mesh.triangle_count as usize,
+                expected: built.triangle_count as usize,
+            }));
+        }
+        let core_camera = camera.to_core(settings.size, settings.sample_count)?;
+        let core_lights = lights
+            .iter()
+            .enumerate()
+            .map(|(index, light)| light.to_core(index))
+            .collect::<Result<Vec<_>, _>>()?;
+        let waves = waves(settings, gpu.limits().max_storage_buffer_binding_size);
+        check(gpu, settings, &waves)?;
+        let mirror_depth = if scene.has_mirrors {
+            settings.mirror_depth
+        } else {
+            0
+        };
+        gpu.checked(|| {
+            let buffers = self.reserve(gpu, settings, core_lights.len(), &waves);
+            let environment = crate::Scene::environment(camera.up);
+            upload_view(
+                frame,
+                &buffers.view,
+                &core_camera,
+                &environment,
+                &core_lights,
+            );
+            frame
+                .encoder()
+                .clear_buffer(&buffers.counters.buffer, 0, None);
+            Ok(Plan {
+                scene,
+                bvh: built,
+                settings: *settings,
+                mirror_depth,
+                light_count: core_lights.len(),
+                buffers,
+                waves,
+            })
+        })
+    }
+
+    /// Encodes some of a picture's waves, and what comes after the last one.
+    pub(super) fn encode(
+        &mut self,
+        frame: &mut Frame,
+        plan: &Plan,
+        which: std::ops::Range<usize>,
+    ) -> Result<(), GpuError> {
+        let gpu = frame.gpu();
+        gpu.checked(|| {
+            let last = plan.waves.len();
+            if last > KEPT_WAVES {
+                self.kept = None;
+                for wave in which.clone() {
+                    self.wave_program(gpu, plan, wave)?.encode(frame);
+                }
+                if which.end == last {
+                    self.last_program(gpu, plan)?.encode(frame);
+                }
+                return Ok(());
+            }
+            let key = self.key(plan);
+            if self.kept.as_ref().is_none_or(|(other, _)| *other != key) {
+                let mut programs = Vec::with_capacity(last + 1);
+                for wave in 0..last {
+                    programs.push(self.wave_program(gpu, plan, wave)?);
+                }
+                programs.push(self.last_program(gpu, plan)?);
+                // The last program may have made more room.
+                let key = self.key(plan);
+                self.kept = Some((key, programs));
+            }
+            if let Some((_, programs)) = &self.kept {
+                let end = which.end + usize::from(which.end == last);
+                self.work.clear();
+                for program in &programs[which.start..end] {
+                    program.encode(frame);
+                    self.work.extend_from_slice(program.work());
+                }
+            }
+            Ok(())
+        })
+    }
+
+    /// Copies the picture for the caller to read when the frame is done.
+    ///
+    /// # Errors
+    /// If nothing was rendered, or memory is exhausted.
+    pub fn read_later(&mut self, frame: &mut Frame) -> Result<PictureDownload, GpuError> {
+        let gpu = frame.gpu();
+        let [width, height] = self.size;
+        let picture = self.picture(gpu)?;
+        gpu.checked(|| {
+            Ok(PictureDownload {
+                size: [width, height],
+                texels: frame.download(&picture),
+            })
+        })
+    }
+
+    /// Copies the counts of rays for the caller to read when the frame is done.
+    ///
+    /// # Errors
+    /// If memory is exhausted.
+    pub fn count_later(&mut self, frame: &mut Frame) -> Result<Counters, GpuError> {
+        let gpu = frame.gpu();
+        let counters = self.counters.range(gpu, counters::BYTES);
+        gpu.checked(|| Ok(Counters(frame.download(&counters))))
+    }
+
+    /// Bytes of the buffers that the last picture used; they are kept for the next.
+    #[must_use]
+    pub fn scratch_bytes(&self) -> u64 {
+        let slots = [
+            &self.view,
+            &self.paths,
+            &self.hits,
+            &self.shadows,
+            &self.values,
+            &self.items,
+            &self.range,
+            &self.counters,
+            &self.picture,
+            &self.texels,
+        ];
+        slots.iter().map(|slot| slot.bytes()).sum::<u64>() + self.sort.bytes()
+    }
+
+    /// What the latest picture asks of the GPU, stage by stage; empty where it took too many waves to be kept.
+    #[must_use]
+    pub fn work(&self) -> &[Work] {
+        &self.work
+    }
+
+    /// The picture's range.
+    fn picture(&mut self, gpu: &Gpu) -> Result<Range, GpuError> {
+        if self.size == [0, 0] {
+            return Err(GpuError::Buffer {
+                what: "the picture",
+                fault: "is empty; render first".into(),
+            });
+        }
+        Ok(self.picture.range(gpu, picture_bytes(self.size)))
+    }
+
+    fn key(&self, plan: &Plan) -> Key {
+        let scene = plan.scene;
+        Key {
+            settings: plan.settings,
+            light_count: plan.light_count,
+            scene: [
+                scene.mesh.vertices.clone(),
+                scene.mesh.indices.clone(),
+                scene.normals.clone(),
+                scene.material_indices.clone(),
+                scene.materials.clone(),
+            ],
+            has_mirrors: scene.has_mirrors,
+            bvh: plan.bvh.clone(),
+            scratch_bytes: self.scratch_bytes(),
+        }
+    }
+
+    fn reserve(
+        &mut self,
+        gpu: &Gpu,
+        settings: &RenderSettings,
+        light_count: usize,
+        waves: &[Wave],
+    ) -> Buffers {
+        let most = waves.iter().map(|wave| wave.sample_count).max();
+        let most = u64::from(most.unwrap_or(1));
+        let needs_values = matches!(settings.view, View::Depth | View::Heatmap);
+        let value_count = if needs_values {
+            sample_count(settings)
+        } else {
+            64
+        };
+        self.size = settings.size;
+        Buffers {
+            view: self
+                .view
+                .range(gpu, LIGHTS + VIEW_STEP * light_count.max(1) as u64),
+            paths: self.paths.range(gpu, most * size_of::<Path>() as u64),
+            hits: self.hits.range(gpu, most * size_of::<Hit>() as u64),
+            shadows: self.shadows.range(gpu, most * SHADOW_BYTES),
+            values: self.values.range(gpu, 4 * value_count),
+            counters: self.counters.range(gpu, counters::BYTES),
+            picture: self.picture.range(gpu, picture_bytes(settings.size)),
+        }
+    }
+
+    fn wave_program(&self, gpu: &Gpu, plan: &Plan, wave: usize) -> Result<Program, GpuError> {
+        let mut recorder = Recorder::default();
+        plan.record_wave(&mut recorder, &plan.waves[wave]);
+        recorder.finish(gpu)
+    }
+
+    /// What needs all samples of the picture.
+    fn last_program(&mut self, gpu: &Gpu, plan: &Plan) -> Result<Program, GpuError> {
+        let mut recorder = Recorder::default();
+        let (find_range, paint) = match plan.settings.view {
+            View::Depth => (Kernel::view_depth_range, Kernel::view_depth),
+            View::Heatmap => (Kernel::view_heat_range, Kernel::view_heat),
+            View::Color | View::Normals | View::Primitives => return recorder.finish(gpu),
+        };
+        recorder.stage("shade");
+        let values = &plan.buffers.values;
+        let count = (values.size / 4) as u32;
+        let items = &self.items.range(gpu, 8 * u64::from(count));
+        recorder.dispatch(Kernel::view_items, &[], &[values], &[items], threads(count));
+        self.sort.record(gpu, &mut recorder, Keys::OneWord, items);
+        let range = &self.range.range(gpu, 16);
+        recorder.dispatch(find_range, &[], &[items], &[range], groups(1));
+        let [width, height] = plan.settings.size;
+        let params = [plan.settings.sample_count, width, row_texels(width), 0];
+        recorder.dispatch(
+            paint,
+            &[Uniform::Stored(range), Uniform::Params(params)],
+            &[values],
+            &[&plan.buffers.picture],
+            threads(width * height),
+        );
+        recorder.finish(gpu)
+    }
+}
+
+/// A picture on its way from the GPU.
+#[derive(Debug)]
+#[must_use]
+pub struct PictureDownload {
+    size: [u32; 2],
+    texels: Download,
+}
+
+impl PictureDownload {
+    /// Waits for the picture, and reads it.
+    ///
+    /// # Errors
+    /// If the device was lost.
+    pub fn read(self, gpu: &Gpu, picture: &mut Picture) -> Result<(), GpuError> {
+        let [width, height] = self.size;
+        let texels: Vec<[f32; 4]> = self.texels.read(gpu)?;
+        picture.width = width;
+        picture.height = height;
+        picture.pixels.clear();
+        for row in texels.chunks(row_texels(width) as usize) {
+            let row = row.iter().take(width as usize);
+            picture.pixels.extend(row.map(|&[r, g, b, _]| [r, g, b]));
+        }
+        Ok(())
+    }
+}
+
+/// What [`render_image`] works with, and leaves for the next picture.
+#[derive(Debug)]
+pub struct Tools<'a> {
+    /// Builds the hierarchy.
+    pub builder: &'a mut super::Builder,
+    /// Where the hierarchy goes.
+    pub bvh: &'a mut Bvh,
+    /// Makes the picture.
+    pub renderer: &'a mut Renderer,
+}
+
+/// Renders a whole picture: uploads the scene, builds its hierarchy, and waits for the result. `progress` is told the share
+/// done, 0 to 1. Returns the times of the build and what the render did.
+///
+/// # Errors
+/// Those of [`Scene::upload`], [`super::Builder::build`] and [`Renderer::render`].
+pub fn render_image(
+    gpu: &Gpu,
+    tools: Tools,
+    scene: &crate::Scene,
+    settings: &RenderSettings,
+    picture: &mut Picture,
+    mut progress: impl FnMut(f64),
+) -> Result<(Stages, RenderReport), GpuError> {
+    let begin = Instant::now();
+    let Tools {
+        builder,
+        bvh,
+        renderer,
+    } = tools;
+    let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
+    let bounds = scene.mesh.bounds().unwrap_or(slimbvh_core::Aabb::EMPTY);
+    camera.check_reach(slimbvh_core::bounds::scene_exponent(&bounds))?;
+    let uploaded = Scene::upload(gpu, scene)?;
+
+    // The build and the first wave are one submission.
+    let mut frame = gpu.frame();
+    builder.build(&mut frame, &uploaded.mesh, bvh)?;
+    let plan = renderer.plan(&mut frame, &uploaded, bvh, camera, &scene.lights, settings)?;
+    let wave_count = plan.waves.len();
+    let mut stages = Stages::default();
+    for wave in 0..wave_count {
+        renderer.encode(&mut frame, &plan, wave..wave + 1)?;
+        if wave + 1 == wave_count {
+            break;
+        }
+        stages.merge(&frame.submit()?.wait()?);
+        progress((wave + 1) as f64 / wave_count as f64);
+        frame = gpu.frame();
+    }
+    let texels = renderer.read_later(&mut frame)?;
+    let counters = renderer.count_later(&mut frame)?;
+    stages.merge(&frame.submit()?.wait()?);
+    texels.read(gpu, picture)?;
+    progress(1.0);
+    let mut report = counters.read(gpu)?;
+
+    // Without timestamps, all that is known is how long it took.
+    if stages.iter().next().is_none() {
+        stages.add("all", begin.elapsed());
+    }
+    let mut build = Stages::default();
+    for (stage, time) in stages.iter() {
+        let is_build = builder.work().iter().any(|work| work.stage == stage);
+        let part = if is_build {
+            &mut build
+        } else {
+            &mut report.stages
+        };
+        part.add(stage, time);
+    }
+    Ok((build, report))
+}
+
+/// Refuses a picture that is larger than the GPU takes.
+fn check(gpu: &Gpu, settings: &RenderSettings, waves: &[Wave]) -> Result<(), GpuError> {
+    let most = waves.iter().map(|wave| wave.sample_count).max();
+    let most = u64::from(most.unwrap_or(1));
+    let advice = "take fewer samples a pixel";
+    gpu.check_sizes(
+        &[("the paths of a wave", most * size_of::<Path>() as u64)],
+        advice,
+    )?;
+    let advice = "take a smaller picture, or the CPU";
+    gpu.check_buffer("the picture", picture_bytes(settings.size), advice)?;
+    if matches!(settings.view, View::Depth | View::Heatmap) {
+        let advice = "take a smaller picture, fewer samples a pixel, or the CPU";
+        let values = 8 * sample_count(settings);
+        gpu.check_sizes(
+            &[
+                ("the values of all samples", values),
+                ("the picture", picture_bytes(settings.size)),
+            ],
+            advice,
+        )?;
+    }
+    Ok(())
+}
+
+fn sample_count(settings: &RenderSettings) -> u64 {
+    let [width, height] = settings.size;
+    u64::from(width) * u64::from(height) * u64::from(settings.sample_count)
+}
+
+/// Texels from one row of a picture to the next.
+fn row_texels(width: u32) -> u32 {
+    width.next_multiple_of(ROW_TEXELS)
+}
+
+fn picture_bytes([width, height]: [u32; 2]) -> u64 {
+    TEXEL_BYTES * u64::from(row_texels(width)) * u64::from(height)
+}
+
+/// Records the upload of what a picture is seen through, at this place in the frame.
+fn upload_view(
+    frame: &mut Frame,
+    view: &Range,
+    camera: &CoreCamera,
+    environment: &Environment,
+    lights: &[CoreLight],
+) {
+    let mut bytes = vec![0; view.size as usize];
+    let mut place = |offset: u64, part: &[u8]| {
+        bytes[offset as usize..][..part.len()].copy_from_slice(part);
+    };
+    place(0, bytemuck::bytes_of(camera));
+    place(ENVIRONMENT, bytemuck::bytes_of(environment));
+    for (light, i) in lights.iter().zip(0..) {
+        place(LIGHTS + VIEW_STEP * i, bytemuck::bytes_of(light));
+    }
+    let gpu = frame.gpu();
+    let usage = BufferUsages::COPY_SRC;
+    let from = super::buffer::upload(gpu, "slimbvh view to upload", usage, &bytes);
+    frame
+        .encoder()
+        .copy_buffer_to_buffer(&from, 0, &view.buffer, view.offset, view.size);
+}

@@ -1,0 +1,95 @@
+//! Pictures in textures.
+
+use super::{Renderer, TEXEL_BYTES, row_texels};
+use crate::gpu::program::{Recorder, Uniform, threads};
+use crate::gpu::{Frame, GpuError, Kernel};
+use wgpu::TextureFormat;
+
+impl Renderer {
+    /// Records a copy of the picture to the upper left of a texture: linear numbers for `Rgba32Float`, sRGB bytes for
+    /// `Rgba8Unorm`, `Bgra8Unorm` and their `Srgb` kinds.
+    ///
+    /// # Errors
+    /// If nothing was rendered, and for a texture of another format, without the usage `COPY_DST`, or smaller than the
+    /// picture.
+    pub fn copy_to_texture(
+        &mut self,
+        frame: &mut Frame,
+        texture: &wgpu::Texture,
+    ) -> Result<(), GpuError> {
+        let gpu = frame.gpu();
+        let [width, height] = self.size;
+        let picture = self.picture(gpu)?;
+        let fault = |fault: String| GpuError::Buffer {
+            what: "the texture",
+            fault,
+        };
+        if texture.width() < width || texture.height() < height {
+            return Err(fault(format!(
+                "has {}x{} texels, the picture {width}x{height}",
+                texture.width(),
+                texture.height()
+            )));
+        }
+        if !texture.usage().contains(wgpu::TextureUsages::COPY_DST) {
+            return Err(fault("was made without the usage COPY_DST".into()));
+        }
+        let row_bytes = TEXEL_BYTES * u64::from(row_texels(width));
+        let order = match texture.format() {
+            TextureFormat::Rgba32Float => None,
+            TextureFormat::Rgba8Unorm | TextureFormat::Rgba8UnormSrgb => Some(0),
+            TextureFormat::Bgra8Unorm | TextureFormat::Bgra8UnormSrgb => Some(1),
+            other => {
+                return Err(fault(format!(
+                    "is of format {other:?}; take Rgba32Float, Rgba8Unorm, Bgra8Unorm, or their Srgb kinds"
+                )));
+            }
+        };
+        gpu.checked(|| {
+            let (source, source_row_bytes) = match order {
+                None => (picture, row_bytes),
+                Some(order) => {
+                    let bytes = picture.size / TEXEL_BYTES * 4;
+                    let texels = self.texels.range(gpu, bytes);
+                    let mut recorder = Recorder::default();
+                    recorder.stage("encode");
+                    // As many rows at once as the kernel sees of the picture.
+                    let limit = gpu.limits().max_storage_buffer_binding_size;
+                    let most_rows = (limit / row_bytes).max(1) as u32;
+                    for first in (0..height).step_by(most_rows as usize) {
+                        let rows = most_rows.min(height - first);
+                        let part = |row_bytes: u64, range: &super::Range| {
+                            range.part(u64::from(first) * row_bytes, u64::from(rows) * row_bytes)
+                        };
+                        recorder.dispatch(
+                            Kernel::camera_encode,
+                            &[Uniform::Params([order, 0, 0, 0])],
+                            &[&part(row_bytes, &picture)],
+                            &[&part(row_bytes / 4, &texels)],
+                            threads(rows * row_texels(width)),
+                        );
+                    }
+                    recorder.finish(gpu)?.encode(frame);
+                    (texels, row_bytes / 4)
+                }
+            };
+            frame.encoder().copy_buffer_to_texture(
+                wgpu::TexelCopyBufferInfo {
+                    buffer: &source.buffer,
+                    layout: wgpu::TexelCopyBufferLayout {
+                        offset: source.offset,
+                        bytes_per_row: Some(source_row_bytes as u32),
+                        rows_per_image: Some(height),
+                    },
+                },
+                texture.as_image_copy(),
+                wgpu::Extent3d {
+                    width,
+                    height,
+                    depth_or_array_layers: 1,
+                },
+            );
+            Ok(())
+        })
+    }
+}

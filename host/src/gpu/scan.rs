@@ -1,0 +1,75 @@
+//! Stage `scan`: exclusive prefix sums.
+
+use super::buffer::{Range, Slot};
+use super::mesh::check_storage;
+use super::program::{Recorder, groups};
+use super::{Frame, Gpu, GpuError, Kernel};
+use slimbvh_core::launch::BLOCK;
+
+/// Bytes of `[sum, x, y, z]`.
+pub const TOTAL_BYTES: u64 = 16;
+
+/// Replaces values by their exclusive prefix sums, and keeps its buffers.
+#[derive(Debug)]
+pub struct Scan {
+    blocks: Slot,
+}
+
+impl Default for Scan {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Scan {
+    /// A scan without buffers yet.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            blocks: Slot::storage("slimbvh scan blocks"),
+        }
+    }
+
+    /// Records that the `u32` values of a buffer be replaced by the sums of all before each, modulo 2^32. `total` gets
+    /// `[sum, x, y, z]`, with the dispatch of 64 threads a workgroup that gives each of the sum a thread.
+    ///
+    /// # Errors
+    /// For ranges that no kernel can see.
+    pub fn encode(
+        &mut self,
+        frame: &mut Frame,
+        values: wgpu::BufferSlice,
+        total: wgpu::BufferSlice,
+    ) -> Result<(), GpuError> {
+        let gpu = frame.gpu();
+        let (values, total) = (Range::of_slice(values), Range::of_slice(total));
+        check_storage(gpu, "the values", &values, 4)?;
+        check_storage(gpu, "the total", &total, TOTAL_BYTES)?;
+        gpu.checked(|| {
+            let mut recorder = Recorder::default();
+            recorder.stage("scan");
+            self.record(gpu, &mut recorder, &values, &total);
+            recorder.finish(gpu)?.encode(frame);
+            Ok(())
+        })
+    }
+
+    pub(super) fn record(
+        &mut self,
+        gpu: &Gpu,
+        recorder: &mut Recorder,
+        values: &Range,
+        total: &Range,
+    ) {
+        let block_count = values.size.div_ceil(4 * u64::from(BLOCK)) as u32;
+        let blocks = &self.blocks.range(gpu, 4 * u64::from(block_count));
+        let each = || groups(block_count);
+        recorder.dispatch(Kernel::scan_sums, &[], &[values], &[blocks], each());
+        recorder.update(Kernel::scan_blocks, &[], &[], &[blocks, total], groups(1));
+        recorder.update(Kernel::scan_apply, &[], &[blocks], &[values], each());
+    }
+
+    pub(super) fn bytes(&self) -> u64 {
+        self.blocks.bytes()
+    }
+}

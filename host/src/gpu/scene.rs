@@ -1,0 +1,97 @@
+//! A scene in buffers.
+
+use super::buffer::{Range, upload};
+use super::mesh::check_storage;
+use super::{Gpu, GpuError, Mesh};
+use crate::Material;
+use slimbvh_core::shade::Material as CoreMaterial;
+use wgpu::BufferUsages;
+
+/// A mesh in the GPU's memory, and what its surfaces are made of.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The triangles.
+    pub mesh: Mesh,
+    pub(super) normals: Range,
+    pub(super) material_indices: Range,
+    pub(super) materials: Range,
+    pub(super) has_mirrors: bool,
+}
+
+impl Scene {
+    /// Copies a scene's mesh and materials to the GPU.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::upload`].
+    pub fn upload(gpu: &Gpu, scene: &crate::Scene) -> Result<Self, GpuError> {
+        let mesh = Mesh::upload(gpu, &scene.mesh)?;
+        let (normals, indices) = (&scene.mesh.normals, &scene.mesh.materials);
+        gpu.check_sizes(
+            &[("the normals", size_of_val(normals.as_slice()) as u64)],
+            "take a smaller mesh, or the CPU",
+        )?;
+        let materials = scene.core_materials();
+        gpu.checked(|| {
+            let usage = BufferUsages::STORAGE;
+            let normals = upload(gpu, "slimbvh normals", usage, normals);
+            let indices = upload(gpu, "slimbvh material indices", usage, indices);
+            let buffer = upload(gpu, "slimbvh materials", usage, &materials);
+            Ok(Self {
+                mesh,
+                normals: Range::whole(&normals),
+                material_indices: Range::whole(&indices),
+                materials: Range::whole(&buffer),
+                has_mirrors: has_mirrors(&materials),
+            })
+        })
+    }
+
+    /// A mesh that is on the GPU already, shaded flat where it has no normals (three `f32` a vertex, unit length), and
+    /// all of the first material where it has no material indices (a `u32` a triangle). Without materials, a default one.
+    ///
+    /// # Errors
+    /// For a buffer that is not a storage buffer.
+    pub fn from_buffers(
+        gpu: &Gpu,
+        mesh: Mesh,
+        normals: Option<wgpu::BufferSlice>,
+        material_indices: Option<wgpu::BufferSlice>,
+        materials: &[Material],
+    ) -> Result<Self, GpuError> {
+        let normals = normals.map(Range::of_slice);
+        let material_indices = material_indices.map(Range::of_slice);
+        if let Some(normals) = &normals {
+            check_storage(gpu, "normals", normals, 12)?;
+        }
+        if let Some(indices) = &material_indices {
+            check_storage(gpu, "material indices", indices, 4)?;
+        }
+        let scene = crate::Scene {
+            materials: materials.to_vec(),
+            ..crate::Scene::default()
+        };
+        let materials = scene.core_materials();
+        gpu.checked(|| {
+            let usage = BufferUsages::STORAGE;
+            let nothing = || Range::whole(&upload::<[f32; 3]>(gpu, "slimbvh nothing", usage, &[]));
+            let buffer = upload(gpu, "slimbvh materials", usage, &materials);
+            Ok(Self {
+                mesh,
+                normals: normals.unwrap_or_else(nothing),
+                material_indices: material_indices.unwrap_or_else(nothing),
+                materials: Range::whole(&buffer),
+                has_mirrors: has_mirrors(&materials),
+            })
+        })
+    }
+
+    /// Bytes of the buffers.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        self.mesh.bytes() + self.normals.size + self.material_indices.size + self.materials.size
+    }
+}
+
+fn has_mirrors(materials: &[CoreMaterial]) -> bool {
+    materials.iter().any(|material| material.mirror > 0.0)
+}

@@ -1,0 +1,103 @@
+//! Rays in a buffer, answers in a buffer.
+
+use super::buffer::{ALIGNMENT, Range};
+use super::mesh::check_storage;
+use super::program::{Recorder, Uniform, threads};
+use super::{Bvh, Frame, GpuError, Kernel};
+use slimbvh_core::launch::NEAREST_COUNT;
+use slimbvh_core::{Hit, Ray};
+
+/// What is asked of each ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Query {
+    /// The closest [`Hit`]: 16 bytes a ray.
+    Closest,
+    /// Whether anything is met, as 1 or 0: one `u32` a ray.
+    Any,
+    /// The eight nearest [`Hit`]s in order, misses at the end: 128 bytes a ray.
+    Nearest,
+    /// How many nodes and triangles the search for the closest hit touches: two `u32` a ray.
+    Counted,
+}
+
+impl Query {
+    /// Bytes of an answer.
+    #[must_use]
+    pub const fn answer_bytes(self) -> u64 {
+        match self {
+            Self::Closest => size_of::<Hit>() as u64,
+            Self::Any => 4,
+            Self::Nearest => (NEAREST_COUNT * size_of::<Hit>()) as u64,
+            Self::Counted => 8,
+        }
+    }
+
+    const fn kernel(self) -> Kernel {
+        match self {
+            Self::Closest => Kernel::trace_closest,
+            Self::Any => Kernel::trace_any,
+            Self::Nearest => Kernel::trace_nearest,
+            Self::Counted => Kernel::trace_counted,
+        }
+    }
+}
+
+impl Bvh {
+    /// Records that all rays of a buffer be traced: 32 bytes each, laid out as [`Ray`]. The answers go to the beginning of
+    /// the other buffer. More rays than the GPU sees of a buffer take several dispatches.
+    ///
+    /// # Errors
+    /// If the hierarchy has not been built, a buffer is no storage buffer, or there is no room for all answers.
+    pub fn trace(
+        &self,
+        frame: &mut Frame,
+        query: Query,
+        rays: wgpu::BufferSlice,
+        answers: wgpu::BufferSlice,
+    ) -> Result<(), GpuError> {
+        const RAY_BYTES: u64 = size_of::<Ray>() as u64;
+        // So many begin at an aligned place in both buffers, whatever the query.
+        const RAYS_PER_STEP: u64 = ALIGNMENT / 4;
+        let built = self.built()?;
+        let gpu = frame.gpu();
+        let (rays, answers) = (Range::of_slice(rays), Range::of_slice(answers));
+        let answer_bytes = query.answer_bytes();
+        check_storage(gpu, "rays", &rays, RAY_BYTES)?;
+        check_storage(gpu, "answers", &answers, answer_bytes)?;
+        let ray_count = rays.size / RAY_BYTES;
+        if answers.size < ray_count * answer_bytes {
+            return Err(GpuError::Buffer {
+                what: "answers",
+                fault: format!(
+                    "has {} bytes, but {ray_count} rays have answers of {answer_bytes} bytes each",
+                    answers.size
+                ),
+            });
+        }
+        let limit = gpu.limits().max_storage_buffer_binding_size;
+        let most = limit / answer_bytes.max(RAY_BYTES) / RAYS_PER_STEP * RAYS_PER_STEP;
+        let most = most.clamp(RAYS_PER_STEP, u64::from(u32::MAX) / 2);
+        gpu.checked(|| {
+            let mut recorder = Recorder::default();
+            recorder.stage("trace");
+            let mut first = 0;
+            while first < ray_count {
+                let count = most.min(ray_count - first);
+                recorder.dispatch(
+                    query.kernel(),
+                    &[Uniform::Stored(&built.exponent)],
+                    &[
+                        &built.nodes,
+                        &built.triangles,
+                        &rays.part(first * RAY_BYTES, count * RAY_BYTES),
+                    ],
+                    &[&answers.part(first * answer_bytes, count * answer_bytes)],
+                    threads(count as u32),
+                );
+                first += count;
+            }
+            recorder.finish(gpu)?.encode(frame);
+            Ok(())
+        })
+    }
+}
