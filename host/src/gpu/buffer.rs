@@ -1,5 +1,6 @@
 //! Buffers that are used again, ranges of them, and what comes back from them.
 
+use super::work::Traffic;
 use super::{Gpu, GpuError};
 use bytemuck::AnyBitPattern;
 use wgpu::BufferUsages;
@@ -7,39 +8,78 @@ use wgpu::BufferUsages;
 /// Ranges begin at multiples of this, which every adapter takes.
 pub const ALIGNMENT: u64 = 256;
 
-/// A part of a buffer.
+/// A part of a buffer, and how much of it a kernel that sees it touches.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Range {
     pub buffer: wgpu::Buffer,
     pub offset: u64,
     pub size: u64,
+    pub traffic: Traffic,
 }
 
 impl Range {
-    pub fn whole(buffer: &wgpu::Buffer) -> Self {
+    fn new(buffer: &wgpu::Buffer, offset: u64, size: u64) -> Self {
         Self {
             buffer: buffer.clone(),
-            offset: 0,
-            size: buffer.size(),
+            offset,
+            size,
+            traffic: Traffic {
+                bytes: size,
+                bytes_per_node: 0,
+            },
         }
     }
 
+    pub fn whole(buffer: &wgpu::Buffer) -> Self {
+        Self::new(buffer, 0, buffer.size())
+    }
+
     pub fn of_slice(slice: wgpu::BufferSlice) -> Self {
-        Self {
-            buffer: slice.buffer().clone(),
-            offset: slice.offset(),
-            size: slice.size(),
-        }
+        Self::new(slice.buffer(), slice.offset(), slice.size())
     }
 
     /// A part of this range.
     pub fn part(&self, offset: u64, size: u64) -> Self {
         debug_assert!(offset + size <= self.size, "{offset} {size} {}", self.size);
+        Self::new(&self.buffer, self.offset + offset, size)
+    }
+
+    /// The same range, of which only so much is touched.
+    pub fn touching(&self, bytes: u64) -> Self {
         Self {
-            buffer: self.buffer.clone(),
-            offset: self.offset + offset,
-            size,
+            traffic: Traffic {
+                bytes,
+                bytes_per_node: 0,
+            },
+            ..self.clone()
         }
+    }
+
+    /// The same range, of which so much is touched for each node.
+    pub fn touching_nodes(&self, bytes_per_node: u64) -> Self {
+        Self {
+            traffic: Traffic {
+                bytes: 0,
+                bytes_per_node,
+            },
+            ..self.clone()
+        }
+    }
+
+    /// What is touched if all is.
+    pub fn whole_traffic(&self) -> Traffic {
+        if self.traffic.bytes_per_node > 0 {
+            return self.traffic;
+        }
+        Traffic {
+            bytes: self.size,
+            bytes_per_node: 0,
+        }
+    }
+
+    /// Whether both are the same place.
+    pub fn is_same(&self, other: &Self) -> bool {
+        self.buffer == other.buffer && (self.offset, self.size) == (other.offset, other.size)
     }
 
     pub fn binding(&self) -> wgpu::BufferBinding<'_> {
@@ -86,12 +126,9 @@ impl Slot {
                 mapped_at_creation: false,
             })
         });
-        self.buffer = Some(buffer.clone());
-        Range {
-            buffer,
-            offset: 0,
-            size: bytes,
-        }
+        let range = Range::new(&buffer, 0, bytes);
+        self.buffer = Some(buffer);
+        range
     }
 
     pub fn bytes(&self) -> u64 {

@@ -2,9 +2,10 @@
 
 use super::buffer::{Range, Slot};
 use super::bvh::{self, Built};
-use super::program::{Groups, Program, Recorder, Uniform, Work, groups, threads};
+use super::program::{Groups, Program, Recorder, Uniform, groups, threads};
 use super::scan::Scan;
 use super::sort::{Keys, Sort};
+use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Kernel, Mesh};
 use crate::{BuildConfig, CodeBits, RefitError};
 use slimbvh_core::aabb::Aabb;
@@ -346,21 +347,21 @@ impl Builder {
             Kernel::refit_groups,
             &[],
             &[&bvh.triangles],
-            &[&even, pyramid],
+            &[&even, &pyramid.touching(even.size)],
             threads(level_count),
         );
         let (mut below, mut level) = (even, odd);
         let mut begin = 0;
         while level_count > 1 {
             begin += level_count;
-            below.size = u64::from(level_count) * BOX_BYTES;
+            below = below.part(0, u64::from(level_count) * BOX_BYTES);
             level_count = level_count.div_ceil(2);
-            level.size = u64::from(level_count) * BOX_BYTES;
+            level = level.part(0, u64::from(level_count) * BOX_BYTES);
             recorder.dispatch(
                 Kernel::refit_parents,
                 &[Uniform::Params([begin, 0, 0, 0])],
                 &[&below],
-                &[&level, pyramid],
+                &[&level, &pyramid.touching(level.size)],
                 threads(level_count),
             );
             std::mem::swap(&mut below, &mut level);
@@ -383,7 +384,8 @@ impl Builder {
     /// A place for the last triangle of each node's left child.
     fn splits(&mut self, gpu: &Gpu, bvh: &Built) -> Range {
         let node_count = bvh.nodes.size / size_of::<slimbvh_core::Node>() as u64;
-        self.scratch.splits.range(gpu, 4 * node_count)
+        let splits = self.scratch.splits.range(gpu, 4 * node_count);
+        splits.touching_nodes(4)
     }
 }
 

@@ -67,8 +67,9 @@ impl Bvh {
 
     /// Makes room for so many triangles.
     pub(super) fn reserve(&mut self, gpu: &Gpu, triangle_count: u32, depth_bound: u32) -> Built {
+        let nodes = self.nodes.range(gpu, node_bytes(triangle_count));
         let built = Built {
-            nodes: self.nodes.range(gpu, node_bytes(triangle_count)),
+            nodes: nodes.touching_nodes(size_of::<Node>() as u64),
             triangles: self.triangles.range(gpu, triangle_bytes(triangle_count)),
             exponent: self.exponent.range(gpu, STATE_BYTES),
             bounds: self.bounds.range(gpu, 24),

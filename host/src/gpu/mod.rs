@@ -41,6 +41,7 @@ mod sort;
 mod timer;
 mod trace;
 mod wgsl;
+mod work;
 
 pub use adapter::{AdapterChoice, AdapterSummary, adapters};
 pub use buffer::Download;
@@ -52,7 +53,6 @@ pub use error::{AdapterError, GpuError};
 pub use frame::{Frame, Submission};
 pub use kernel::Kernel;
 pub use mesh::Mesh;
-pub use program::Work;
 pub use render::{Counters, PictureDownload, Renderer, Tools, render_image};
 pub use scan::Scan;
 pub use scene::Scene;
@@ -61,3 +61,4 @@ pub use trace::Query;
 /// The version of wgpu that all of this is made with.
 pub use wgpu;
 pub use wgsl::wgsl;
+pub use work::{Traffic, Work};

@@ -1,6 +1,7 @@
 //! Dispatches that are prepared once and encoded into every frame.
 
 use super::buffer::{ALIGNMENT, Range, upload};
+use super::work::{Traffic, Work};
 use super::{Frame, Gpu, Kernel};
 use slimbvh_core::launch::{LANES, dispatch};
 
@@ -57,22 +58,6 @@ struct Dispatch {
     pipeline: wgpu::ComputePipeline,
     bind_group: wgpu::BindGroup,
     groups: Groups,
-}
-
-/// What a stage asks of the GPU.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Work {
-    /// The stage.
-    pub stage: &'static str,
-    /// Dispatches.
-    pub dispatch_count: u32,
-    /// Bytes of all ranges that are read, each counted once a dispatch.
-    pub read_bytes: u64,
-    /// Bytes of all ranges that are written, each counted once a dispatch.
-    pub written_bytes: u64,
-    /// Bytes of what the stage reads that is not its own, and of what it leaves for others, each counted once: no stage that
-    /// does the same can move less.
-    pub least_bytes: u64,
 }
 
 /// That a stage reads or writes a range.
@@ -149,12 +134,12 @@ impl Recorder {
 
     fn access(&mut self, range: &Range, is_write: bool) {
         if let Some(work) = self.work.last_mut() {
-            let bytes = if is_write {
-                &mut work.written_bytes
+            let traffic = if is_write {
+                &mut work.written
             } else {
-                &mut work.read_bytes
+                &mut work.read
             };
-            *bytes += range.size;
+            *traffic += range.traffic;
             self.accesses.push(Access {
                 stage: self.work.len() - 1,
                 range: range.clone(),
@@ -208,7 +193,7 @@ impl Recorder {
         }
         let mut work = self.work;
         for (stage, work) in work.iter_mut().enumerate() {
-            work.least_bytes = least_bytes(stage, &self.accesses);
+            work.least = least(stage, &self.accesses);
         }
         Ok(Program {
             steps,
@@ -218,8 +203,8 @@ impl Recorder {
     }
 }
 
-/// Bytes that come into a stage from outside, and that it leaves: for a later stage, or as nobody here reads them.
-fn least_bytes(stage: usize, accesses: &[Access]) -> u64 {
+/// What comes into a stage from outside, and what it leaves: for a later stage, or as nobody here reads it.
+fn least(stage: usize, accesses: &[Access]) -> Traffic {
     let own = |access: &&Access| access.stage == stage;
     let mut inputs: Vec<&Range> = Vec::new();
     let mut outputs: Vec<&Range> = Vec::new();
@@ -228,7 +213,7 @@ fn least_bytes(stage: usize, accesses: &[Access]) -> u64 {
         .enumerate()
         .filter(|(_, a)| a.stage == stage)
     {
-        let is_same = |other: &&Access| other.range == access.range;
+        let is_same = |other: &&Access| other.range.is_same(&access.range);
         if access.is_write {
             let is_read_later = |other: &&Access| !other.is_write && other.stage > stage;
             let for_later = accesses[i..]
@@ -237,17 +222,25 @@ fn least_bytes(stage: usize, accesses: &[Access]) -> u64 {
                 .any(|a| is_read_later(&a));
             let in_stage = accesses[i..].iter().filter(own).filter(is_same);
             let for_itself = in_stage.into_iter().any(|other| !other.is_write);
-            if (for_later || !for_itself) && !outputs.contains(&&access.range) {
+            if (for_later || !for_itself)
+                && !outputs.iter().any(|other| other.is_same(&access.range))
+            {
                 outputs.push(&access.range);
             }
         } else {
             let mut before = accesses[..i].iter().filter(own).filter(is_same);
-            if !before.any(|other| other.is_write) && !inputs.contains(&&access.range) {
+            if !before.any(|other| other.is_write)
+                && !inputs.iter().any(|other| other.is_same(&access.range))
+            {
                 inputs.push(&access.range);
             }
         }
     }
-    inputs.iter().chain(&outputs).map(|range| range.size).sum()
+    let mut least = Traffic::default();
+    for range in inputs.into_iter().chain(outputs) {
+        least += range.whole_traffic();
+    }
+    least
 }
 
 /// Stores parameters where a uniform may begin, and returns where.

@@ -6,8 +6,9 @@ mod wave;
 
 use super::buffer::{Download, Range, Slot};
 use super::bvh::Built;
-use super::program::{Program, Recorder, Uniform, Work, groups, threads};
+use super::program::{Program, Recorder, Uniform, groups, threads};
 use super::sort::{Keys, Sort};
+use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Kernel, Scene};
 use crate::Stages;
 use crate::picture::{Picture, RenderReport, RenderSettings, View};

@@ -1,7 +1,6 @@
 //! Measures slimbvh and obvhs side by side and writes a record. Exit codes: 0 done, 1 a tracer's answers are wrong,
 //! 2 usage or input.
 
-mod machine;
 mod measure;
 mod options;
 mod report;

@@ -1,10 +1,10 @@
 //! The record's tables, in Markdown.
 
-use crate::machine;
 use crate::measure::{MeshRecord, Run, Samples, TracerRecord};
 use crate::options::Options;
 use anyhow::Result;
 use slimbvh_bench::Agreement;
+use slimbvh_bench::machine;
 use slimbvh_bench::tracers::Visits;
 use std::fmt::Write;
 

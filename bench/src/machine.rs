@@ -3,6 +3,7 @@
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// The processor's name, as Linux tells it.
+#[must_use]
 pub fn processor() -> String {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let line = text.lines().find(|line| line.starts_with("model name"));
@@ -11,6 +12,7 @@ pub fn processor() -> String {
 }
 
 /// The widest vectors that the compiler was allowed to use.
+#[must_use]
 pub fn vectors() -> &'static str {
     if cfg!(target_feature = "avx512f") {
         "AVX-512"
@@ -26,6 +28,7 @@ pub fn vectors() -> &'static str {
 }
 
 /// Today in UTC, as 2026-11-22.
+#[must_use]
 pub fn date() -> String {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     let days = since.map_or(0, |since| since.as_secs() / 86_400);

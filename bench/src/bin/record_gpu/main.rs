@@ -1,0 +1,85 @@
+//! Measures the GPU backend and writes a record: what each stage asks of the GPU, and how long it takes. Exit codes: 0
+//! done, 1 the answers are not the CPU's, 2 usage or input.
+
+mod measure;
+mod report;
+
+use anyhow::{Context, Result, bail};
+use measure::MeshRecord;
+use slimbvh::gpu::{AdapterChoice, Gpu};
+use slimbvh::{Mesh, generate};
+use slimbvh_bench::meshes::SUBJECTS;
+use std::process::ExitCode;
+
+const USAGE: &str = "\
+record-gpu [--out FILE] [--rounds N] [--adapter NAME] [MESH...]
+  --out FILE      also write the tables to FILE
+  --rounds N      measure N times (default 9)
+  --adapter NAME  the GPU with this in its name (default the strongest, software if nothing else)
+  MESH...         these meshes (default dragon, and large: a terrain of 10 million triangles)";
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(0) => ExitCode::SUCCESS,
+        Ok(wrong) => {
+            eprintln!("WRONG: {wrong} answers are not the CPU's");
+            ExitCode::from(1)
+        }
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Returns how many answers are wrong.
+fn run() -> Result<usize> {
+    let (mut out, mut rounds, mut choice) = (None, 9, AdapterChoice::Any);
+    let mut names = Vec::new();
+    let mut arguments = std::env::args().skip(1);
+    while let Some(argument) = arguments.next() {
+        let mut value = || {
+            arguments
+                .next()
+                .with_context(|| format!("{argument} needs a value"))
+        };
+        match argument.as_str() {
+            "--help" | "-h" => {
+                println!("{USAGE}");
+                return Ok(0);
+            }
+            "--out" => out = Some(value()?),
+            "--rounds" => rounds = value()?.parse().context("--rounds needs a number")?,
+            "--adapter" => choice = AdapterChoice::Named(value()?),
+            name if name.starts_with('-') => bail!("there is no option {name:?}\n{USAGE}"),
+            _ => names.push(argument),
+        }
+    }
+    if names.is_empty() {
+        names = vec!["dragon".into(), "large".into()];
+    }
+    let gpu = Gpu::open(&choice)?;
+    let mut records: Vec<MeshRecord> = Vec::new();
+    for name in &names {
+        if let Some(mesh) = mesh(name)? {
+            eprintln!("{name}: {} triangles", mesh.indices.len());
+            records.push(measure::measure(&gpu, name, &mesh, rounds)?);
+        }
+    }
+    let text = report::report(&gpu, &records, rounds, &names)?;
+    print!("{text}");
+    if let Some(path) = &out {
+        std::fs::write(path, &text).with_context(|| format!("cannot write {path:?}"))?;
+    }
+    Ok(records.iter().map(|record| record.wrong_answers).sum())
+}
+
+/// A mesh by name, `None` where its file is missing.
+fn mesh(name: &str) -> Result<Option<Mesh>> {
+    if name == "large" {
+        return Ok(Some(generate::terrain(10.0, 2237, 7)));
+    }
+    let subject = SUBJECTS.iter().find(|subject| subject.name == name);
+    let subject = subject.with_context(|| format!("there is no mesh {name:?}"))?;
+    subject.mesh()
+}
