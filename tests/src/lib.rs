@@ -1,10 +1,12 @@
 //! Generators and oracles for the tests of slimbvh.
 //!
 //! Meshes and rays come as proptest [`strategies`] and as [`closed`] solids for stress; answers are compared with those of
-//! an [`oracle`]; [`validate`] walks a tree.
+//! an [`oracle`]; [`validate`] walks a tree; [`parity`] is what the [`gpu`] and the CPU must have.
 
 pub mod closed;
+pub mod gpu;
 pub mod oracle;
+pub mod parity;
 pub mod random;
 pub mod rays;
 pub mod scenes;

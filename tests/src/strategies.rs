@@ -15,7 +15,28 @@ pub type Corners = [[f32; 3]; 3];
 
 /// A mesh of any kind, of any magnitude from `10^-30` to `10^30`, anywhere.
 pub fn any_mesh() -> impl Strategy<Value = Mesh> {
-    let kind = prop_oneof![
+    (any_kind(), placement()).prop_map(|(mesh, placement)| placement.apply(mesh))
+}
+
+/// Some thousands of triangles of all kinds in one mesh, of any magnitude, anywhere.
+pub fn large_mesh() -> impl Strategy<Value = Mesh> {
+    let parts = proptest::collection::vec(any_kind(), 24..48);
+    (parts, placement()).prop_map(|(parts, placement)| {
+        let mut mesh = Mesh::default();
+        for part in parts {
+            let first = mesh.vertices.len() as u32;
+            let indices = part.indices.iter();
+            mesh.indices
+                .extend(indices.map(|corners| corners.map(|corner| first + corner)));
+            mesh.vertices.extend(part.vertices);
+        }
+        placement.apply(mesh)
+    })
+}
+
+/// Of magnitude 1 or some few units.
+fn any_kind() -> impl Strategy<Value = Mesh> {
+    prop_oneof![
         4 => random_soup(200),
         4 => grid(4, 120),
         2 => slivers(80),
@@ -24,8 +45,7 @@ pub fn any_mesh() -> impl Strategy<Value = Mesh> {
         1 => equal_centres(60),
         2 => huge_and_tiny(80),
         3 => solid(),
-    ];
-    (kind, placement()).prop_map(|(mesh, placement)| placement.apply(mesh))
+    ]
 }
 
 /// Where a mesh is put, and how large.

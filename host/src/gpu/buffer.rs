@@ -3,10 +3,14 @@
 use super::work::Traffic;
 use super::{Gpu, GpuError};
 use bytemuck::AnyBitPattern;
+use std::time::Duration;
 use wgpu::BufferUsages;
 
 /// Ranges begin at multiples of this, which every adapter takes.
 pub const ALIGNMENT: u64 = 256;
+
+/// How long a callback may be on its way after the GPU is done.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// A part of a buffer, and how much of it a kernel that sees it touches.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -198,7 +202,8 @@ pub fn read_mapped<T: AnyBitPattern + bytemuck::NoUninit>(
             let _ = sender.send(result);
         });
         gpu.wait(None)?;
-        match mapped.try_recv() {
+        // Another thread that polls may have taken the callback, and be about to call it.
+        match mapped.recv_timeout(PATIENCE) {
             Ok(Ok(())) => {}
             _ => return Err(gpu.lost("its memory cannot be read")),
         }

@@ -49,7 +49,10 @@ impl Default for Bvh {
             .union(BufferUsages::COPY_DST);
         Self {
             nodes: Slot::storage("slimbvh nodes"),
-            triangles: Slot::storage("slimbvh leaf triangles"),
+            triangles: Slot::new(
+                "slimbvh leaf triangles",
+                BufferUsages::STORAGE.union(BufferUsages::COPY_DST),
+            ),
             exponent: Slot::new("slimbvh scene exponent", state),
             bounds: Slot::new("slimbvh scene bounds", state),
             total: Slot::new("slimbvh node count", state),

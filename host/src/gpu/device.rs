@@ -163,8 +163,13 @@ impl Gpu {
             block_on(internal.pop()),
             block_on(memory.pop()),
         );
+        let error = memory.or(internal).or(validation);
+        if error.is_some() {
+            // A loss is told of when the device is polled, and after what it made invalid.
+            let _ = self.device.poll(wgpu::PollType::Poll);
+        }
         self.check_alive()?;
-        match memory.or(internal).or(validation) {
+        match error {
             Some(error) => Err(self.describe(&error)),
             None => result,
         }

@@ -1,0 +1,23 @@
+//! The GPU stores what the CPU does: each kernel and each whole, with the buffers, limits and faults of the GPU's own.
+
+mod buffers;
+mod builds;
+mod chain;
+mod contract;
+mod kernels;
+mod limits;
+mod lost;
+mod order;
+mod pictures;
+mod scans;
+mod shading;
+mod sorts;
+mod textures;
+mod trace;
+mod views;
+mod waves;
+
+/// Sizes at and around the borders of words, workgroups, blocks and rows of blocks.
+const SIZES: [u32; 19] = [
+    1, 3, 4, 5, 31, 32, 33, 63, 64, 65, 1023, 1024, 1025, 2047, 2048, 2049, 65535, 65536, 65537,
+];

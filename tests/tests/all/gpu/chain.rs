@@ -1,0 +1,160 @@
+//! All that passes from stage to stage of a build, by core's functions and the plainest of loops: what each kernel should
+//! read and store.
+
+use slimbvh::{CodeBits, Mesh};
+use slimbvh_core::bounds::{run_bounds, scene_exponent};
+use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::launch::BLOCK;
+use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
+use slimbvh_core::node::LEAF_SIZE;
+use slimbvh_core::refit::{PyramidBox, group_bounds, group_count, parent_bounds, refit_node};
+use slimbvh_core::snap::leaf_triangle;
+use slimbvh_core::topology::{Codes30, Codes63, SortedCodes, internal_node, kept_nodes};
+use slimbvh_core::{Aabb, LeafTriangle, Node};
+
+/// The stages of one build over more triangles than a leaf holds.
+pub struct Chain {
+    /// The box of each block of triangles, then the scene's.
+    pub blocks: Vec<[f32; 6]>,
+    pub scene: [f32; 6],
+    pub exponent: i32,
+    pub frame: Frame,
+    /// As the sort takes them, in the order of the mesh and sorted: words of a key, then the primitive.
+    pub items: Vec<u32>,
+    pub sorted: Vec<u32>,
+    /// Sorted keys.
+    pub codes: Vec<u32>,
+    pub triangles: Vec<LeafTriangle>,
+    /// A bit for each node that is kept, how many are in each word, and in all words before.
+    pub kept: Vec<u32>,
+    pub counts: Vec<u32>,
+    pub before: Vec<u32>,
+    /// Without boxes, and the last triangle of each one's left child.
+    pub bare_nodes: Vec<Node>,
+    pub splits: Vec<u32>,
+    /// From the largest level to the root's.
+    pub levels: Vec<Vec<PyramidBox>>,
+    pub nodes: Vec<Node>,
+}
+
+impl Chain {
+    /// `None` for a mesh that is a single leaf.
+    pub fn new(mesh: &Mesh, code_bits: CodeBits) -> Option<Self> {
+        let triangles = mesh.triangles();
+        let count = mesh.indices.len() as u32;
+        if count <= LEAF_SIZE {
+            return None;
+        }
+        let block = |first| run_bounds(first, BLOCK.min(count - first), &triangles);
+        let firsts = (0..count).step_by(BLOCK as usize);
+        let bounds = run_bounds(0, count, &triangles);
+        let exponent = scene_exponent(&bounds);
+        let frame = Frame::new(&bounds, if is_short(code_bits) { 10 } else { 21 });
+
+        // A stable sort by the key, and nothing else.
+        let key = |i: u32| {
+            let bounds = triangles.triangle(i).bounds();
+            match code_bits {
+                CodeBits::Bits30 => vec![morton_code_30(&bounds, &frame)],
+                CodeBits::Bits63 => morton_code_63(&bounds, &frame).to_vec(),
+            }
+        };
+        let items: Vec<(Vec<u32>, u32)> = (0..count).map(|i| (key(i), i)).collect();
+        let mut sorted = items.clone();
+        sorted.sort_by(|a, b| a.0.cmp(&b.0));
+        let words = |items: &[(Vec<u32>, u32)]| -> Vec<u32> {
+            let item = |(key, i): &(Vec<u32>, u32)| [key.as_slice(), &[*i]].concat();
+            items.iter().flat_map(item).collect()
+        };
+        let codes: Vec<u32> = sorted.iter().flat_map(|(key, _)| key.clone()).collect();
+        let scale = PowerOfTwo::new(exponent);
+        let leaf = |(_, i): &(Vec<u32>, u32)| leaf_triangle(*i, &triangles, &scale);
+
+        let mut chain = Self {
+            blocks: firsts.map(|first| numbers(&block(first))).collect(),
+            scene: numbers(&bounds),
+            exponent,
+            frame,
+            items: words(&items),
+            sorted: words(&sorted),
+            triangles: sorted.iter().map(leaf).collect(),
+            codes,
+            kept: Vec::new(),
+            counts: Vec::new(),
+            before: Vec::new(),
+            bare_nodes: Vec::new(),
+            splits: Vec::new(),
+            levels: Vec::new(),
+            nodes: Vec::new(),
+        };
+        let codes = chain.codes.clone();
+        match code_bits {
+            CodeBits::Bits30 => chain.connect(&Codes30(&codes)),
+            CodeBits::Bits63 => chain.connect(&Codes63(bytemuck::cast_slice(&codes))),
+        }
+        chain.fit();
+        Some(chain)
+    }
+
+    fn connect<C: SortedCodes>(&mut self, codes: &C) {
+        let words = (codes.count() - 1).div_ceil(32);
+        self.kept = (0..words).map(|word| kept_nodes(word, codes)).collect();
+        self.counts = self.kept.iter().map(|word| word.count_ones()).collect();
+        let sums = self.counts.iter().scan(0, |sum, &count| {
+            *sum += count;
+            Some(*sum - count)
+        });
+        self.before = sums.collect();
+        let is_kept = |i: &u32| self.kept[*i as usize / 32] >> (i % 32) & 1 == 1;
+        let nodes = (0..codes.count() - 1).filter(is_kept);
+        (self.bare_nodes, self.splits) = nodes
+            .map(|i| internal_node(i, codes, &self.kept, &self.before))
+            .unzip();
+    }
+
+    fn fit(&mut self) {
+        let groups = group_count(self.triangles.len() as u32);
+        let mut level: Vec<_> = (0..groups)
+            .map(|group| group_bounds(group, &self.triangles))
+            .collect();
+        while level.len() > 1 {
+            let parents = (0..level.len().div_ceil(2) as u32).map(|i| parent_bounds(i, &level));
+            let parents = parents.collect();
+            self.levels.push(std::mem::replace(&mut level, parents));
+        }
+        self.levels.push(level);
+        let pyramid = self.pyramid();
+        let nodes = self.bare_nodes.iter().zip(&self.splits);
+        self.nodes = nodes
+            .map(|(&node, &split)| refit_node(node, split, &self.triangles, &pyramid))
+            .collect();
+    }
+
+    /// All levels, one after the other.
+    pub fn pyramid(&self) -> Vec<PyramidBox> {
+        self.levels.concat()
+    }
+
+    /// Uniforms as kernels want them.
+    pub fn exponent_uniform(&self) -> [u32; 4] {
+        [self.exponent as u32, 0, 0, 0]
+    }
+
+    /// The number of nodes, and what `scan_blocks` stores beside it.
+    pub fn total_uniform(&self) -> [u32; 4] {
+        let count = self.nodes.len() as u32;
+        let [x, y, z] = slimbvh_core::launch::dispatch(count.div_ceil(64));
+        [count, x, y, z]
+    }
+}
+
+/// Min, then max.
+pub fn numbers(bounds: &Aabb) -> [f32; 6] {
+    let ([a, b, c], [d, e, f]) = (bounds.min.to_array(), bounds.max.to_array());
+    [a, b, c, d, e, f]
+}
+
+/// Whether keys are of one word.
+pub fn is_short(code_bits: CodeBits) -> bool {
+    code_bits == CodeBits::Bits30
+}

@@ -1,0 +1,174 @@
+//! Kernels of the build from `topology` on, each alone: what it stores is what core's function returns, to the bit.
+
+use super::chain::{Chain, is_short};
+use bytemuck::{Zeroable, bytes_of, cast_slice};
+use proptest::prelude::*;
+use slimbvh::CodeBits;
+use slimbvh::gpu::{Gpu, Kernel};
+use slimbvh_core::Node;
+use slimbvh_core::node::LEAF_SIZE;
+use slimbvh_core::refit::{PyramidBox, split_of};
+use slimbvh_core::topology::single_node;
+use slimbvh_tests::gpu::{Dispatch, answers, done, gpu};
+use slimbvh_tests::parity::same_bits;
+use slimbvh_tests::strategies::large_mesh;
+use slimbvh_tests::{CODE_BITS, cases};
+
+/// The workgroups that give each item a thread.
+pub fn groups(count: usize) -> u32 {
+    count.div_ceil(64) as u32
+}
+
+fn check_topology(gpu: &Gpu, chain: &Chain, code_bits: CodeBits) -> Result<(), String> {
+    let (kept, nodes) = if is_short(code_bits) {
+        (Kernel::topology_kept_30, Kernel::topology_nodes_30)
+    } else {
+        (Kernel::topology_kept_63, Kernel::topology_nodes_63)
+    };
+    let codes: &[u8] = cast_slice(&chain.codes);
+    let words = vec![!0u32; chain.kept.len()];
+    let stored = Dispatch {
+        kernel: kept,
+        group_count: groups(words.len()),
+        uniforms: &[],
+        reads: &[codes],
+        outputs: &[cast_slice(&words), cast_slice(&words)],
+    }
+    .run(gpu);
+    same_bits(&answers::<u32>(&stored[0]), &chain.kept)?;
+    same_bits(&answers::<u32>(&stored[1]), &chain.counts)?;
+
+    // What lies beyond the last node stays as it was.
+    let count = chain.triangles.len();
+    let mut expected = vec![
+        Node {
+            first: 7,
+            ..Node::EMPTY
+        };
+        count
+    ];
+    let mut splits = vec![7u32; count];
+    let before = [
+        bytes_of(&expected[0]).repeat(count),
+        cast_slice(&splits).to_vec(),
+    ];
+    expected[..chain.bare_nodes.len()].copy_from_slice(&chain.bare_nodes);
+    splits[..chain.splits.len()].copy_from_slice(&chain.splits);
+    let stored = Dispatch {
+        kernel: nodes,
+        group_count: groups(count),
+        uniforms: &[],
+        reads: &[codes, cast_slice(&chain.kept), cast_slice(&chain.before)],
+        outputs: &[&before[0], &before[1]],
+    }
+    .run(gpu);
+    same_bits(&answers::<Node>(&stored[0]), &expected)?;
+    same_bits(&answers::<u32>(&stored[1]), &splits)
+}
+
+fn check_pyramid(gpu: &Gpu, chain: &Chain) -> Result<(), String> {
+    let nothing = |count: usize| vec![PyramidBox::zeroed(); count];
+    let mut pyramid = nothing(chain.pyramid().len());
+    let mut begin = 0;
+    for (depth, level) in chain.levels.iter().enumerate() {
+        let params = [begin as u32, 0, 0, 0];
+        let uniforms: [&[u32]; 1] = [&params];
+        let (kernel, uniforms, below): (_, &[&[u32]], &[u8]) = if depth == 0 {
+            (Kernel::refit_groups, &[], cast_slice(&chain.triangles))
+        } else {
+            let below = &chain.levels[depth - 1];
+            (Kernel::refit_parents, &uniforms, cast_slice(below))
+        };
+        let stored = Dispatch {
+            kernel,
+            group_count: groups(level.len()),
+            uniforms,
+            reads: &[below],
+            outputs: &[cast_slice(&nothing(level.len())), cast_slice(&pyramid)],
+        }
+        .run(gpu);
+        same_bits(&answers::<PyramidBox>(&stored[0]), level)?;
+        pyramid = answers(&stored[1]);
+        begin += level.len();
+    }
+    same_bits(&pyramid, &chain.pyramid())
+}
+
+fn check_refit(gpu: &Gpu, chain: &Chain) -> Result<(), String> {
+    let pyramid = chain.pyramid();
+    let total = chain.total_uniform();
+    let (leaves, splits) = (cast_slice(&chain.triangles), cast_slice(&chain.splits));
+    let dispatch = Dispatch {
+        kernel: Kernel::refit_nodes,
+        group_count: groups(chain.nodes.len()),
+        uniforms: &[&total],
+        reads: &[leaves, cast_slice(&pyramid), splits],
+        outputs: &[cast_slice(&chain.bare_nodes)],
+    };
+    let stored = dispatch.run(gpu);
+    same_bits(&answers::<Node>(&stored[0]), &chain.nodes)?;
+    let stored = Dispatch {
+        kernel: Kernel::refit_splits,
+        reads: &[cast_slice(&chain.nodes)],
+        outputs: &[cast_slice(&vec![0u32; chain.splits.len()])],
+        ..dispatch
+    }
+    .run(gpu);
+    same_bits(&answers::<u32>(&stored[0]), &chain.splits)
+}
+
+proptest! {
+    #![proptest_config(cases(6))]
+
+    #[test]
+    fn topology_and_refit_are_those_of_core(mesh in large_mesh()) {
+        let Some(gpu) = gpu() else { return Ok(()) };
+        for code_bits in CODE_BITS {
+            let Some(chain) = Chain::new(&mesh, code_bits) else { continue };
+            prop_assert_eq!(check_topology(gpu, &chain, code_bits), Ok(()));
+            prop_assert_eq!(check_pyramid(gpu, &chain), Ok(()));
+            prop_assert_eq!(check_refit(gpu, &chain), Ok(()));
+        }
+    }
+}
+
+#[test]
+fn one_flipped_bit_of_what_a_kernel_reads_is_found() {
+    let Some(gpu) = gpu() else { return };
+    let chain = |code_bits| Chain::new(&slimbvh::generate::soup(500, 3), code_bits).unwrap();
+    for code_bits in CODE_BITS {
+        let mut spoilt = chain(code_bits);
+        done(check_topology(gpu, &spoilt, code_bits));
+        // A key with another highest bit in the first half.
+        spoilt.codes[100] ^= 1 << 29;
+        assert!(check_topology(gpu, &spoilt, code_bits).is_err());
+    }
+    let mut spoilt = chain(CodeBits::Bits30);
+    done(check_pyramid(gpu, &spoilt));
+    let corner = &mut spoilt.triangles[77].vertices;
+    *corner = corner.map(|x| f32::from_bits(x.to_bits() ^ 1));
+    assert!(check_pyramid(gpu, &spoilt).is_err());
+    let mut spoilt = chain(CodeBits::Bits30);
+    done(check_refit(gpu, &spoilt));
+    spoilt.splits[20] ^= 1;
+    assert!(check_refit(gpu, &spoilt).is_err());
+}
+
+#[test]
+fn single_nodes_are_those_of_core() {
+    let Some(gpu) = gpu() else { return };
+    for count in 0..=LEAF_SIZE {
+        let stored = Dispatch {
+            kernel: Kernel::topology_single,
+            group_count: 1,
+            uniforms: &[&[count, 0, 0, 0]],
+            reads: &[],
+            outputs: &[&[9; 128], &[9; 8], &[9; 16]],
+        }
+        .run(gpu);
+        let node = single_node(count);
+        assert_eq!(stored[0], [bytes_of(&node), &[9; 64]].concat());
+        assert_eq!(stored[1], [bytes_of(&split_of(&node, 0)), &[9; 4]].concat());
+        assert_eq!(answers::<u32>(&stored[2]), [1, 1, 1, 1]);
+    }
+}

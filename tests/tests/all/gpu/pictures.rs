@@ -1,0 +1,295 @@
+//! Pictures of the GPU are those of the CPU.
+
+use glam::Vec3;
+use slimbvh::generate::{append, cuboid, default_scene, icosphere, soup, terrain};
+use slimbvh::gpu::{self, Gpu};
+use slimbvh::{
+    BuildConfig, Camera, CodeBits, Light, Material, Picture, Projection, RenderReport,
+    RenderSettings, Scene, View,
+};
+use slimbvh_tests::build;
+use slimbvh_tests::gpu::{done, gpu};
+use slimbvh_tests::parity::alike;
+use slimbvh_tests::scenes::real_meshes;
+
+/// This share of the bytes may differ, by no more than [`MOST`]: some come to lie between two bytes.
+const SHARE: f64 = 1e-3;
+const MOST: u8 = 1;
+
+pub const VIEWS: [View; 5] = [
+    View::Color,
+    View::Normals,
+    View::Depth,
+    View::Primitives,
+    View::Heatmap,
+];
+
+/// A small one.
+pub fn settings(view: View) -> RenderSettings {
+    RenderSettings {
+        size: [160, 90],
+        view,
+        ..RenderSettings::default()
+    }
+}
+
+/// By the GPU, with what it counted.
+pub fn of_gpu(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> (Picture, RenderReport) {
+    let mut picture = Picture::default();
+    let tools = gpu::Tools {
+        builder: &mut gpu::Builder::new(BuildConfig::default()),
+        bvh: &mut gpu::Bvh::new(),
+        renderer: &mut gpu::Renderer::new(),
+    };
+    let rendered = gpu::render_image(gpu, tools, scene, settings, &mut picture, |_| {});
+    (picture, done(rendered).1)
+}
+
+/// By the CPU.
+pub fn of_cpu(scene: &Scene, settings: &RenderSettings) -> (Picture, RenderReport) {
+    let bvh = build(&scene.mesh, CodeBits::Bits30);
+    let mut picture = Picture::default();
+    let mut renderer = slimbvh::Renderer::new();
+    let report = renderer.render(scene, &bvh, settings, &mut picture, |_| {});
+    (picture, done(report))
+}
+
+fn counts(report: &RenderReport) -> [u64; 5] {
+    [
+        report.primary_ray_count,
+        report.primary_hit_count,
+        report.shadow_ray_count,
+        report.mirror_ray_count,
+        report.node_visit_count,
+    ]
+}
+
+fn check(gpu: &Gpu, what: &str, scene: &Scene, settings: &RenderSettings) {
+    let ((a, a_report), (b, b_report)) = (of_gpu(gpu, scene, settings), of_cpu(scene, settings));
+    let result = alike(&a, &b, SHARE, MOST);
+    assert!(result.is_ok(), "{what}, {:?}: {result:?}", settings.view);
+    let (a, b) = (counts(&a_report), counts(&b_report));
+    if slimbvh_tests::gpu::is_software(gpu) {
+        assert_eq!(a, b, "{what}, {:?}", settings.view);
+    } else {
+        // A last bit decides about some rays.
+        let near = |a: u64, b: u64| a.abs_diff(b) <= 2 + a / 1000;
+        let all = a.iter().zip(&b).all(|(&a, &b)| near(a, b));
+        assert!(all, "{what}, {:?}: {a:?} instead of {b:?}", settings.view);
+    }
+}
+
+fn look_at(eye: [f32; 3], target: [f32; 3], projection: Projection) -> Camera {
+    Camera {
+        eye,
+        target,
+        up: [0.0, 1.0, 0.0],
+        projection,
+    }
+}
+
+/// Mirrors that see each other, three lights of both kinds, one of them near, smooth and flat parts.
+pub fn hall_of_mirrors() -> Scene {
+    let material = |base_color, mirror| Material { base_color, mirror };
+    let mut mesh = icosphere(Vec3::new(-0.6, 0.1, 0.0), 0.55, 4);
+    append(
+        &mut mesh,
+        cuboid(Vec3::new(0.2, -0.5, -0.6), Vec3::new(1.1, 0.5, 0.3)),
+        "box",
+        1,
+    );
+    append(
+        &mut mesh,
+        cuboid(Vec3::new(-3.0, -0.6, -3.0), Vec3::new(3.0, -0.5, 3.0)),
+        "floor",
+        2,
+    );
+    append(
+        &mut mesh,
+        icosphere(Vec3::new(0.5, 0.8, 0.4), 0.25, 2),
+        "ball",
+        3,
+    );
+    Scene {
+        mesh,
+        materials: vec![
+            material([0.9, 0.8, 0.7], 0.8),
+            material([0.3, 0.5, 0.9], 0.5),
+            material([0.7, 0.7, 0.6], 0.1),
+            material([0.9, 0.2, 0.1], 0.0),
+        ],
+        cameras: vec![look_at(
+            [0.5, 1.2, 3.5],
+            [0.0, 0.1, 0.0],
+            Projection::Perspective { vertical_fov: 40.0 },
+        )],
+        lights: vec![
+            Light::Directional {
+                direction: [0.5, -1.0, -0.3],
+                color: [1.5, 1.4, 1.2],
+            },
+            Light::Point {
+                position: [-1.5, 1.5, 1.0],
+                color: [2.0, 3.0, 4.0],
+                range: f32::INFINITY,
+            },
+            Light::Point {
+                position: [1.2, 0.9, 1.0],
+                color: [1.0, 0.5, 0.2],
+                range: 1.4,
+            },
+        ],
+        dropped_face_count: 0,
+    }
+}
+
+/// An open surface without normals, seen by parallel rays, with indices of materials that are not all there.
+pub fn open_and_flat() -> Scene {
+    let mut mesh = terrain(4.0, 40, 3);
+    mesh.normals.clear();
+    mesh.materials = (0..mesh.indices.len() as u32).map(|i| i % 5).collect();
+    let colors = [[0.8, 0.3, 0.2], [0.2, 0.8, 0.3], [0.2, 0.3, 0.8]];
+    let material = |base_color| Material {
+        base_color,
+        mirror: 0.0,
+    };
+    Scene {
+        mesh,
+        materials: colors.map(material).to_vec(),
+        cameras: vec![look_at(
+            [3.0, 4.0, 3.0],
+            [0.0, 0.0, 0.0],
+            Projection::Orthographic { height: 4.0 },
+        )],
+        lights: vec![Light::Directional {
+            direction: [0.3, -1.0, 0.2],
+            color: [2.0; 3],
+        }],
+        dropped_face_count: 0,
+    }
+}
+
+/// A mesh as it comes: no materials, camera and light as they are chosen for it.
+fn completed(mesh: slimbvh::Mesh) -> Scene {
+    let mut scene = Scene {
+        mesh,
+        ..Scene::default()
+    };
+    scene.complete(scene.mesh.bounds(), [160, 90]);
+    scene
+}
+
+#[test]
+fn the_default_scene_is_that_of_the_cpu_in_every_view() {
+    let Some(gpu) = gpu() else { return };
+    for view in VIEWS {
+        check(gpu, "default scene", &default_scene(), &settings(view));
+    }
+}
+
+#[test]
+fn mirrors_lights_and_parallel_views_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for view in VIEWS {
+        check(gpu, "hall of mirrors", &hall_of_mirrors(), &settings(view));
+        check(gpu, "open and flat", &open_and_flat(), &settings(view));
+    }
+    for mirror_depth in [0, 1, 9] {
+        let settings = RenderSettings {
+            size: [64, 48],
+            mirror_depth,
+            ..settings(View::Color)
+        };
+        check(gpu, "hall of mirrors", &hall_of_mirrors(), &settings);
+    }
+}
+
+#[test]
+fn samples_and_odd_sizes_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for (size, sample_count) in [([1, 1], 1), ([65, 3], 1), ([63, 7], 4), ([13, 17], 5)] {
+        for view in VIEWS {
+            let settings = RenderSettings {
+                size,
+                sample_count,
+                ..settings(view)
+            };
+            check(gpu, "hall of mirrors", &hall_of_mirrors(), &settings);
+        }
+    }
+}
+
+#[test]
+fn scenes_of_little_or_nothing_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    let dark = Scene {
+        lights: Vec::new(),
+        ..hall_of_mirrors()
+    };
+    let scenes = [
+        ("nothing", completed(slimbvh::Mesh::default())),
+        ("one triangle", completed(soup(1, 3))),
+        ("five triangles", completed(soup(5, 3))),
+        ("no lights", dark),
+    ];
+    for (name, scene) in scenes {
+        for view in VIEWS {
+            check(gpu, name, &scene, &settings(view));
+        }
+    }
+}
+
+#[test]
+fn scenes_of_any_magnitude_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for scale in [1e-12, 1e-3, 1e9] {
+        let mut scene = hall_of_mirrors();
+        let scaled = |p: [f32; 3]| p.map(|x| x * scale);
+        for vertex in &mut scene.mesh.vertices {
+            *vertex = scaled(*vertex);
+        }
+        let camera = &mut scene.cameras[0];
+        (camera.eye, camera.target) = (scaled(camera.eye), scaled(camera.target));
+        for light in &mut scene.lights {
+            if let Light::Point {
+                position,
+                color,
+                range,
+            } = light
+            {
+                *position = scaled(*position);
+                *color = color.map(|x| x * scale * scale);
+                *range *= scale;
+            }
+        }
+        check(
+            gpu,
+            &format!("scaled by {scale:e}"),
+            &scene,
+            &settings(View::Color),
+        );
+    }
+}
+
+#[test]
+fn real_scenes_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for (name, mesh) in real_meshes(&["dragon.ply", "armadillo.off", "sponza.obj"]) {
+        let scene = completed(mesh);
+        for view in [View::Color, View::Heatmap] {
+            check(gpu, &name, &scene, &settings(view));
+        }
+    }
+}
+
+#[test]
+fn a_picture_of_something_else_is_found() {
+    let Some(gpu) = gpu() else { return };
+    let scene = hall_of_mirrors();
+    let mut other = scene.clone();
+    other.materials[3].base_color[0] -= 0.05;
+    let settings = settings(View::Color);
+    let (picture, _) = of_gpu(gpu, &other, &settings);
+    done(alike(&picture, &of_cpu(&other, &settings).0, SHARE, MOST));
+    assert!(alike(&picture, &of_cpu(&scene, &settings).0, SHARE, MOST).is_err());
+}

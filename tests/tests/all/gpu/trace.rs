@@ -1,0 +1,274 @@
+//! Rays get the CPU's answers: to the bit in software, almost on a real GPU.
+
+use proptest::prelude::*;
+use slimbvh::generate::soup;
+use slimbvh::gpu::{self, Gpu, GpuError, Query, wgpu};
+use slimbvh::{BuildConfig, Bvh, CodeBits, Mesh};
+use slimbvh_core::launch::NEAREST_COUNT;
+use slimbvh_core::ray::PreparedRay;
+use slimbvh_core::trace::{ClosestHit, Counted, traverse};
+use slimbvh_core::{Hit, NO_PRIMITIVE, Ray};
+use slimbvh_tests::gpu::{contents, done, gpu, is_software, storage};
+use slimbvh_tests::parity::{GRAZING, close_hits, same_bits};
+use slimbvh_tests::random::Random;
+use slimbvh_tests::rays::some_rays;
+use slimbvh_tests::strategies::{any_mesh, large_mesh};
+use slimbvh_tests::{build, cases};
+
+/// All that can be asked, about every ray.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answers {
+    closest: Vec<Hit>,
+    any: Vec<u32>,
+    nearest: Vec<[Hit; NEAREST_COUNT]>,
+    counted: Vec<[u32; 2]>,
+}
+
+impl Answers {
+    /// Builds and traces in one frame.
+    pub fn of_gpu(gpu: &Gpu, mesh: &Mesh, code_bits: CodeBits, rays: &[Ray]) -> Self {
+        let mesh = done(gpu::Mesh::upload(gpu, mesh));
+        let mut bvh = gpu::Bvh::new();
+        let mut frame = gpu.frame();
+        let mut builder = gpu::Builder::new(BuildConfig { code_bits });
+        done(builder.build(&mut frame, &mesh, &mut bvh));
+        let ray_buffer = storage(gpu, rays);
+        let queries = [Query::Closest, Query::Any, Query::Nearest, Query::Counted];
+        let [closest, any, nearest, counted] = queries.map(|query| {
+            let answers = vec![0u8; rays.len() * query.answer_bytes() as usize];
+            let answers = storage(gpu, &answers);
+            done(bvh.trace(&mut frame, query, ray_buffer.slice(..), answers.slice(..)));
+            answers
+        });
+        done(frame.submit());
+        Self {
+            closest: contents(gpu, &closest),
+            any: contents(gpu, &any),
+            nearest: contents(gpu, &nearest),
+            counted: contents(gpu, &counted),
+        }
+    }
+
+    pub fn of_cpu(bvh: &Bvh, rays: &[Ray]) -> Self {
+        let counted = |ray: &Ray| {
+            let ray = PreparedRay::new(ray, bvh.scene_exponent());
+            let mut counted = Counted::new(ClosestHit::new(ray.t_max));
+            let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
+            traverse(&nodes, &triangles, &ray, NO_PRIMITIVE, &mut counted);
+            [counted.node_count, counted.triangle_count]
+        };
+        Self {
+            closest: rays.iter().map(|ray| bvh.closest_hit(ray)).collect(),
+            any: rays.iter().map(|ray| bvh.any_hit(ray).into()).collect(),
+            nearest: rays.iter().map(|ray| bvh.nearest_hits(ray)).collect(),
+            counted: rays.iter().map(counted).collect(),
+        }
+    }
+
+    /// To the bit in software. On a real GPU hits may be a little off, and the searches for them a little longer.
+    pub fn compare(&self, cpu: &Self, is_software: bool) -> Result<(), String> {
+        same_bits(&self.any, &cpu.any)?;
+        let lists = [self, cpu].map(|answers| answers.nearest.concat());
+        if is_software {
+            same_bits(&self.closest, &cpu.closest)?;
+            same_bits(&lists[0], &lists[1])?;
+            return same_bits(&self.counted, &cpu.counted);
+        }
+        close_hits(&self.closest, &cpu.closest)?;
+        close_hits(&lists[0], &lists[1])?;
+        let counts = self.counted.iter().zip(&cpu.counted);
+        let different = counts.filter(|(a, b)| a != b).count();
+        if different * GRAZING > self.counted.len() {
+            return Err(format!("{different} searches touch other nodes"));
+        }
+        Ok(())
+    }
+}
+
+fn check(gpu: &Gpu, mesh: &Mesh, code_bits: CodeBits, rays: &[Ray]) -> Result<usize, String> {
+    let answers = Answers::of_gpu(gpu, mesh, code_bits, rays);
+    answers.compare(
+        &Answers::of_cpu(&build(mesh, code_bits), rays),
+        is_software(gpu),
+    )?;
+    Ok(answers.any.iter().filter(|&&any| any == 1).count())
+}
+
+proptest! {
+    #![proptest_config(cases(50))]
+
+    #[test]
+    fn answers_are_those_of_the_cpu(mesh in any_mesh(), recipes in some_rays(300), long: bool) {
+        let Some(gpu) = gpu() else { return Ok(()) };
+        let rays: Vec<Ray> = recipes.iter().map(|recipe| recipe.cook(&mesh)).collect();
+        let code_bits = if long { CodeBits::Bits63 } else { CodeBits::Bits30 };
+        let result = check(gpu, &mesh, code_bits, &rays);
+        prop_assert!(result.is_ok(), "{:?}", result);
+    }
+
+    #[test]
+    fn answers_in_large_meshes_are_those_of_the_cpu(mesh in large_mesh(), recipes in some_rays(300)) {
+        let Some(gpu) = gpu() else { return Ok(()) };
+        let rays: Vec<Ray> = recipes.iter().map(|recipe| recipe.cook(&mesh)).collect();
+        let result = check(gpu, &mesh, CodeBits::Bits30, &rays);
+        prop_assert!(result.is_ok(), "{:?}", result);
+    }
+}
+
+/// Rays from around a mesh at points near it.
+pub fn rays_at(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
+    let bounds = mesh.bounds().unwrap_or(slimbvh::Aabb::EMPTY);
+    let (middle, size) = ((bounds.min + bounds.max) / 2.0, bounds.max - bounds.min);
+    let mut random = Random::new(seed);
+    let ray = |_| {
+        let origin = middle + random.direction() * size.length();
+        let target = middle + random.point() * size / 2.0;
+        Ray::new(origin.to_array(), (target - origin).to_array())
+    };
+    (0..count).map(ray).collect()
+}
+
+#[test]
+fn answers_in_generated_meshes_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for (name, mesh) in crate::meshes::generated() {
+        let hit_count = check(gpu, &mesh, CodeBits::Bits30, &rays_at(&mesh, 1500, 3));
+        assert!(
+            hit_count.as_ref().is_ok_and(|&count| count > 30),
+            "{name}: {hit_count:?}"
+        );
+    }
+}
+
+#[test]
+fn numbers_of_rays_around_workgroups_are_all_answered() {
+    let Some(gpu) = gpu() else { return };
+    let mesh = soup(300, 2);
+    for count in [1, 63, 64, 65, 1024, 1025] {
+        done(check(
+            gpu,
+            &mesh,
+            CodeBits::Bits30,
+            &rays_at(&mesh, count, 7),
+        ));
+    }
+    // Nothing is met where there is nothing.
+    let rays = rays_at(&mesh, 100, 8);
+    let hit_count = check(gpu, &Mesh::default(), CodeBits::Bits30, &rays);
+    assert_eq!(hit_count, Ok(0));
+}
+
+/// Asks the functions for shaders of the caller's: four words a ray, the bits of a hit.
+const OWN_SHADER: &str = "
+struct Ray { origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32 }
+@group(0) @binding(0) var<storage> rays: array<Ray>;
+@group(0) @binding(1) var<storage, read_write> hits: array<vec4<u32>>;
+@group(0) @binding(2) var<storage, read_write> found: array<u32>;
+
+@compute @workgroup_size(64)
+fn ask(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x < arrayLength(&rays) {
+        let ray = rays[id.x];
+        let hit = slimbvh_closest_hit(ray.origin, ray.t_min, ray.direction, ray.t_max);
+        hits[id.x] = vec4(bitcast<vec3<u32>>(vec3(hit.t, hit.u, hit.v)), hit.primitive);
+        found[id.x] = u32(slimbvh_any_hit(ray.origin, ray.t_min, ray.direction, ray.t_max));
+    }
+}
+";
+
+#[test]
+fn shaders_of_the_callers_get_the_same_answers() {
+    let Some(gpu) = gpu() else { return };
+    let mesh = soup(3000, 6);
+    let rays = rays_at(&mesh, 2000, 1);
+    let (mut bvh, uploaded) = (gpu::Bvh::new(), done(gpu::Mesh::upload(gpu, &mesh)));
+    let mut frame = gpu.frame();
+    let mut builder = gpu::Builder::new(BuildConfig::default());
+    done(builder.build(&mut frame, &uploaded, &mut bvh));
+    let device = gpu.device();
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some("ask"),
+        source: wgpu::ShaderSource::Wgsl((gpu::wgsl(1) + OWN_SHADER).into()),
+    });
+    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some("ask"),
+        layout: None,
+        module: &module,
+        entry_point: Some("ask"),
+        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        cache: None,
+    });
+    let nothing = vec![0u32; 4 * rays.len()];
+    let buffers = [
+        storage(gpu, &rays),
+        storage(gpu, &nothing),
+        storage(gpu, &nothing[..rays.len()]),
+    ];
+    let own = [0, 1, 2].map(|binding| wgpu::BindGroupEntry {
+        binding: binding as u32,
+        resource: buffers[binding].as_entire_binding(),
+    });
+    let bind = |group: u32, entries: &[wgpu::BindGroupEntry]| {
+        device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("ask"),
+            layout: &pipeline.get_bind_group_layout(group),
+            entries,
+        })
+    };
+    let groups = [bind(0, &own), bind(1, &done(bvh.bindings()))];
+    let mut pass = frame.encoder().begin_compute_pass(&Default::default());
+    pass.set_pipeline(&pipeline);
+    pass.set_bind_group(0, &groups[0], &[]);
+    pass.set_bind_group(1, &groups[1], &[]);
+    pass.dispatch_workgroups(rays.len().div_ceil(64) as u32, 1, 1);
+    drop(pass);
+    done(frame.submit());
+    let cpu = Answers::of_cpu(&build(&mesh, CodeBits::Bits30), &rays);
+    done(same_bits(&contents::<u32>(gpu, &buffers[2]), &cpu.any));
+    let hits: Vec<Hit> = contents(gpu, &buffers[1]);
+    if is_software(gpu) {
+        done(same_bits(&hits, &cpu.closest));
+    } else {
+        done(close_hits(&hits, &cpu.closest));
+    }
+}
+
+#[test]
+fn one_flipped_bit_of_an_answer_is_found() {
+    let mesh = soup(300, 2);
+    let sound = Answers::of_cpu(&build(&mesh, CodeBits::Bits30), &rays_at(&mesh, 200, 3));
+    let at = sound.any.iter().position(|&any| any == 1).unwrap();
+    let spoil = |spoil: &dyn Fn(&mut Answers)| {
+        let mut spoilt = sound.clone();
+        spoil(&mut spoilt);
+        spoilt.compare(&sound, true)
+    };
+    assert!(spoil(&|_| {}).is_ok());
+    assert!(spoil(&|a| a.any[at] = 0).is_err());
+    assert!(spoil(&|a| a.closest[at].primitive ^= 1).is_err());
+    assert!(spoil(&|a| a.closest[at].u = f32::from_bits(a.closest[at].u.to_bits() ^ 1)).is_err());
+    assert!(spoil(&|a| a.nearest[at][7].t = 1.0).is_err());
+    assert!(spoil(&|a| a.counted[at][1] ^= 1).is_err());
+}
+
+#[test]
+fn rays_without_room_for_their_answers_are_refused() {
+    let Some(gpu) = gpu() else { return };
+    let mesh = done(gpu::Mesh::upload(gpu, &soup(10, 1)));
+    let mut bvh = gpu::Bvh::new();
+    let mut frame = gpu.frame();
+    let rays = storage(gpu, &[Ray::NOTHING; 20]);
+    let room = storage(gpu, &[Hit::MISS; 20]);
+    let mut trace = |bvh: &gpu::Bvh, rays: wgpu::BufferSlice, room: wgpu::BufferSlice| {
+        bvh.trace(&mut frame, Query::Closest, rays, room)
+    };
+    let refused = |result: Result<(), GpuError>| matches!(result, Err(GpuError::Buffer { .. }));
+    assert!(refused(trace(&bvh, rays.slice(..), room.slice(..))));
+    let mut build = gpu.frame();
+    done(gpu::Builder::new(BuildConfig::default()).build(&mut build, &mesh, &mut bvh));
+    done(build.submit());
+    assert!(refused(trace(&bvh, rays.slice(..), room.slice(..304))));
+    assert!(refused(trace(&bvh, rays.slice(..600), room.slice(..))));
+    assert!(refused(trace(&bvh, rays.slice(4..), room.slice(..))));
+    assert!(trace(&bvh, rays.slice(..), room.slice(..)).is_ok());
+}

@@ -1,0 +1,232 @@
+//! Each algorithm stands in core, once, and the rest only unpacks and calls it: the table of ARCHITECTURE.md shows where,
+//! in how many lines. This keeps its numbers true; `UPDATE_GOLDEN=1` rewrites it.
+
+use slimbvh::gpu::Kernel;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// A stage: what happens, and in which files of core, of the shaders, and of either backend.
+struct Stage {
+    name: &'static str,
+    what: &'static str,
+    core: &'static [&'static str],
+    shaders: &'static [&'static str],
+    cpu: &'static [&'static str],
+    gpu: &'static [&'static str],
+}
+
+const STAGES: &[Stage] = &[
+    Stage {
+        name: "bounds",
+        what: "box of all triangles, the scene's power of two",
+        core: &["bounds", "aabb"],
+        shaders: &["bounds"],
+        cpu: &["order"],
+        gpu: &["build"],
+    },
+    Stage {
+        name: "morton",
+        what: "cell of each triangle's box centre, 30 or 63 bits, integers only",
+        core: &["morton", "lattice"],
+        shaders: &["morton"],
+        cpu: &["order"],
+        gpu: &["build"],
+    },
+    Stage {
+        name: "sort",
+        what: "stable radix sort of (code, index)",
+        core: &["sort"],
+        shaders: &["sort"],
+        cpu: &["sort"],
+        gpu: &["sort"],
+    },
+    Stage {
+        name: "scan",
+        what: "exclusive prefix sums",
+        core: &["scan"],
+        shaders: &["scan"],
+        cpu: &["sort", "topology"],
+        gpu: &["scan"],
+    },
+    Stage {
+        name: "compact",
+        what: "the items whose bit is set",
+        core: &["compact"],
+        shaders: &["compact"],
+        cpu: &["topology"],
+        gpu: &["compact"],
+    },
+    Stage {
+        name: "snap",
+        what: "triangles in leaf order, scaled to magnitude 1",
+        core: &["snap", "triangle"],
+        shaders: &["snap"],
+        cpu: &["order"],
+        gpu: &["build"],
+    },
+    Stage {
+        name: "topology",
+        what: "Karras nodes that cover more than `LEAF_SIZE` triangles",
+        core: &["topology", "node"],
+        shaders: &["topology"],
+        cpu: &["topology"],
+        gpu: &["build"],
+    },
+    Stage {
+        name: "refit",
+        what: "both children's boxes of each node",
+        core: &["refit"],
+        shaders: &["refit"],
+        cpu: &["refit"],
+        gpu: &["build"],
+    },
+    Stage {
+        name: "camera",
+        what: "from samples to rays, and to pixels",
+        core: &["camera", "color"],
+        shaders: &["camera"],
+        cpu: &["render", "paint"],
+        gpu: &["render/wave", "render/target"],
+    },
+    Stage {
+        name: "trace",
+        what: "closest hit, any hit, nearest hits",
+        core: &[
+            "trace",
+            "trace/collect",
+            "trace/sources",
+            "ray",
+            "slab",
+            "watertight",
+        ],
+        shaders: &["trace"],
+        cpu: &["render"],
+        gpu: &["trace", "render/wave"],
+    },
+    Stage {
+        name: "shade",
+        what: "light, shadow rays, mirrors",
+        core: &["shade", "surface", "orientation"],
+        shaders: &["shade"],
+        cpu: &["render"],
+        gpu: &["render/wave"],
+    },
+    Stage {
+        name: "view",
+        what: "normals, primitives, depth, heat",
+        core: &["view"],
+        shaders: &["view"],
+        cpu: &["paint"],
+        gpu: &["render"],
+    },
+];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// The code of some files, up to their tests, without comments and blank lines.
+fn code(folder: &str, files: &[&str]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for file in files {
+        let path = root().join(folder).join(file).with_extension("rs");
+        let text = std::fs::read_to_string(&path)
+            .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let code = text.lines().map(str::trim);
+        let code = code.take_while(|line| *line != "#[cfg(test)]");
+        let code = code.filter(|line| !line.is_empty() && !line.starts_with("//"));
+        lines.extend(code.map(String::from));
+    }
+    lines
+}
+
+/// The entry points of some files, in order.
+fn entry_points(files: &[&str]) -> Vec<String> {
+    let lines = code("gpu-shaders/src", files);
+    let pairs = lines
+        .windows(2)
+        .filter(|pair| pair[0].starts_with("#[spirv(compute"));
+    let names = pairs.filter_map(|pair| pair[1].strip_prefix("pub fn "));
+    names
+        .filter_map(|name| name.split('(').next())
+        .map(String::from)
+        .collect()
+}
+
+fn table() -> String {
+    let mut table = String::new();
+    let mut line = |text: String| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(table, "{text}");
+    };
+    let list = |folder: &str, files: &[&str]| {
+        let files = files.iter().map(|file| format!("`{folder}{file}.rs`"));
+        files.collect::<Vec<_>>().join(", ")
+    };
+    line(
+        "| stage | what happens | core | lines | entry points | lines | CPU pass | GPU pass |"
+            .into(),
+    );
+    line("|---|---|---|--:|---|--:|---|---|".into());
+    for stage in STAGES {
+        let entries = entry_points(stage.shaders);
+        let entries: Vec<String> = entries.iter().map(|name| format!("`{name}`")).collect();
+        line(format!(
+            "| {} | {} | {} | {} | {} | {} | {} | {} |",
+            stage.name,
+            stage.what,
+            list("", stage.core),
+            code("core/src", stage.core).len(),
+            entries.join(", "),
+            code("gpu-shaders/src", stage.shaders).len(),
+            list("", stage.cpu),
+            list("", stage.gpu),
+        ));
+    }
+    let all = |folder: &str, files: fn(&Stage) -> &'static [&'static str]| {
+        let files: BTreeSet<&str> = STAGES.iter().flat_map(files).copied().collect();
+        code(folder, &files.into_iter().collect::<Vec<_>>()).len()
+    };
+    line(format!(
+        "| all | | | {} | | {} | {} lines | {} lines |",
+        all("core/src", |stage| stage.core),
+        all("gpu-shaders/src", |stage| stage.shaders),
+        all("host/src/cpu", |stage| stage.cpu),
+        all("host/src/gpu", |stage| stage.gpu),
+    ));
+    table
+}
+
+#[test]
+fn the_table_of_stages_is_that_of_the_code() {
+    const BEGIN: &str = "<!-- stages: begin -->\n";
+    const END: &str = "<!-- stages: end -->";
+    let path = root().join("ARCHITECTURE.md");
+    let text = std::fs::read_to_string(&path).expect("it is there");
+    let (before, rest) = text.split_once(BEGIN).expect("the table begins");
+    let (found, after) = rest.split_once(END).expect("the table ends");
+    let expected = table();
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        let text = format!("{before}{BEGIN}{expected}{END}{after}");
+        std::fs::write(&path, text).expect("the repository is ours");
+        return;
+    }
+    assert!(
+        found == expected,
+        "the table of stages is out of date; UPDATE_GOLDEN=1 rewrites it:\n{expected}"
+    );
+}
+
+/// No entry point is left out of the table, and none of it is gone.
+#[test]
+fn every_kernel_belongs_to_a_stage() {
+    let listed: BTreeSet<String> = STAGES
+        .iter()
+        .flat_map(|stage| entry_points(stage.shaders))
+        // It is called from WGSL, and is no kernel.
+        .filter(|name| name != "call_trace")
+        .collect();
+    let kernels = Kernel::ALL.iter().map(|kernel| kernel.name().to_owned());
+    assert_eq!(listed, kernels.collect());
+}
