@@ -26,7 +26,8 @@ pub fn camera_rays(
     }
 }
 
-/// One thread per pixel. Reads its samples' paths; `params` as in [`texel_index`]. Stores their mean, as linear RGB and 1.
+/// One thread per pixel. Reads its samples' paths; `params` are the samples a pixel, the picture's width,
+/// the length of its rows in memory, and the first pixel. Stores their mean, as linear RGB and 1.
 #[spirv(compute(threads(64)))]
 pub fn camera_resolve(
     #[spirv(global_invocation_id)] id: UVec3,

@@ -96,7 +96,8 @@ pub fn view_heat_range(
     }
 }
 
-/// One thread per pixel. Reads what `view_depth_range` stored and the samples' values; `params` as in [`texel_index`].
+/// One thread per pixel. Reads what `view_depth_range` stored and the samples' values; `params` as for
+/// `camera_resolve`.
 /// Stores the mean color, as linear RGB and 1.
 #[spirv(compute(threads(64)))]
 pub fn view_depth(
@@ -115,7 +116,8 @@ pub fn view_depth(
     }
 }
 
-/// One thread per pixel. Reads what `view_heat_range` stored and the samples' counts; `params` as in [`texel_index`].
+/// One thread per pixel. Reads what `view_heat_range` stored and the samples' counts; `params` as for
+/// `camera_resolve`.
 /// Stores the mean color, as linear RGB and 1.
 #[spirv(compute(threads(64)))]
 pub fn view_heat(

@@ -17,6 +17,7 @@ pub fn print(text: &str) -> Result<()> {
 }
 
 /// Tells of something that went otherwise than it might have.
+#[cfg(feature = "gpu")]
 pub fn warn(text: &str) {
     eprintln!("note: {text}");
 }

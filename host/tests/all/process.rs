@@ -66,6 +66,7 @@ impl Folder {
     }
 
     /// Runs it with what drivers of GPUs there are, and all the memory that they want.
+    #[cfg(feature = "gpu")]
     pub fn run_with_gpu<S: AsRef<OsStr>>(&self, arguments: impl IntoIterator<Item = S>) -> Outcome {
         let mut command = Command::new(env!("CARGO_BIN_EXE_slimbvh"));
         // Mesa's layer that sorts devices complains where there is no desktop.
