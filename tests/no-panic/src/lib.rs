@@ -13,7 +13,7 @@ use slimbvh_core::orientation::{Orientation, Target};
 use slimbvh_core::refit::{PyramidBox, group_bounds, parent_bounds, refit_node};
 use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
 use slimbvh_core::shade::{
-    DirectLight, Environment, Light, Material, Path, ambient_light, direct_light, mean_radiance,
+    Environment, Light, Material, Path, Shadow, ambient_light, direct_light, mean_radiance,
 };
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::sort::{DigitCounts, count_digit, digit, place};
@@ -132,7 +132,7 @@ pub fn shade(
     triangle: &Triangle,
     hit: &Hit,
     scene: &(Light, Material, Environment, Target),
-    to: Out<(Path, Path, DirectLight, Orientation, Vec3)>,
+    to: Out<(Path, Path, Shadow, Orientation, Vec3)>,
 ) {
     let (light, material, environment, target) = scene;
     let scale = PowerOfTwo::new(9);
@@ -143,7 +143,7 @@ pub fn shade(
         path.with_light(ambient_light(material, environment))
             .scattered(&surface, material, hit.primitive),
         path.escaped(environment),
-        direct_light(&surface, material, &light.scaled(&scale)),
+        direct_light(&surface, hit.primitive, material, &light.scaled(&scale)),
         Orientation::new(triangle, target),
         mean_radiance(&[path], hit.primitive, 2),
     );
