@@ -18,12 +18,33 @@ pub fn rank(i: u32, bits: &[u32], before: &[u32]) -> u32 {
     crate::load(before, word, 0) + below.count_ones()
 }
 
+/// One thread per 32 lanes, from `first` on. Reads the flags of its lanes, each 0 or 1. Returns them as the bits of a word.
+#[inline(always)]
+#[must_use]
+pub fn pack_lanes<const LANES: usize>(first: u32, flags: &[u32; LANES]) -> u32 {
+    let mut word = 0;
+    for bit in 0..32u32 {
+        word |= flags[(first + bit) as usize % LANES] << bit;
+    }
+    word
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scan::run_scan;
     use proptest::prelude::*;
     use std::vec::Vec;
+
+    #[test]
+    fn lanes_are_packed_from_the_lowest_bit_on() {
+        let mut flags = [0; 64];
+        for lane in [0, 5, 31, 33, 63] {
+            flags[lane] = 1;
+        }
+        assert_eq!(pack_lanes(0, &flags), 1 | 1 << 5 | 1 << 31);
+        assert_eq!(pack_lanes(32, &flags), 1 << 1 | 1 << 31);
+    }
 
     #[test]
     fn nothing_is_set_beyond_the_end() {

@@ -13,6 +13,7 @@ extern crate std;
 pub mod aabb;
 pub mod bounds;
 pub mod camera;
+pub mod classify;
 pub mod color;
 pub mod compact;
 pub mod float;

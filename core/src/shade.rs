@@ -233,8 +233,8 @@ pub fn direct_light(
 ) -> Shadow {
     let source = Vec3::from_array(light.point);
     let target = Target {
-        point: source,
         is_position: light.is_position,
+        ..Target::direction(light.point)
     };
     let color = Vec3::from_array(light.color);
     let orientation = Orientation::new(&surface.triangle, &target);

@@ -6,6 +6,7 @@
 
 use crate::compact::rank;
 use crate::node::{LEAF_SIZE, Node, NodeRef};
+use crate::refit::split_of;
 
 /// Sorted codes.
 pub trait SortedCodes {
@@ -19,21 +20,49 @@ pub trait SortedCodes {
 
 /// Codes of one word.
 #[derive(Clone, Copy)]
-pub struct Codes30<'a>(pub &'a [u32]);
+pub struct Codes30<'a> {
+    /// The codes, or room for more.
+    pub codes: &'a [u32],
+    /// How many count.
+    pub count: u32,
+}
 
 /// Codes of two words, the high one first.
 #[derive(Clone, Copy)]
-pub struct Codes63<'a>(pub &'a [[u32; 2]]);
+pub struct Codes63<'a> {
+    /// The codes, or room for more.
+    pub codes: &'a [[u32; 2]],
+    /// How many count.
+    pub count: u32,
+}
+
+impl<'a> Codes30<'a> {
+    /// All of a list.
+    #[must_use]
+    pub const fn all(codes: &'a [u32]) -> Self {
+        let count = codes.len() as u32;
+        Self { codes, count }
+    }
+}
+
+impl<'a> Codes63<'a> {
+    /// All of a list.
+    #[must_use]
+    pub const fn all(codes: &'a [[u32; 2]]) -> Self {
+        let count = codes.len() as u32;
+        Self { codes, count }
+    }
+}
 
 impl SortedCodes for Codes30<'_> {
     #[inline(always)]
     fn count(&self) -> u32 {
-        self.0.len() as u32
+        self.count
     }
 
     #[inline(always)]
     fn common_prefix_length(&self, i: u32, j: u32) -> i32 {
-        let difference = crate::load(self.0, i, 0) ^ crate::load(self.0, j, 0);
+        let difference = crate::load(self.codes, i, 0) ^ crate::load(self.codes, j, 0);
         let (word, before) = if difference != 0 {
             (difference, 0)
         } else {
@@ -46,13 +75,13 @@ impl SortedCodes for Codes30<'_> {
 impl SortedCodes for Codes63<'_> {
     #[inline(always)]
     fn count(&self) -> u32 {
-        self.0.len() as u32
+        self.count
     }
 
     #[inline(always)]
     fn common_prefix_length(&self, i: u32, j: u32) -> i32 {
-        let [a_high, a_low] = crate::load(self.0, i, [0; 2]);
-        let [b_high, b_low] = crate::load(self.0, j, [0; 2]);
+        let [a_high, a_low] = crate::load(self.codes, i, [0; 2]);
+        let [b_high, b_low] = crate::load(self.codes, j, [0; 2]);
         let (high, low) = (a_high ^ b_high, a_low ^ b_low);
         let (word, before) = if high != 0 {
             (high, 0)
@@ -89,10 +118,13 @@ fn orient<C: SortedCodes>(codes: &C, i: u32) -> (i32, i32) {
 }
 
 /// One thread per 32 nodes. Reads the codes. Returns a bit for each node of `32·word …` that covers more than
-/// [`LEAF_SIZE`] leaves.
+/// [`LEAF_SIZE`] leaves. Where there are no more codes than that, the first node is kept all the same: there is a root.
 #[inline]
 #[must_use]
 pub fn kept_nodes<C: SortedCodes>(word: u32, codes: &C) -> u32 {
+    if codes.count() <= LEAF_SIZE {
+        return (word == 0) as u32;
+    }
     let mut bits = 0;
     let first = word * 32;
     for bit in 0..32u32 {
@@ -117,6 +149,10 @@ pub fn internal_node<C: SortedCodes>(
     bits: &[u32],
     before: &[u32],
 ) -> (Node, u32) {
+    if codes.count() <= LEAF_SIZE {
+        let node = single_node(codes.count());
+        return (node, split_of(&node, 0));
+    }
     let (direction, outside) = orient(codes, i);
 
     // Double the reach until it leaves the node, then bisect for the other end.
@@ -182,8 +218,7 @@ pub fn internal_node<C: SortedCodes>(
 
 /// The only node of a tree with at most [`LEAF_SIZE`] leaves: all of them on its left.
 #[inline]
-#[must_use]
-pub const fn single_node(triangle_count: u32) -> Node {
+const fn single_node(triangle_count: u32) -> Node {
     Node {
         left: NodeRef::leaf(0, triangle_count),
         last: triangle_count - (triangle_count > 0) as u32,
@@ -265,7 +300,7 @@ mod tests {
         let codes = [
             0b00001, 0b00010, 0b00100, 0b00101, 0b10011, 0b11000, 0b11001, 0b11110,
         ];
-        let nodes = nodes(&Codes30(&codes));
+        let nodes = nodes(&Codes30::all(&codes));
         assert_eq!(nodes.len(), 1);
         assert_eq!(nodes[0].1, 3);
         assert_eq!(nodes[0].0.left, NodeRef::leaf(0, 4));
@@ -282,7 +317,7 @@ mod tests {
             .zip(&codes)
             .map(|(i, &code)| (u128::from(code) << 32) | i)
             .collect();
-        check_all(&Codes30(&codes), &keys, 30);
+        check_all(&Codes30::all(&codes), &keys, 30);
     }
 
     proptest! {
@@ -290,7 +325,7 @@ mod tests {
         fn nodes_are_those_of_the_recursive_split(mut codes in proptest::collection::vec(prop_oneof![0u32..8, 0u32..1 << 30], LEAF_SIZE as usize + 1..300)) {
             codes.sort_unstable();
             let keys: Vec<u128> = (0..).zip(&codes).map(|(i, &code)| (u128::from(code) << 32) | i).collect();
-            check_all(&Codes30(&codes), &keys, 30);
+            check_all(&Codes30::all(&codes), &keys, 30);
         }
 
         #[test]
@@ -298,7 +333,7 @@ mod tests {
             codes.sort_unstable();
             let keys: Vec<u128> = (0..).zip(&codes).map(|(i, &(high, low))| (u128::from(high) << 64) | (u128::from(low) << 32) | i).collect();
             let codes: Vec<[u32; 2]> = codes.iter().map(|&(high, low)| [high, low]).collect();
-            check_all(&Codes63(&codes), &keys, 63);
+            check_all(&Codes63::all(&codes), &keys, 63);
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Stage `trace`: one traversal for every tree, every codec and every question.
 
+use crate::classify::Except;
 use crate::float::max;
-use crate::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
+use crate::ray::{Hit, PreparedRay, Ray};
 use crate::slab::{PlanePair, slab};
 use crate::topology::depth_bound;
 use crate::watertight::intersect;
@@ -64,21 +65,27 @@ pub trait TriangleSource {
     fn primitive(&self, place: u32) -> u32;
 }
 
+/// Which triangles count for a ray.
+pub trait Rule {
+    /// Whether a triangle that the ray meets counts.
+    fn counts<T: TriangleSource>(&self, place: u32, primitive: u32, triangles: &T) -> bool;
+}
+
 /// The stack holds one entry a level below the root. Trees of 63-bit codes have at most 63 + 28 levels
 /// ([`crate::topology::depth_bound`]), trees of 30-bit codes 30 + 28.
 pub const STACK_SIZE: usize = 128;
 const _: () = assert!(STACK_SIZE as u32 > depth_bound(63, crate::MAX_TRIANGLES));
 
-/// Walks the tree, near child first, and offers every triangle that the ray meets to the collector. `skip` names a
-/// primitive that does not count, [`NO_PRIMITIVE`] for none.
+/// Walks the tree, near child first, and offers every triangle that the ray meets and that counts by the
+/// rule to the collector.
 ///
 /// A node is passed over only if the ray misses its box or enters it beyond the collector's limit.
 #[inline(always)]
-pub fn traverse<N: NodeSource, T: TriangleSource, C: Collector>(
+pub fn traverse<N: NodeSource, T: TriangleSource, R: Rule, C: Collector>(
     nodes: &N,
     triangles: &T,
     ray: &PreparedRay,
-    skip: u32,
+    rule: &R,
     collector: &mut C,
 ) {
     let mut cursor = nodes.root();
@@ -108,7 +115,7 @@ pub fn traverse<N: NodeSource, T: TriangleSource, C: Collector>(
                         collector.limit(),
                         primitive,
                     );
-                    if hit.is_hit() && primitive != skip {
+                    if hit.is_hit() && rule.counts(place, primitive, triangles) {
                         collector.offer(hit);
                     }
                 }
@@ -140,16 +147,16 @@ pub fn traverse<N: NodeSource, T: TriangleSource, C: Collector>(
 /// The hit with the smallest `(t, primitive)`, or [`Hit::MISS`].
 #[inline]
 #[must_use]
-pub fn closest_hit<N: NodeSource, T: TriangleSource>(
+pub fn closest_hit<N: NodeSource, T: TriangleSource, R: Rule>(
     nodes: &N,
     triangles: &T,
     ray: &Ray,
     scene_exponent: i32,
-    skip: u32,
+    rule: &R,
 ) -> Hit {
     let prepared = PreparedRay::new(ray, scene_exponent);
     let mut collector = ClosestHit::new(prepared.t_max);
-    traverse(nodes, triangles, &prepared, skip, &mut collector);
+    traverse(nodes, triangles, &prepared, rule, &mut collector);
     prepared.restore(collector.hit)
 }
 
@@ -157,16 +164,16 @@ pub fn closest_hit<N: NodeSource, T: TriangleSource>(
 #[doc(alias = "occluded")]
 #[inline]
 #[must_use]
-pub fn any_hit<N: NodeSource, T: TriangleSource>(
+pub fn any_hit<N: NodeSource, T: TriangleSource, R: Rule>(
     nodes: &N,
     triangles: &T,
     ray: &Ray,
     scene_exponent: i32,
-    skip: u32,
+    rule: &R,
 ) -> bool {
     let prepared = PreparedRay::new(ray, scene_exponent);
     let mut collector = AnyHit::new(prepared.t_max);
-    traverse(nodes, triangles, &prepared, skip, &mut collector);
+    traverse(nodes, triangles, &prepared, rule, &mut collector);
     collector.found
 }
 
@@ -181,7 +188,13 @@ pub fn nearest_hits<const K: usize, N: NodeSource, T: TriangleSource>(
 ) -> [Hit; K] {
     let prepared = PreparedRay::new(ray, scene_exponent);
     let mut collector = NearestHits::<K>::new(prepared.t_max);
-    traverse(nodes, triangles, &prepared, NO_PRIMITIVE, &mut collector);
+    traverse(
+        nodes,
+        triangles,
+        &prepared,
+        &Except::NOTHING,
+        &mut collector,
+    );
     for i in 0..K {
         collector.hits[i] = prepared.restore(collector.hits[i]);
     }

@@ -5,7 +5,8 @@ use arbitrary::Arbitrary;
 use libfuzzer_sys::fuzz_target;
 use slimbvh::{BuildConfig, Builder, CodeBits, Mesh};
 use slimbvh_core::trace::{BruteForce, any_hit, closest_hit, nearest_hits};
-use slimbvh_core::{Hit, NO_PRIMITIVE, Ray};
+use slimbvh_core::classify::Except;
+use slimbvh_core::{Hit, Ray};
 
 #[derive(Arbitrary, Debug)]
 struct Input {
@@ -47,11 +48,11 @@ fuzz_target!(|input: Input| {
             direction,
             t_max,
         };
-        let expected = closest_hit(&brute, &triangles, &ray, exponent, NO_PRIMITIVE);
+        let expected = closest_hit(&brute, &triangles, &ray, exponent, &Except::NOTHING);
         assert_eq!(bits(bvh.closest_hit(&ray)), bits(expected));
         assert_eq!(
             bvh.any_hit(&ray),
-            any_hit(&brute, &triangles, &ray, exponent, NO_PRIMITIVE)
+            any_hit(&brute, &triangles, &ray, exponent, &Except::NOTHING)
         );
         let expected = nearest_hits::<3, _, _>(&brute, &triangles, &ray, exponent);
         assert_eq!(bvh.nearest_hits::<3>(&ray).map(bits), expected.map(bits));

@@ -20,6 +20,7 @@ use spirv_std::memory::{Scope, Semantics};
 
 pub mod bounds;
 pub mod camera;
+pub mod classify;
 pub mod compact;
 pub mod morton;
 pub mod refit;

@@ -4,48 +4,59 @@ use crate::thread_index;
 use glam::{UVec3, UVec4};
 use slimbvh_core::Node;
 use slimbvh_core::compact::{is_set, rank};
-use slimbvh_core::refit::split_of;
-use slimbvh_core::topology::{
-    Codes30, Codes63, SortedCodes, internal_node, kept_nodes, single_node,
-};
+use slimbvh_core::topology::{Codes30, Codes63, SortedCodes, internal_node, kept_nodes};
 use spirv_std::spirv;
 
-/// One thread per 32 nodes. Reads the sorted codes. Stores a bit for each node that is kept, and how many are.
+/// One thread per 32 nodes. Reads how many codes there are, and the sorted codes. Stores a bit for each node that is kept, and how many are.
 #[spirv(compute(threads(64)))]
 pub fn topology_kept_30(
     #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] codes: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] bits: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] counts: &mut [u32],
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] codes: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] bits: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] counts: &mut [u32],
 ) {
-    store_kept(thread_index(id), &Codes30(codes), bits, counts);
+    let codes = Codes30 {
+        codes,
+        count: total.x,
+    };
+    store_kept(thread_index(id), &codes, bits, counts);
 }
 
 /// As [`topology_kept_30`], of codes of two words.
 #[spirv(compute(threads(64)))]
 pub fn topology_kept_63(
     #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] codes: &[[u32; 2]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] bits: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] counts: &mut [u32],
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] codes: &[[u32; 2]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] bits: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] counts: &mut [u32],
 ) {
-    store_kept(thread_index(id), &Codes63(codes), bits, counts);
+    let codes = Codes63 {
+        codes,
+        count: total.x,
+    };
+    store_kept(thread_index(id), &codes, bits, counts);
 }
 
-/// One thread per code. Reads the sorted codes, the bits of the kept nodes and the prefix sums of their counts. Stores
+/// One thread per code. Reads how many codes there are, the sorted codes, the bits of the kept nodes and the prefix sums of their counts. Stores
 /// the kept nodes in order, without boxes, and the last leaf of each one's left child.
 #[spirv(compute(threads(64)))]
 pub fn topology_nodes_30(
     #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] codes: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] bits: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] before: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] nodes: &mut [Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] splits: &mut [u32],
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] codes: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] bits: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] before: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] splits: &mut [u32],
 ) {
     store_node(
         thread_index(id),
-        &Codes30(codes),
+        &Codes30 {
+            codes,
+            count: total.x,
+        },
         bits,
         before,
         nodes,
@@ -57,37 +68,24 @@ pub fn topology_nodes_30(
 #[spirv(compute(threads(64)))]
 pub fn topology_nodes_63(
     #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] codes: &[[u32; 2]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] bits: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] before: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] nodes: &mut [Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] splits: &mut [u32],
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] codes: &[[u32; 2]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] bits: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] before: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] splits: &mut [u32],
 ) {
     store_node(
         thread_index(id),
-        &Codes63(codes),
+        &Codes63 {
+            codes,
+            count: total.x,
+        },
         bits,
         before,
         nodes,
         splits,
     );
-}
-
-/// One thread. `params.x` is the number of triangles, no more than a leaf holds. Stores the only node, its split, and
-/// the number of nodes as `scan_blocks` does.
-#[spirv(compute(threads(1)))]
-pub fn topology_single(
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] params: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &mut [Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] splits: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] total: &mut [[u32; 4]],
-) {
-    if !nodes.is_empty() && !splits.is_empty() && !total.is_empty() {
-        let node = single_node(params.x);
-        nodes[0] = node;
-        splits[0] = split_of(&node, 0);
-        total[0] = [1, 1, 1, 1];
-    }
 }
 
 #[inline(always)]

@@ -2,14 +2,17 @@
 
 use crate::{count, thread_index};
 use glam::{UVec3, UVec4, Vec3, Vec4};
+use slimbvh_core::classify::{Except, Facing, Sides};
+use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::launch::NEAREST_COUNT;
+use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{
     ClosestHit, ClosestOrAny, Counted, LeafTriangles, PlainNodes, any_hit, closest_hit,
     nearest_hits, traverse,
 };
-use slimbvh_core::{Hit, LeafTriangle, NO_PRIMITIVE, Node, Ray};
+use slimbvh_core::{Hit, LeafTriangle, Node, Ray};
 use spirv_std::spirv;
 
 /// One thread per ray. Reads the scene's exponent, the tree and the ray. Stores the closest hit.
@@ -29,7 +32,7 @@ pub fn trace_closest(
             &LeafTriangles(triangles),
             &rays[i],
             exponent.x as i32,
-            NO_PRIMITIVE,
+            &Except::NOTHING,
         );
     }
 }
@@ -51,7 +54,7 @@ pub fn trace_any(
             &LeafTriangles(triangles),
             &rays[i],
             exponent.x as i32,
-            NO_PRIMITIVE,
+            &Except::NOTHING,
         ) as u32;
     }
 }
@@ -97,7 +100,7 @@ pub fn trace_counted(
             &PlainNodes(nodes),
             &LeafTriangles(triangles),
             &ray,
-            NO_PRIMITIVE,
+            &Except::NOTHING,
             &mut collector,
         );
         counts[i] = [collector.node_count, collector.triangle_count];
@@ -123,7 +126,7 @@ pub fn trace_paths(
             &LeafTriangles(triangles),
             &paths[i].ray,
             0,
-            paths[i].skip,
+            &Except(paths[i].skip),
         );
         hits[i] = hit;
         count(counters, 0, paths[i].is_alive() as u32);
@@ -151,7 +154,7 @@ pub fn trace_paths_counted(
             &PlainNodes(nodes),
             &LeafTriangles(triangles),
             &ray,
-            paths[i].skip,
+            &Except(paths[i].skip),
             &mut collector,
         );
         let hit = ray.restore(collector.inner.hit);
@@ -182,12 +185,100 @@ pub fn trace_shadows(
             &LeafTriangles(triangles),
             &shadows[i].ray,
             0,
-            shadows[i].skip,
+            &Except(shadows[i].skip),
         );
         if !is_blocked {
             paths[i] = paths[i].with_light(Vec3::from_array(shadows[i].radiance));
         }
     }
+}
+
+/// As [`trace_paths`], through a whole tree where only triangles count that face the paths' origin: reads the scene's
+/// exponent, that target, the components of the primitives and their outer sides, too.
+#[spirv(compute(threads(64)))]
+pub fn trace_paths_facing(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] target: &[UVec4; 2],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] components: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] sides: &[i32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] paths: &[Path],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] hits: &mut [Hit],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] counters: &mut [u32],
+) {
+    let i = thread_index(id) as usize;
+    if i < paths.len() && i < hits.len() {
+        let target = scaled_target(target, exponent.x);
+        let hit = closest_hit(
+            &PlainNodes(nodes),
+            &LeafTriangles(triangles),
+            &paths[i].ray,
+            0,
+            &Facing {
+                skip: paths[i].skip,
+                sides: Sides { components, sides },
+                target,
+            },
+        );
+        hits[i] = hit;
+        count(counters, 0, paths[i].is_alive() as u32);
+        count(counters, 1, hit.is_hit() as u32);
+    }
+}
+
+/// As [`trace_shadows`], through a whole tree where only triangles count that face the light: reads the scene's exponent,
+/// that target, the components of the primitives and their outer sides, too.
+#[spirv(compute(threads(64)))]
+pub fn trace_shadows_facing(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] target: &[UVec4; 2],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] components: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] sides: &[i32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] shadows: &[Shadow],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] paths: &mut [Path],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] counters: &mut [u32],
+) {
+    let i = thread_index(id) as usize;
+    if i < shadows.len() && i < paths.len() && shadows[i].is_possible() {
+        count(counters, 0, 1);
+        let target = scaled_target(target, exponent.x);
+        let is_blocked = any_hit(
+            &PlainNodes(nodes),
+            &LeafTriangles(triangles),
+            &shadows[i].ray,
+            0,
+            &Facing {
+                skip: shadows[i].skip,
+                sides: Sides { components, sides },
+                target,
+            },
+        );
+        if !is_blocked {
+            paths[i] = paths[i].with_light(Vec3::from_array(shadows[i].radiance));
+        }
+    }
+}
+
+/// A target from its words, in the scene's magnitude.
+#[inline(always)]
+pub(crate) fn scaled_target(words: &[UVec4; 2], exponent: u32) -> Target {
+    let (a, b) = (words[0], words[1]);
+    let target = Target {
+        point: [
+            f32::from_bits(a.x),
+            f32::from_bits(a.y),
+            f32::from_bits(a.z),
+        ],
+        is_position: a.w,
+        radius: f32::from_bits(b.x),
+        padding: [b.y, b.z, b.w],
+    };
+    target.scaled(&PowerOfTwo::new(exponent as i32))
 }
 
 /// Becomes a function that other people's WGSL can call: the shader builder makes private variables of the bindings from
@@ -219,7 +310,7 @@ pub fn call_trace(
         &PlainNodes(nodes),
         &LeafTriangles(triangles),
         &ray,
-        NO_PRIMITIVE,
+        &Except::NOTHING,
         &mut collector,
     );
     let found = ray.restore(collector.closest.hit);

@@ -10,19 +10,19 @@ struct type_21 {
     member: array<array<u32, 2>>,
 }
 
-struct type_23 {
+struct type_24 {
     member: i32,
     member_1: i32,
     member_2: u32,
 }
 
-struct type_25 {
-    member: array<type_23, 3>,
+struct type_26 {
+    member: array<type_24, 3>,
     member_1: u32,
 }
 
-struct type_27 {
-    member: array<type_25>,
+struct type_28 {
+    member: array<type_26>,
 }
 
 var<private> global: vec3<u32>;
@@ -31,7 +31,7 @@ var<storage> global_1: type_9;
 @group(0) @binding(2) 
 var<storage> global_2: type_13;
 @group(0) @binding(0) 
-var<storage> global_3: type_27;
+var<storage> global_3: type_28;
 @group(0) @binding(3) 
 var<storage, read_write> global_4: type_21;
 

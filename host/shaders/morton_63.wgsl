@@ -6,19 +6,19 @@ struct type_13 {
     member: array<array<u32, 3>>,
 }
 
-struct type_19 {
+struct type_20 {
     member: i32,
     member_1: i32,
     member_2: u32,
 }
 
-struct type_21 {
-    member: array<type_19, 3>,
+struct type_22 {
+    member: array<type_20, 3>,
     member_1: u32,
 }
 
-struct type_23 {
-    member: array<type_21>,
+struct type_24 {
+    member: array<type_22>,
 }
 
 var<private> global: vec3<u32>;
@@ -27,7 +27,7 @@ var<storage> global_1: type_9;
 @group(0) @binding(2) 
 var<storage> global_2: type_13;
 @group(0) @binding(0) 
-var<storage> global_3: type_23;
+var<storage> global_3: type_24;
 @group(0) @binding(3) 
 var<storage, read_write> global_4: type_13;
 

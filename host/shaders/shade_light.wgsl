@@ -105,64 +105,64 @@ var<private> global_11: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 fn function_() {
     var local: type_51;
     var local_1: type_51;
-    var phi_268_: array<u32, 3>;
-    var phi_283_: array<f32, 3>;
-    var phi_301_: array<f32, 3>;
-    var phi_319_: array<f32, 3>;
-    var phi_406_: array<u32, 3>;
-    var phi_423_: vec3<f32>;
-    var phi_440_: vec3<f32>;
-    var phi_457_: vec3<f32>;
-    var phi_591_: i32;
-    var phi_622_: i32;
-    var phi_641_: vec3<f32>;
-    var phi_724_: i32;
-    var phi_755_: i32;
-    var phi_774_: vec3<f32>;
-    var phi_816_: u32;
-    var phi_927_: type_7;
-    var phi_928_: type_7;
-    var phi_951_: type_7;
-    var phi_2117_: bool;
-    var phi_1607_: vec3<f32>;
-    var phi_1690_: bool;
-    var phi_1693_: bool;
-    var phi_1694_: bool;
-    var phi_1919_: f32;
-    var phi_1923_: f32;
-    var phi_1926_: f32;
-    var phi_1941_: f32;
-    var phi_1945_: f32;
-    var phi_1947_: f32;
-    var phi_1970_: f32;
-    var phi_1974_: f32;
-    var phi_1977_: f32;
-    var phi_1992_: f32;
-    var phi_1996_: f32;
-    var phi_1998_: f32;
-    var phi_2021_: f32;
-    var phi_2025_: f32;
-    var phi_2028_: f32;
-    var phi_2043_: f32;
-    var phi_2047_: f32;
-    var phi_2049_: f32;
-    var phi_1715_: vec3<f32>;
-    var phi_1748_: f32;
-    var phi_1763_: f32;
-    var phi_1774_: bool;
-    var phi_1776_: f32;
-    var phi_1777_: bool;
-    var phi_1778_: bool;
-    var phi_1779_: bool;
-    var phi_1821_: type_47;
-    var phi_1831_: type_47;
-    var phi_1833_: type_47;
-    var phi_1837_: type_47;
-    var phi_1838_: bool;
-    var phi_1842_: type_47;
-    var phi_1028_: type_47;
-    var phi_1029_: type_47;
-    var phi_1030_: type_47;
+    var phi_272_: array<u32, 3>;
+    var phi_287_: array<f32, 3>;
+    var phi_305_: array<f32, 3>;
+    var phi_323_: array<f32, 3>;
+    var phi_410_: array<u32, 3>;
+    var phi_427_: vec3<f32>;
+    var phi_444_: vec3<f32>;
+    var phi_461_: vec3<f32>;
+    var phi_595_: i32;
+    var phi_626_: i32;
+    var phi_645_: vec3<f32>;
+    var phi_728_: i32;
+    var phi_759_: i32;
+    var phi_778_: vec3<f32>;
+    var phi_820_: u32;
+    var phi_931_: type_7;
+    var phi_932_: type_7;
+    var phi_955_: type_7;
+    var phi_2389_: bool;
+    var phi_1757_: vec3<f32>;
+    var phi_1958_: bool;
+    var phi_1961_: bool;
+    var phi_1962_: bool;
+    var phi_2187_: f32;
+    var phi_2191_: f32;
+    var phi_2194_: f32;
+    var phi_2209_: f32;
+    var phi_2213_: f32;
+    var phi_2215_: f32;
+    var phi_2238_: f32;
+    var phi_2242_: f32;
+    var phi_2245_: f32;
+    var phi_2260_: f32;
+    var phi_2264_: f32;
+    var phi_2266_: f32;
+    var phi_2289_: f32;
+    var phi_2293_: f32;
+    var phi_2296_: f32;
+    var phi_2311_: f32;
+    var phi_2315_: f32;
+    var phi_2317_: f32;
+    var phi_1983_: vec3<f32>;
+    var phi_2016_: f32;
+    var phi_2031_: f32;
+    var phi_2042_: bool;
+    var phi_2044_: f32;
+    var phi_2045_: bool;
+    var phi_2046_: bool;
+    var phi_2047_: bool;
+    var phi_2089_: type_47;
+    var phi_2099_: type_47;
+    var phi_2101_: type_47;
+    var phi_2105_: type_47;
+    var phi_2106_: bool;
+    var phi_2110_: type_47;
+    var phi_1032_: type_47;
+    var phi_1033_: type_47;
+    var phi_1034_: type_47;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -190,7 +190,7 @@ fn function_() {
                         if (_e80.member.member_1 <= _e80.member.member_3) {
                             if (_e83.member_3 != 4294967295u) {
                                 if (_e64 == 0u) {
-                                    phi_1028_ = type_47(type_33(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
+                                    phi_1032_ = type_47(type_33(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
                                 } else {
                                     let _e94 = global_1.member[0u];
                                     let _e95 = bitcast<i32>(_e94);
@@ -204,11 +204,11 @@ fn function_() {
                                             break;
                                         }
                                         let _e110 = global_4.member[_e83.member_3];
-                                        phi_268_ = _e110;
+                                        phi_272_ = _e110;
                                     } else {
-                                        phi_268_ = array<u32, 3>(0u, 0u, 0u);
+                                        phi_272_ = array<u32, 3>(0u, 0u, 0u);
                                     }
-                                    let _e112 = phi_268_;
+                                    let _e112 = phi_272_;
                                     let _e114 = (_e112[0] < _e55);
                                     if _e114 {
                                         if _e114 {
@@ -216,11 +216,11 @@ fn function_() {
                                             break;
                                         }
                                         let _e116 = global_3.member[_e112[0]];
-                                        phi_283_ = _e116;
+                                        phi_287_ = _e116;
                                     } else {
-                                        phi_283_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_287_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e118 = phi_283_;
+                                    let _e118 = phi_287_;
                                     let _e123 = (_e112[1] < _e55);
                                     if _e123 {
                                         if _e123 {
@@ -228,11 +228,11 @@ fn function_() {
                                             break;
                                         }
                                         let _e125 = global_3.member[_e112[1]];
-                                        phi_301_ = _e125;
+                                        phi_305_ = _e125;
                                     } else {
-                                        phi_301_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_305_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e127 = phi_301_;
+                                    let _e127 = phi_305_;
                                     let _e132 = (_e112[2] < _e55);
                                     if _e132 {
                                         if _e132 {
@@ -240,11 +240,11 @@ fn function_() {
                                             break;
                                         }
                                         let _e134 = global_3.member[_e112[2]];
-                                        phi_319_ = _e134;
+                                        phi_323_ = _e134;
                                     } else {
-                                        phi_319_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_323_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e136 = phi_319_;
+                                    let _e136 = phi_323_;
                                     let _e141 = ((_e118[0] * _e101) * _e107);
                                     let _e143 = select(_e141, 0f, (_e141 == 0f));
                                     let _e145 = ((_e118[1] * _e101) * _e107);
@@ -269,11 +269,11 @@ fn function_() {
                                             break;
                                         }
                                         let _e178 = global_4.member[_e83.member_3];
-                                        phi_406_ = _e178;
+                                        phi_410_ = _e178;
                                     } else {
-                                        phi_406_ = array<u32, 3>(0u, 0u, 0u);
+                                        phi_410_ = array<u32, 3>(0u, 0u, 0u);
                                     }
-                                    let _e180 = phi_406_;
+                                    let _e180 = phi_410_;
                                     let _e182 = (_e180[0] < _e60);
                                     if _e182 {
                                         if _e182 {
@@ -281,11 +281,11 @@ fn function_() {
                                             break;
                                         }
                                         let _e185 = global_5.member[_e180[0]];
-                                        phi_423_ = vec3<f32>(_e185[0], _e185[1], _e185[2]);
+                                        phi_427_ = vec3<f32>(_e185[0], _e185[1], _e185[2]);
                                     } else {
-                                        phi_423_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_427_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e191 = phi_423_;
+                                    let _e191 = phi_427_;
                                     let _e193 = (_e180[1] < _e60);
                                     if _e193 {
                                         if _e193 {
@@ -293,11 +293,11 @@ fn function_() {
                                             break;
                                         }
                                         let _e196 = global_5.member[_e180[1]];
-                                        phi_440_ = vec3<f32>(_e196[0], _e196[1], _e196[2]);
+                                        phi_444_ = vec3<f32>(_e196[0], _e196[1], _e196[2]);
                                     } else {
-                                        phi_440_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_444_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e202 = phi_440_;
+                                    let _e202 = phi_444_;
                                     let _e204 = (_e180[2] < _e60);
                                     if _e204 {
                                         if _e204 {
@@ -305,11 +305,11 @@ fn function_() {
                                             break;
                                         }
                                         let _e207 = global_5.member[_e180[2]];
-                                        phi_457_ = vec3<f32>(_e207[0], _e207[1], _e207[2]);
+                                        phi_461_ = vec3<f32>(_e207[0], _e207[1], _e207[2]);
                                     } else {
-                                        phi_457_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_461_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e213 = phi_457_;
+                                    let _e213 = phi_461_;
                                     let _e222 = ((1f - _e83.member_1) - _e83.member_2);
                                     let _e224 = select(0f, _e222, (_e222 > 0f));
                                     let _e226 = select(1f, _e83.member_1, (_e83.member_1 < 1f));
@@ -344,31 +344,31 @@ fn function_() {
                                     let _e305 = bitcast<f32>((bitcast<u32>(_e294) & 2147483647u));
                                     let _e307 = select(_e305, _e302, (_e302 > _e305));
                                     if (_e307 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_641_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_645_ = vec3<f32>(0f, 0f, 0f);
                                     } else {
                                         let _e310 = (bitcast<u32>(_e307) & 2147483647u);
                                         let _e311 = (_e310 >= 8388608u);
                                         if _e311 {
-                                            phi_591_ = (bitcast<i32>((_e310 >> bitcast<u32>(23i))) - 127i);
+                                            phi_595_ = (bitcast<i32>((_e310 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_591_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e310)), 32u, (_e310 == 0u))));
+                                            phi_595_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e310)), 32u, (_e310 == 0u))));
                                         }
-                                        let _e324 = phi_591_;
+                                        let _e324 = phi_595_;
                                         let _e331 = bitcast<f32>((bitcast<u32>(((_e324 / -2i) + 127i)) << bitcast<u32>(23i)));
                                         if _e311 {
-                                            phi_622_ = (bitcast<i32>((_e310 >> bitcast<u32>(23i))) - 127i);
+                                            phi_626_ = (bitcast<i32>((_e310 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_622_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e310)), 32u, (_e310 == 0u))));
+                                            phi_626_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e310)), 32u, (_e310 == 0u))));
                                         }
-                                        let _e347 = phi_622_;
+                                        let _e347 = phi_626_;
                                         let _e353 = bitcast<f32>((bitcast<u32>((((_e324 / 2i) - _e347) + 127i)) << bitcast<u32>(23i)));
                                         let _e354 = ((_e288 * _e331) * _e353);
                                         let _e355 = ((_e291 * _e331) * _e353);
                                         let _e356 = ((_e294 * _e331) * _e353);
                                         let _e362 = sqrt((((_e354 * _e354) + (_e355 * _e355)) + (_e356 * _e356)));
-                                        phi_641_ = vec3<f32>((_e354 / _e362), (_e355 / _e362), (_e356 / _e362));
+                                        phi_645_ = vec3<f32>((_e354 / _e362), (_e355 / _e362), (_e356 / _e362));
                                     }
-                                    let _e368 = phi_641_;
+                                    let _e368 = phi_645_;
                                     let _e378 = select(1f, -1f, ((((_e368.x * _e80.member.member_2[0]) + (_e368.y * _e80.member.member_2[1])) + (_e368.z * _e80.member.member_2[2])) > 0f));
                                     let _e382 = (_e368 * _e378);
                                     let _e404 = (((_e191.x * _e224) + (_e202.x * _e226)) + (_e213.x * _e228));
@@ -380,31 +380,31 @@ fn function_() {
                                     let _e417 = bitcast<f32>((bitcast<u32>(_e406) & 2147483647u));
                                     let _e419 = select(_e417, _e414, (_e414 > _e417));
                                     if (_e419 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_774_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_778_ = vec3<f32>(0f, 0f, 0f);
                                     } else {
                                         let _e422 = (bitcast<u32>(_e419) & 2147483647u);
                                         let _e423 = (_e422 >= 8388608u);
                                         if _e423 {
-                                            phi_724_ = (bitcast<i32>((_e422 >> bitcast<u32>(23i))) - 127i);
+                                            phi_728_ = (bitcast<i32>((_e422 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_724_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e422)), 32u, (_e422 == 0u))));
+                                            phi_728_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e422)), 32u, (_e422 == 0u))));
                                         }
-                                        let _e436 = phi_724_;
+                                        let _e436 = phi_728_;
                                         let _e443 = bitcast<f32>((bitcast<u32>(((_e436 / -2i) + 127i)) << bitcast<u32>(23i)));
                                         if _e423 {
-                                            phi_755_ = (bitcast<i32>((_e422 >> bitcast<u32>(23i))) - 127i);
+                                            phi_759_ = (bitcast<i32>((_e422 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_755_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e422)), 32u, (_e422 == 0u))));
+                                            phi_759_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e422)), 32u, (_e422 == 0u))));
                                         }
-                                        let _e459 = phi_755_;
+                                        let _e459 = phi_759_;
                                         let _e465 = bitcast<f32>((bitcast<u32>((((_e436 / 2i) - _e459) + 127i)) << bitcast<u32>(23i)));
                                         let _e466 = ((_e404 * _e443) * _e465);
                                         let _e467 = ((_e405 * _e443) * _e465);
                                         let _e468 = ((_e406 * _e443) * _e465);
                                         let _e474 = sqrt((((_e466 * _e466) + (_e467 * _e467)) + (_e468 * _e468)));
-                                        phi_774_ = vec3<f32>((_e466 / _e474), (_e467 / _e474), (_e468 / _e474));
+                                        phi_778_ = vec3<f32>((_e466 / _e474), (_e467 / _e474), (_e468 / _e474));
                                     }
-                                    let _e480 = phi_774_;
+                                    let _e480 = phi_778_;
                                     let _e495 = select(_e382, (_e480 * _e378), vec3((((((_e480.x * _e378) * (_e368.x * _e378)) + ((_e480.y * _e378) * (_e368.y * _e378))) + ((_e480.z * _e378) * (_e368.z * _e378))) > 0f)));
                                     let _e496 = (_e83.member_3 < arrayLength((&global_6.member)));
                                     if _e496 {
@@ -413,11 +413,11 @@ fn function_() {
                                             break;
                                         }
                                         let _e499 = global_6.member[_e83.member_3];
-                                        phi_816_ = _e499;
+                                        phi_820_ = _e499;
                                     } else {
-                                        phi_816_ = 0u;
+                                        phi_820_ = 0u;
                                     }
-                                    let _e501 = phi_816_;
+                                    let _e501 = phi_820_;
                                     let _e503 = select(_e501, 0u, (_e501 >= _e64));
                                     if (_e503 < _e64) {
                                     } else {
@@ -439,43 +439,43 @@ fn function_() {
                                     if (_e554 == 1u) {
                                         let _e557 = local_1.member;
                                         local.member = array<f32, 3>(((_e557[0] * _e101) * _e107), ((_e557[1] * _e101) * _e107), ((_e557[2] * _e101) * _e107));
-                                        phi_927_ = type_7(0u, 3u);
+                                        phi_931_ = type_7(0u, 3u);
                                         loop {
-                                            let _e570 = phi_927_;
+                                            let _e570 = phi_931_;
                                             if (_e570.member < _e570.member_1) {
-                                                phi_928_ = type_7((_e570.member + 1u), _e570.member_1);
-                                                phi_951_ = type_7(1u, _e570.member);
+                                                phi_932_ = type_7((_e570.member + 1u), _e570.member_1);
+                                                phi_955_ = type_7(1u, _e570.member);
                                             } else {
-                                                phi_928_ = _e570;
-                                                phi_951_ = type_7(0u, type_7().member_1);
+                                                phi_932_ = _e570;
+                                                phi_955_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e583 = phi_928_;
-                                            let _e585 = phi_951_;
+                                            let _e583 = phi_932_;
+                                            let _e585 = phi_955_;
                                             let _e589 = (bitcast<i32>(_e585.member) != 0i);
                                             if _e589 {
                                                 let _e590 = (_e585.member_1 < 3u);
                                                 if _e590 {
                                                 } else {
-                                                    phi_2117_ = true;
+                                                    phi_2389_ = true;
                                                     break;
                                                 }
                                                 let _e593 = local_1.member_2[_e585.member_1];
                                                 let _e597 = ((((_e593 * _e101) * _e107) * _e101) * _e107);
                                                 if _e590 {
                                                 } else {
-                                                    phi_2117_ = true;
+                                                    phi_2389_ = true;
                                                     break;
                                                 }
                                                 local.member_2[_e585.member_1] = select(340282350000000000000000000000000000000f, _e597, (_e597 < 340282350000000000000000000000000000000f));
                                             }
                                             continue;
                                             continuing {
-                                                phi_927_ = _e583;
-                                                phi_2117_ = false;
+                                                phi_931_ = _e583;
+                                                phi_2389_ = false;
                                                 break if !(_e589);
                                             }
                                         }
-                                        let _e604 = phi_2117_;
+                                        let _e604 = phi_2389_;
                                         if _e604 {
                                             break;
                                         }
@@ -490,250 +490,253 @@ fn function_() {
                                     let _e622 = vec3<f32>(_e614.member[0], _e614.member[1], _e614.member[2]);
                                     let _e626 = (_e614.member_1 == 1u);
                                     if _e626 {
-                                        phi_1607_ = (_e622 - vec3<f32>(_e143, _e147, _e151));
+                                        phi_1757_ = (_e622 - vec3<f32>(_e143, _e147, _e151));
                                     } else {
-                                        phi_1607_ = _e622;
+                                        phi_1757_ = _e622;
                                     }
-                                    let _e629 = phi_1607_;
-                                    let _e631 = (_e282 * _e284);
-                                    let _e635 = (_e280 * _e285);
-                                    let _e640 = (_e281 * _e283);
-                                    let _e682 = global_11[0u];
-                                    if (_e614.member_2[0] == _e682) {
-                                        let _e685 = global_11[1u];
-                                        let _e686 = (_e614.member_2[1] == _e685);
-                                        if _e686 {
-                                            let _e688 = global_11[2u];
-                                            phi_1690_ = (_e614.member_2[2] == _e688);
+                                    let _e629 = phi_1757_;
+                                    let _e631 = bitcast<f32>(bitcast<u32>(_e292));
+                                    let _e634 = bitcast<f32>(bitcast<u32>((_e281 * _e283)));
+                                    let _e636 = bitcast<f32>(bitcast<u32>(_e286));
+                                    let _e639 = bitcast<f32>(bitcast<u32>((_e282 * _e284)));
+                                    let _e641 = bitcast<f32>(bitcast<u32>(_e289));
+                                    let _e644 = bitcast<f32>(bitcast<u32>((_e280 * _e285)));
+                                    let _e708 = global_11[0u];
+                                    if (_e614.member_2[0] == _e708) {
+                                        let _e711 = global_11[1u];
+                                        let _e712 = (_e614.member_2[1] == _e711);
+                                        if _e712 {
+                                            let _e714 = global_11[2u];
+                                            phi_1958_ = (_e614.member_2[2] == _e714);
                                         } else {
-                                            phi_1690_ = bool();
+                                            phi_1958_ = bool();
                                         }
-                                        let _e691 = phi_1690_;
-                                        phi_1693_ = _e691;
-                                        phi_1694_ = select(true, false, _e686);
+                                        let _e717 = phi_1958_;
+                                        phi_1961_ = _e717;
+                                        phi_1962_ = select(true, false, _e712);
                                     } else {
-                                        phi_1693_ = bool();
-                                        phi_1694_ = true;
+                                        phi_1961_ = bool();
+                                        phi_1962_ = true;
                                     }
-                                    let _e694 = phi_1693_;
-                                    let _e696 = phi_1694_;
-                                    if select(_e694, false, _e696) {
-                                        phi_1837_ = type_47();
-                                        phi_1838_ = true;
+                                    let _e720 = phi_1961_;
+                                    let _e722 = phi_1962_;
+                                    if select(_e720, false, _e722) {
+                                        phi_2105_ = type_47();
+                                        phi_2106_ = true;
                                     } else {
-                                        let _e699 = (((((_e629.x * (_e286 - _e631)) + (_e629.y * (_e289 - _e635))) + (_e629.z * (_e292 - _e640))) * _e378) > ((0.0000009536752f * (((bitcast<f32>((bitcast<u32>(_e629.x) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e286) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e631) & 2147483647u)))) + (bitcast<f32>((bitcast<u32>(_e629.y) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e289) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e635) & 2147483647u))))) + (bitcast<f32>((bitcast<u32>(_e629.z) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e292) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e640) & 2147483647u)))))) + 0.0000000000000000000000000000000000001880791f));
-                                        if _e699 {
-                                            let _e701 = select(_e278, _e277, (_e277 > _e278));
-                                            let _e718 = (select(_e279, _e701, (_e701 > _e279)) * ((bitcast<f32>((bitcast<u32>(_e382.x) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e382.y) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e382.z) & 2147483647u))));
-                                            let _e722 = (((_e229 + _e232) + _e235) + (_e382.x * _e718));
-                                            let _e723 = (((_e230 + _e233) + _e236) + (_e382.y * _e718));
-                                            let _e724 = (((_e231 + _e234) + _e237) + (_e382.z * _e718));
+                                        let _e725 = ((((bitcast<f32>(bitcast<u32>((_e629.x * (_e636 - _e639)))) + bitcast<f32>(bitcast<u32>((_e629.y * (_e641 - _e644))))) + bitcast<f32>(bitcast<u32>((_e629.z * (_e631 - _e634))))) * _e378) > (bitcast<f32>(bitcast<u32>((0.0000009536752f * ((bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e629.x) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e636) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e639) & 2147483647u)))))) + bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e629.y) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e641) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e644) & 2147483647u))))))) + bitcast<f32>(bitcast<u32>((bitcast<f32>((bitcast<u32>(_e629.z) & 2147483647u)) * (bitcast<f32>((bitcast<u32>(_e631) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e634) & 2147483647u)))))))))) + 0.0000000000000000000000000000000000001880791f));
+                                        if _e725 {
+                                            let _e727 = select(_e278, _e277, (_e277 > _e278));
+                                            let _e744 = (select(_e279, _e727, (_e727 > _e279)) * ((bitcast<f32>((bitcast<u32>(_e382.x) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e382.y) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e382.z) & 2147483647u))));
+                                            let _e748 = (((_e229 + _e232) + _e235) + (_e382.x * _e744));
+                                            let _e749 = (((_e230 + _e233) + _e236) + (_e382.y * _e744));
+                                            let _e750 = (((_e231 + _e234) + _e237) + (_e382.z * _e744));
                                             if (_e382.x > 0f) {
-                                                let _e745 = bitcast<u32>(_e722);
-                                                if ((_e745 & 2147483647u) == 0u) {
-                                                    phi_1945_ = 0.000000000000000000000000000000000000000000001f;
+                                                let _e771 = bitcast<u32>(_e748);
+                                                if ((_e771 & 2147483647u) == 0u) {
+                                                    phi_2213_ = 0.000000000000000000000000000000000000000000001f;
                                                 } else {
-                                                    if ((_e745 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_1941_ = bitcast<f32>((_e745 + 1u));
+                                                    if ((_e771 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2209_ = bitcast<f32>((_e771 + 1u));
                                                     } else {
-                                                        phi_1941_ = bitcast<f32>((_e745 - 1u));
+                                                        phi_2209_ = bitcast<f32>((_e771 - 1u));
                                                     }
-                                                    let _e756 = phi_1941_;
-                                                    phi_1945_ = _e756;
+                                                    let _e782 = phi_2209_;
+                                                    phi_2213_ = _e782;
                                                 }
-                                                let _e758 = phi_1945_;
-                                                phi_1947_ = _e758;
+                                                let _e784 = phi_2213_;
+                                                phi_2215_ = _e784;
                                             } else {
                                                 if (_e382.x < 0f) {
-                                                    let _e728 = bitcast<u32>(-(_e722));
-                                                    if ((_e728 & 2147483647u) == 0u) {
-                                                        phi_1923_ = 0.000000000000000000000000000000000000000000001f;
+                                                    let _e754 = bitcast<u32>(-(_e748));
+                                                    if ((_e754 & 2147483647u) == 0u) {
+                                                        phi_2191_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e728 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_1919_ = bitcast<f32>((_e728 + 1u));
+                                                        if ((_e754 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_2187_ = bitcast<f32>((_e754 + 1u));
                                                         } else {
-                                                            phi_1919_ = bitcast<f32>((_e728 - 1u));
+                                                            phi_2187_ = bitcast<f32>((_e754 - 1u));
                                                         }
-                                                        let _e739 = phi_1919_;
-                                                        phi_1923_ = _e739;
+                                                        let _e765 = phi_2187_;
+                                                        phi_2191_ = _e765;
                                                     }
-                                                    let _e741 = phi_1923_;
-                                                    phi_1926_ = -(_e741);
+                                                    let _e767 = phi_2191_;
+                                                    phi_2194_ = -(_e767);
                                                 } else {
-                                                    phi_1926_ = _e722;
+                                                    phi_2194_ = _e748;
                                                 }
-                                                let _e744 = phi_1926_;
-                                                phi_1947_ = _e744;
+                                                let _e770 = phi_2194_;
+                                                phi_2215_ = _e770;
                                             }
-                                            let _e760 = phi_1947_;
+                                            let _e786 = phi_2215_;
                                             if (_e382.y > 0f) {
-                                                let _e781 = bitcast<u32>(_e723);
-                                                if ((_e781 & 2147483647u) == 0u) {
-                                                    phi_1996_ = 0.000000000000000000000000000000000000000000001f;
+                                                let _e807 = bitcast<u32>(_e749);
+                                                if ((_e807 & 2147483647u) == 0u) {
+                                                    phi_2264_ = 0.000000000000000000000000000000000000000000001f;
                                                 } else {
-                                                    if ((_e781 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_1992_ = bitcast<f32>((_e781 + 1u));
+                                                    if ((_e807 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2260_ = bitcast<f32>((_e807 + 1u));
                                                     } else {
-                                                        phi_1992_ = bitcast<f32>((_e781 - 1u));
+                                                        phi_2260_ = bitcast<f32>((_e807 - 1u));
                                                     }
-                                                    let _e792 = phi_1992_;
-                                                    phi_1996_ = _e792;
+                                                    let _e818 = phi_2260_;
+                                                    phi_2264_ = _e818;
                                                 }
-                                                let _e794 = phi_1996_;
-                                                phi_1998_ = _e794;
+                                                let _e820 = phi_2264_;
+                                                phi_2266_ = _e820;
                                             } else {
                                                 if (_e382.y < 0f) {
-                                                    let _e764 = bitcast<u32>(-(_e723));
-                                                    if ((_e764 & 2147483647u) == 0u) {
-                                                        phi_1974_ = 0.000000000000000000000000000000000000000000001f;
+                                                    let _e790 = bitcast<u32>(-(_e749));
+                                                    if ((_e790 & 2147483647u) == 0u) {
+                                                        phi_2242_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e764 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_1970_ = bitcast<f32>((_e764 + 1u));
+                                                        if ((_e790 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_2238_ = bitcast<f32>((_e790 + 1u));
                                                         } else {
-                                                            phi_1970_ = bitcast<f32>((_e764 - 1u));
+                                                            phi_2238_ = bitcast<f32>((_e790 - 1u));
                                                         }
-                                                        let _e775 = phi_1970_;
-                                                        phi_1974_ = _e775;
+                                                        let _e801 = phi_2238_;
+                                                        phi_2242_ = _e801;
                                                     }
-                                                    let _e777 = phi_1974_;
-                                                    phi_1977_ = -(_e777);
+                                                    let _e803 = phi_2242_;
+                                                    phi_2245_ = -(_e803);
                                                 } else {
-                                                    phi_1977_ = _e723;
+                                                    phi_2245_ = _e749;
                                                 }
-                                                let _e780 = phi_1977_;
-                                                phi_1998_ = _e780;
+                                                let _e806 = phi_2245_;
+                                                phi_2266_ = _e806;
                                             }
-                                            let _e796 = phi_1998_;
+                                            let _e822 = phi_2266_;
                                             if (_e382.z > 0f) {
-                                                let _e817 = bitcast<u32>(_e724);
-                                                if ((_e817 & 2147483647u) == 0u) {
-                                                    phi_2047_ = 0.000000000000000000000000000000000000000000001f;
+                                                let _e843 = bitcast<u32>(_e750);
+                                                if ((_e843 & 2147483647u) == 0u) {
+                                                    phi_2315_ = 0.000000000000000000000000000000000000000000001f;
                                                 } else {
-                                                    if ((_e817 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_2043_ = bitcast<f32>((_e817 + 1u));
+                                                    if ((_e843 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2311_ = bitcast<f32>((_e843 + 1u));
                                                     } else {
-                                                        phi_2043_ = bitcast<f32>((_e817 - 1u));
+                                                        phi_2311_ = bitcast<f32>((_e843 - 1u));
                                                     }
-                                                    let _e828 = phi_2043_;
-                                                    phi_2047_ = _e828;
+                                                    let _e854 = phi_2311_;
+                                                    phi_2315_ = _e854;
                                                 }
-                                                let _e830 = phi_2047_;
-                                                phi_2049_ = _e830;
+                                                let _e856 = phi_2315_;
+                                                phi_2317_ = _e856;
                                             } else {
                                                 if (_e382.z < 0f) {
-                                                    let _e800 = bitcast<u32>(-(_e724));
-                                                    if ((_e800 & 2147483647u) == 0u) {
-                                                        phi_2025_ = 0.000000000000000000000000000000000000000000001f;
+                                                    let _e826 = bitcast<u32>(-(_e750));
+                                                    if ((_e826 & 2147483647u) == 0u) {
+                                                        phi_2293_ = 0.000000000000000000000000000000000000000000001f;
                                                     } else {
-                                                        if ((_e800 >> bitcast<u32>(31i)) == 0u) {
-                                                            phi_2021_ = bitcast<f32>((_e800 + 1u));
+                                                        if ((_e826 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_2289_ = bitcast<f32>((_e826 + 1u));
                                                         } else {
-                                                            phi_2021_ = bitcast<f32>((_e800 - 1u));
+                                                            phi_2289_ = bitcast<f32>((_e826 - 1u));
                                                         }
-                                                        let _e811 = phi_2021_;
-                                                        phi_2025_ = _e811;
+                                                        let _e837 = phi_2289_;
+                                                        phi_2293_ = _e837;
                                                     }
-                                                    let _e813 = phi_2025_;
-                                                    phi_2028_ = -(_e813);
+                                                    let _e839 = phi_2293_;
+                                                    phi_2296_ = -(_e839);
                                                 } else {
-                                                    phi_2028_ = _e724;
+                                                    phi_2296_ = _e750;
                                                 }
-                                                let _e816 = phi_2028_;
-                                                phi_2049_ = _e816;
+                                                let _e842 = phi_2296_;
+                                                phi_2317_ = _e842;
                                             }
-                                            let _e832 = phi_2049_;
+                                            let _e858 = phi_2317_;
                                             if _e626 {
-                                                phi_1715_ = (_e622 - vec3<f32>(_e760, _e796, _e832));
+                                                phi_1983_ = (_e622 - vec3<f32>(_e786, _e822, _e858));
                                             } else {
-                                                phi_1715_ = _e622;
+                                                phi_1983_ = _e622;
                                             }
-                                            let _e836 = phi_1715_;
-                                            let _e845 = sqrt((((_e836.x * _e836.x) + (_e836.y * _e836.y)) + (_e836.z * _e836.z)));
-                                            let _e854 = ((((_e495.x * _e836.x) + (_e495.y * _e836.y)) + (_e495.z * _e836.z)) / _e845);
+                                            let _e862 = phi_1983_;
+                                            let _e871 = sqrt((((_e862.x * _e862.x) + (_e862.y * _e862.y)) + (_e862.z * _e862.z)));
+                                            let _e880 = ((((_e495.x * _e862.x) + (_e495.y * _e862.y)) + (_e495.z * _e862.z)) / _e871);
                                             if _e626 {
-                                                let _e861 = (_e845 <= _e614.member_3);
+                                                let _e887 = (_e871 <= _e614.member_3);
                                                 if _e626 {
-                                                    phi_1763_ = (1f / (_e845 * _e845));
+                                                    phi_2031_ = (1f / (_e871 * _e871));
                                                 } else {
-                                                    phi_1763_ = 1f;
+                                                    phi_2031_ = 1f;
                                                 }
-                                                let _e865 = phi_1763_;
-                                                let _e866 = (_e854 > 0f);
-                                                if _e866 {
-                                                    phi_1774_ = select(true, false, _e861);
+                                                let _e891 = phi_2031_;
+                                                let _e892 = (_e880 > 0f);
+                                                if _e892 {
+                                                    phi_2042_ = select(true, false, _e887);
                                                 } else {
-                                                    phi_1774_ = false;
+                                                    phi_2042_ = false;
                                                 }
-                                                let _e869 = phi_1774_;
-                                                phi_1776_ = _e865;
-                                                phi_1777_ = select(false, _e861, _e866);
-                                                phi_1778_ = select(true, false, _e866);
-                                                phi_1779_ = _e869;
+                                                let _e895 = phi_2042_;
+                                                phi_2044_ = _e891;
+                                                phi_2045_ = select(false, _e887, _e892);
+                                                phi_2046_ = select(true, false, _e892);
+                                                phi_2047_ = _e895;
                                             } else {
                                                 if _e626 {
-                                                    phi_1748_ = (1f / (_e845 * _e845));
+                                                    phi_2016_ = (1f / (_e871 * _e871));
                                                 } else {
-                                                    phi_1748_ = 1f;
+                                                    phi_2016_ = 1f;
                                                 }
-                                                let _e858 = phi_1748_;
-                                                let _e859 = (_e854 > 0f);
-                                                phi_1776_ = _e858;
-                                                phi_1777_ = _e859;
-                                                phi_1778_ = select(true, false, _e859);
-                                                phi_1779_ = false;
+                                                let _e884 = phi_2016_;
+                                                let _e885 = (_e880 > 0f);
+                                                phi_2044_ = _e884;
+                                                phi_2045_ = _e885;
+                                                phi_2046_ = select(true, false, _e885);
+                                                phi_2047_ = false;
                                             }
-                                            let _e873 = phi_1776_;
-                                            let _e875 = phi_1777_;
-                                            let _e877 = phi_1778_;
-                                            let _e879 = phi_1779_;
-                                            if _e875 {
-                                                let _e884 = ((1f - _e507.member_1) * 0.31830987f);
-                                                let _e891 = (_e854 * _e873);
-                                                phi_1821_ = type_47(type_33(array<f32, 3>(_e760, _e796, _e832), 0f, array<f32, 3>(_e836.x, _e836.y, _e836.z), select(340282350000000000000000000000000000000f, 1f, _e626)), array<f32, 3>(((_e614.member_2[0] * (_e507.member[0] * _e884)) * _e891), ((_e614.member_2[1] * (_e507.member[1] * _e884)) * _e891), ((_e614.member_2[2] * (_e507.member[2] * _e884)) * _e891)), _e83.member_3);
+                                            let _e899 = phi_2044_;
+                                            let _e901 = phi_2045_;
+                                            let _e903 = phi_2046_;
+                                            let _e905 = phi_2047_;
+                                            if _e901 {
+                                                let _e910 = ((1f - _e507.member_1) * 0.31830987f);
+                                                let _e917 = (_e880 * _e899);
+                                                phi_2089_ = type_47(type_33(array<f32, 3>(_e786, _e822, _e858), 0f, array<f32, 3>(_e862.x, _e862.y, _e862.z), select(340282350000000000000000000000000000000f, 1f, _e626)), array<f32, 3>(((_e614.member_2[0] * (_e507.member[0] * _e910)) * _e917), ((_e614.member_2[1] * (_e507.member[1] * _e910)) * _e917), ((_e614.member_2[2] * (_e507.member[2] * _e910)) * _e917)), _e83.member_3);
                                             } else {
-                                                phi_1821_ = type_47();
+                                                phi_2089_ = type_47();
                                             }
-                                            let _e902 = phi_1821_;
-                                            if select(select(_e879, false, _e875), true, select(_e877, false, _e875)) {
-                                                phi_1831_ = type_47(type_33(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
+                                            let _e928 = phi_2089_;
+                                            if select(select(_e905, false, _e901), true, select(_e903, false, _e901)) {
+                                                phi_2099_ = type_47(type_33(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
                                             } else {
-                                                phi_1831_ = _e902;
+                                                phi_2099_ = _e928;
                                             }
-                                            let _e907 = phi_1831_;
-                                            phi_1833_ = _e907;
+                                            let _e933 = phi_2099_;
+                                            phi_2101_ = _e933;
                                         } else {
-                                            phi_1833_ = type_47();
+                                            phi_2101_ = type_47();
                                         }
-                                        let _e909 = phi_1833_;
-                                        phi_1837_ = _e909;
-                                        phi_1838_ = select(true, false, _e699);
+                                        let _e935 = phi_2101_;
+                                        phi_2105_ = _e935;
+                                        phi_2106_ = select(true, false, _e725);
                                     }
-                                    let _e912 = phi_1837_;
-                                    let _e914 = phi_1838_;
-                                    if _e914 {
-                                        phi_1842_ = type_47(type_33(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
+                                    let _e938 = phi_2105_;
+                                    let _e940 = phi_2106_;
+                                    if _e940 {
+                                        phi_2110_ = type_47(type_33(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
                                     } else {
-                                        phi_1842_ = _e912;
+                                        phi_2110_ = _e938;
                                     }
-                                    let _e916 = phi_1842_;
-                                    phi_1028_ = _e916;
+                                    let _e942 = phi_2110_;
+                                    phi_1032_ = _e942;
                                 }
-                                let _e918 = phi_1028_;
-                                phi_1029_ = _e918;
+                                let _e944 = phi_1032_;
+                                phi_1033_ = _e944;
                             } else {
-                                phi_1029_ = type_47(type_33(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
+                                phi_1033_ = type_47(type_33(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
                             }
-                            let _e920 = phi_1029_;
-                            phi_1030_ = _e920;
+                            let _e946 = phi_1033_;
+                            phi_1034_ = _e946;
                         } else {
-                            phi_1030_ = type_47(type_33(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
+                            phi_1034_ = type_47(type_33(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), array<f32, 3>(0f, 0f, 0f), 4294967295u);
                         }
-                        let _e922 = phi_1030_;
+                        let _e948 = phi_1034_;
                         if _e77 {
                         } else {
                             break;
                         }
-                        global_10.member[_e74] = _e922;
+                        global_10.member[_e74] = _e948;
                     }
                 }
             }

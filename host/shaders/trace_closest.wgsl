@@ -76,110 +76,110 @@ var<storage, read_write> global_5: type_25;
 fn function_() {
     var local: array<u32, 128>;
     var local_1: array<f32, 128>;
-    var phi_261_: i32;
     var phi_262_: i32;
-    var phi_272_: bool;
-    var phi_282_: u32;
+    var phi_263_: i32;
+    var phi_273_: bool;
     var phi_283_: u32;
-    var phi_285_: bool;
-    var phi_290_: u32;
-    var phi_334_: f32;
-    var phi_340_: f32;
-    var phi_351_: f32;
-    var phi_357_: f32;
-    var phi_380_: f32;
-    var phi_391_: f32;
-    var phi_400_: f32;
-    var phi_406_: f32;
-    var phi_417_: f32;
-    var phi_423_: f32;
-    var phi_446_: f32;
-    var phi_457_: f32;
-    var phi_466_: f32;
-    var phi_472_: f32;
-    var phi_483_: f32;
-    var phi_489_: f32;
-    var phi_512_: f32;
-    var phi_523_: f32;
-    var phi_623_: f32;
+    var phi_284_: u32;
+    var phi_286_: bool;
+    var phi_291_: u32;
+    var phi_335_: f32;
+    var phi_341_: f32;
+    var phi_352_: f32;
+    var phi_358_: f32;
+    var phi_381_: f32;
+    var phi_392_: f32;
+    var phi_401_: f32;
+    var phi_407_: f32;
+    var phi_418_: f32;
+    var phi_424_: f32;
+    var phi_447_: f32;
+    var phi_458_: f32;
+    var phi_467_: f32;
+    var phi_473_: f32;
+    var phi_484_: f32;
+    var phi_490_: f32;
+    var phi_513_: f32;
+    var phi_524_: f32;
     var phi_624_: f32;
-    var phi_1989_: bool;
-    var phi_635_: type_41;
-    var phi_638_: u32;
-    var phi_640_: u32;
-    var phi_642_: bool;
-    var phi_644_: u32;
-    var phi_655_: bool;
-    var phi_685_: u32;
-    var phi_686_: bool;
-    var phi_687_: u32;
-    var phi_1507_: type_44;
-    var phi_1851_: u32;
-    var phi_1877_: u32;
-    var phi_1878_: u32;
-    var phi_1879_: u32;
-    var phi_1881_: u32;
-    var phi_1882_: u32;
-    var phi_1883_: bool;
-    var phi_1892_: u32;
-    var phi_1897_: u32;
-    var phi_1898_: bool;
-    var phi_703_: type_41;
-    var phi_706_: type_4;
-    var phi_707_: type_4;
-    var phi_729_: type_4;
-    var phi_749_: u32;
-    var phi_837_: array<array<f32, 3>, 3>;
-    var phi_1308_: vec3<f32>;
-    var phi_1309_: vec3<f32>;
-    var phi_1340_: bool;
-    var phi_1349_: vec3<f32>;
-    var phi_1389_: type_23;
-    var phi_1391_: type_23;
-    var phi_1392_: bool;
-    var phi_1396_: type_23;
-    var phi_1397_: type_23;
-    var phi_1398_: type_23;
-    var phi_1399_: bool;
-    var phi_1403_: type_23;
-    var phi_1404_: bool;
-    var phi_1408_: type_23;
-    var phi_1409_: bool;
-    var phi_1413_: type_23;
-    var phi_1438_: bool;
-    var phi_1439_: bool;
-    var phi_1445_: type_41;
-    var phi_1446_: type_41;
-    var phi_1447_: type_41;
-    var phi_704_: type_41;
-    var phi_1983_: bool;
-    var phi_2097_: bool;
-    var phi_1900_: type_41;
-    var phi_1901_: u32;
-    var phi_1902_: bool;
-    var phi_1903_: u32;
-    var phi_2096_: bool;
-    var phi_1904_: type_41;
-    var phi_1905_: u32;
-    var phi_1906_: u32;
-    var phi_1907_: bool;
-    var phi_1908_: u32;
-    var phi_2095_: bool;
-    var phi_1909_: type_41;
-    var phi_1910_: u32;
-    var phi_1911_: u32;
-    var phi_1912_: bool;
-    var phi_1913_: u32;
-    var phi_2094_: bool;
+    var phi_625_: f32;
+    var phi_1990_: bool;
     var phi_636_: type_41;
     var phi_639_: u32;
     var phi_641_: u32;
     var phi_643_: bool;
     var phi_645_: u32;
-    var phi_1914_: bool;
-    var phi_2093_: bool;
+    var phi_656_: bool;
+    var phi_686_: u32;
+    var phi_687_: bool;
+    var phi_688_: u32;
+    var phi_1508_: type_44;
+    var phi_1852_: u32;
+    var phi_1878_: u32;
+    var phi_1879_: u32;
+    var phi_1880_: u32;
+    var phi_1882_: u32;
+    var phi_1883_: u32;
+    var phi_1884_: bool;
+    var phi_1893_: u32;
+    var phi_1898_: u32;
+    var phi_1899_: bool;
+    var phi_704_: type_41;
+    var phi_707_: type_4;
+    var phi_708_: type_4;
+    var phi_730_: type_4;
+    var phi_750_: u32;
+    var phi_838_: array<array<f32, 3>, 3>;
+    var phi_1309_: vec3<f32>;
+    var phi_1310_: vec3<f32>;
+    var phi_1341_: bool;
+    var phi_1350_: vec3<f32>;
+    var phi_1390_: type_23;
+    var phi_1392_: type_23;
+    var phi_1393_: bool;
+    var phi_1397_: type_23;
+    var phi_1398_: type_23;
+    var phi_1399_: type_23;
+    var phi_1400_: bool;
+    var phi_1404_: type_23;
+    var phi_1405_: bool;
+    var phi_1409_: type_23;
+    var phi_1410_: bool;
+    var phi_1414_: type_23;
+    var phi_1439_: bool;
+    var phi_1440_: bool;
+    var phi_1446_: type_41;
+    var phi_1447_: type_41;
+    var phi_1448_: type_41;
+    var phi_705_: type_41;
+    var phi_1984_: bool;
+    var phi_2098_: bool;
+    var phi_1901_: type_41;
+    var phi_1902_: u32;
+    var phi_1903_: bool;
+    var phi_1904_: u32;
+    var phi_2097_: bool;
+    var phi_1905_: type_41;
+    var phi_1906_: u32;
+    var phi_1907_: u32;
+    var phi_1908_: bool;
+    var phi_1909_: u32;
+    var phi_2096_: bool;
+    var phi_1910_: type_41;
+    var phi_1911_: u32;
+    var phi_1912_: u32;
+    var phi_1913_: bool;
+    var phi_1914_: u32;
+    var phi_2095_: bool;
+    var phi_637_: type_41;
+    var phi_640_: u32;
+    var phi_642_: u32;
+    var phi_644_: bool;
+    var phi_646_: u32;
+    var phi_1915_: bool;
+    var phi_2094_: bool;
     var local_2: type_41;
-    var phi_1966_: type_23;
+    var phi_1967_: type_23;
     var local_3: type_41;
 
     switch bitcast<i32>(0u) {
@@ -222,43 +222,43 @@ fn function_() {
                     if _e153 {
                         let _e156 = (bitcast<u32>(bitcast<f32>(_e128)) & 2147483647u);
                         if (_e156 >= 8388608u) {
-                            phi_261_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
+                            phi_262_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_261_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
+                            phi_262_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
                         }
-                        let _e170 = phi_261_;
-                        phi_262_ = _e170;
+                        let _e170 = phi_262_;
+                        phi_263_ = _e170;
                     } else {
-                        phi_262_ = 0i;
+                        phi_263_ = 0i;
                     }
-                    let _e172 = phi_262_;
+                    let _e172 = phi_263_;
                     let _e173 = (_e89 == _e128);
                     if _e173 {
-                        phi_272_ = true;
+                        phi_273_ = true;
                     } else {
-                        phi_272_ = (_e96 == _e128);
+                        phi_273_ = (_e96 == _e128);
                     }
-                    let _e176 = phi_272_;
+                    let _e176 = phi_273_;
                     let _e177 = select(1u, 0u, _e173);
                     if _e176 {
                         let _e178 = (_e177 + 1u);
-                        phi_282_ = _e178;
                         phi_283_ = _e178;
-                        phi_285_ = select(true, false, (_e178 == 2u));
+                        phi_284_ = _e178;
+                        phi_286_ = select(true, false, (_e178 == 2u));
                     } else {
-                        phi_282_ = u32();
-                        phi_283_ = 0u;
-                        phi_285_ = true;
+                        phi_283_ = u32();
+                        phi_284_ = 0u;
+                        phi_286_ = true;
                     }
-                    let _e182 = phi_282_;
-                    let _e184 = phi_283_;
-                    let _e186 = phi_285_;
+                    let _e182 = phi_283_;
+                    let _e184 = phi_284_;
+                    let _e186 = phi_286_;
                     if _e186 {
-                        phi_290_ = (_e184 + 1u);
+                        phi_291_ = (_e184 + 1u);
                     } else {
-                        phi_290_ = 0u;
+                        phi_291_ = 0u;
                     }
-                    let _e190 = phi_290_;
+                    let _e190 = phi_291_;
                     let _e191 = select(_e182, _e184, _e186);
                     let _e192 = select(_e177, select(2u, _e177, _e176), _e186);
                     let _e193 = (_e79 / 2i);
@@ -271,140 +271,140 @@ fn function_() {
                     let _e221 = global_4.member[_e73].member;
                     let _e222 = (_e191 == 0u);
                     if _e222 {
-                        phi_334_ = _e221[0];
+                        phi_335_ = _e221[0];
                     } else {
-                        phi_334_ = _e221[1];
+                        phi_335_ = _e221[1];
                     }
-                    let _e226 = phi_334_;
+                    let _e226 = phi_335_;
                     let _e227 = (_e191 == 2u);
                     if _e227 {
-                        phi_340_ = _e221[2];
+                        phi_341_ = _e221[2];
                     } else {
-                        phi_340_ = _e226;
+                        phi_341_ = _e226;
                     }
-                    let _e230 = phi_340_;
+                    let _e230 = phi_341_;
                     let _e232 = ((_e230 * _e198) * _e204);
                     let _e233 = global_4.member[_e73].member_2;
                     if _e222 {
-                        phi_351_ = _e233[0];
+                        phi_352_ = _e233[0];
                     } else {
-                        phi_351_ = _e233[1];
+                        phi_352_ = _e233[1];
                     }
-                    let _e237 = phi_351_;
+                    let _e237 = phi_352_;
                     if _e227 {
-                        phi_357_ = _e233[2];
+                        phi_358_ = _e233[2];
                     } else {
-                        phi_357_ = _e237;
+                        phi_358_ = _e237;
                     }
-                    let _e240 = phi_357_;
+                    let _e240 = phi_358_;
                     let _e242 = ((_e240 * _e211) * _e217);
                     let _e246 = (bitcast<f32>((bitcast<u32>(_e242) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e246 {
                         let _e250 = (bitcast<f32>((bitcast<u32>(_e232) & 2147483647u)) * 0.00000011920929f);
-                        phi_380_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
+                        phi_381_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
                     } else {
-                        phi_380_ = 0f;
+                        phi_381_ = 0f;
                     }
-                    let _e254 = phi_380_;
+                    let _e254 = phi_381_;
                     let _e255 = (_e232 + _e254);
                     let _e256 = (_e232 - _e254);
                     let _e257 = select(_e242, 0f, _e246);
                     if _e246 {
-                        phi_391_ = 38685626000000000000000000f;
+                        phi_392_ = 38685626000000000000000000f;
                     } else {
-                        phi_391_ = (1f / _e242);
+                        phi_392_ = (1f / _e242);
                     }
-                    let _e260 = phi_391_;
+                    let _e260 = phi_392_;
                     let _e261 = (_e190 == 0u);
                     if _e261 {
-                        phi_400_ = _e221[0];
+                        phi_401_ = _e221[0];
                     } else {
-                        phi_400_ = _e221[1];
+                        phi_401_ = _e221[1];
                     }
-                    let _e265 = phi_400_;
+                    let _e265 = phi_401_;
                     let _e266 = (_e190 == 2u);
                     if _e266 {
-                        phi_406_ = _e221[2];
+                        phi_407_ = _e221[2];
                     } else {
-                        phi_406_ = _e265;
+                        phi_407_ = _e265;
                     }
-                    let _e269 = phi_406_;
+                    let _e269 = phi_407_;
                     let _e271 = ((_e269 * _e198) * _e204);
                     if _e261 {
-                        phi_417_ = _e233[0];
+                        phi_418_ = _e233[0];
                     } else {
-                        phi_417_ = _e233[1];
+                        phi_418_ = _e233[1];
                     }
-                    let _e275 = phi_417_;
+                    let _e275 = phi_418_;
                     if _e266 {
-                        phi_423_ = _e233[2];
+                        phi_424_ = _e233[2];
                     } else {
-                        phi_423_ = _e275;
+                        phi_424_ = _e275;
                     }
-                    let _e278 = phi_423_;
+                    let _e278 = phi_424_;
                     let _e280 = ((_e278 * _e211) * _e217);
                     let _e284 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e284 {
                         let _e288 = (bitcast<f32>((bitcast<u32>(_e271) & 2147483647u)) * 0.00000011920929f);
-                        phi_446_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
+                        phi_447_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
                     } else {
-                        phi_446_ = 0f;
+                        phi_447_ = 0f;
                     }
-                    let _e292 = phi_446_;
+                    let _e292 = phi_447_;
                     let _e293 = (_e271 + _e292);
                     let _e294 = (_e271 - _e292);
                     let _e295 = select(_e280, 0f, _e284);
                     if _e284 {
-                        phi_457_ = 38685626000000000000000000f;
+                        phi_458_ = 38685626000000000000000000f;
                     } else {
-                        phi_457_ = (1f / _e280);
+                        phi_458_ = (1f / _e280);
                     }
-                    let _e298 = phi_457_;
+                    let _e298 = phi_458_;
                     let _e299 = (_e192 == 0u);
                     if _e299 {
-                        phi_466_ = _e221[0];
+                        phi_467_ = _e221[0];
                     } else {
-                        phi_466_ = _e221[1];
+                        phi_467_ = _e221[1];
                     }
-                    let _e303 = phi_466_;
+                    let _e303 = phi_467_;
                     let _e304 = (_e192 == 2u);
                     if _e304 {
-                        phi_472_ = _e221[2];
+                        phi_473_ = _e221[2];
                     } else {
-                        phi_472_ = _e303;
+                        phi_473_ = _e303;
                     }
-                    let _e307 = phi_472_;
+                    let _e307 = phi_473_;
                     let _e309 = ((_e307 * _e198) * _e204);
                     if _e299 {
-                        phi_483_ = _e233[0];
+                        phi_484_ = _e233[0];
                     } else {
-                        phi_483_ = _e233[1];
+                        phi_484_ = _e233[1];
                     }
-                    let _e313 = phi_483_;
+                    let _e313 = phi_484_;
                     if _e304 {
-                        phi_489_ = _e233[2];
+                        phi_490_ = _e233[2];
                     } else {
-                        phi_489_ = _e313;
+                        phi_490_ = _e313;
                     }
-                    let _e316 = phi_489_;
+                    let _e316 = phi_490_;
                     let _e318 = ((_e316 * _e211) * _e217);
                     let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e322 {
                         let _e326 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_512_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
+                        phi_513_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
                     } else {
-                        phi_512_ = 0f;
+                        phi_513_ = 0f;
                     }
-                    let _e330 = phi_512_;
+                    let _e330 = phi_513_;
                     let _e331 = (_e309 + _e330);
                     let _e332 = (_e309 - _e330);
                     let _e333 = select(_e318, 0f, _e322);
                     if _e322 {
-                        phi_523_ = 38685626000000000000000000f;
+                        phi_524_ = 38685626000000000000000000f;
                     } else {
-                        phi_523_ = (1f / _e318);
+                        phi_524_ = (1f / _e318);
                     }
-                    let _e336 = phi_523_;
+                    let _e336 = phi_524_;
                     let _e339 = bitcast<f32>((bitcast<u32>(_e232) & 2147483647u));
                     let _e342 = bitcast<f32>((bitcast<u32>(_e271) & 2147483647u));
                     let _e344 = select(_e342, _e339, (_e339 > _e342));
@@ -418,105 +418,105 @@ fn function_() {
                         let _e370 = select(340282350000000000000000000000000000000f, _e368, (_e368 < 340282350000000000000000000000000000000f));
                         let _e375 = (((_e147 * _e360) * _e360) * _e367);
                         let _e377 = select(340282350000000000000000000000000000000f, _e375, (_e375 < 340282350000000000000000000000000000000f));
-                        phi_623_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
-                        phi_624_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
+                        phi_624_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
+                        phi_625_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_623_ = 0f;
-                        phi_624_ = 1f;
+                        phi_624_ = 0f;
+                        phi_625_ = 1f;
                     }
-                    let _e381 = phi_623_;
-                    let _e383 = phi_624_;
+                    let _e381 = phi_624_;
+                    let _e383 = phi_625_;
                     local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_1989_ = false;
-                    phi_635_ = type_41(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e381);
-                    phi_638_ = select(0u, 2147483648u, (_e63 == 0u));
-                    phi_640_ = ((3u * _e63) + 1u);
-                    phi_642_ = (_e383 <= _e381);
-                    phi_644_ = 0u;
+                    phi_1990_ = false;
+                    phi_636_ = type_41(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e381);
+                    phi_639_ = select(0u, 2147483648u, (_e63 == 0u));
+                    phi_641_ = ((3u * _e63) + 1u);
+                    phi_643_ = (_e383 <= _e381);
+                    phi_645_ = 0u;
                     loop {
-                        let _e391 = phi_1989_;
-                        let _e393 = phi_635_;
-                        let _e395 = phi_638_;
-                        let _e397 = phi_640_;
-                        let _e399 = phi_642_;
-                        let _e401 = phi_644_;
+                        let _e391 = phi_1990_;
+                        let _e393 = phi_636_;
+                        let _e395 = phi_639_;
+                        let _e397 = phi_641_;
+                        let _e399 = phi_643_;
+                        let _e401 = phi_645_;
                         local_2 = _e393;
                         if _e399 {
-                            phi_655_ = true;
+                            phi_656_ = true;
                         } else {
-                            phi_655_ = (_e401 > 0u);
+                            phi_656_ = (_e401 > 0u);
                         }
-                        let _e404 = phi_655_;
+                        let _e404 = phi_656_;
                         if _e404 {
                             let _e405 = (_e397 > 0u);
                             if _e405 {
                                 if _e399 {
-                                    phi_685_ = _e395;
-                                    phi_686_ = _e399;
-                                    phi_687_ = _e401;
+                                    phi_686_ = _e395;
+                                    phi_687_ = _e399;
+                                    phi_688_ = _e401;
                                 } else {
                                     let _e406 = (_e401 - 1u);
                                     let _e407 = (_e406 % 128u);
                                     let _e408 = (_e407 < 128u);
                                     if _e408 {
                                     } else {
-                                        phi_2093_ = true;
+                                        phi_2094_ = true;
                                         break;
                                     }
                                     let _e410 = local[_e407];
                                     if _e408 {
                                     } else {
-                                        phi_2093_ = true;
+                                        phi_2094_ = true;
                                         break;
                                     }
                                     let _e412 = local_1[_e407];
-                                    phi_685_ = _e410;
-                                    phi_686_ = (_e412 <= _e393.member_1);
-                                    phi_687_ = _e406;
+                                    phi_686_ = _e410;
+                                    phi_687_ = (_e412 <= _e393.member_1);
+                                    phi_688_ = _e406;
                                 }
-                                let _e416 = phi_685_;
-                                let _e418 = phi_686_;
-                                let _e420 = phi_687_;
+                                let _e416 = phi_686_;
+                                let _e418 = phi_687_;
+                                let _e420 = phi_688_;
                                 if _e418 {
                                     let _e424 = (_e416 & 268435455u);
                                     if ((_e416 & 2147483648u) != 0u) {
-                                        phi_703_ = _e393;
-                                        phi_706_ = type_4(_e424, (_e424 + ((_e416 >> bitcast<u32>(28u)) & 7u)));
+                                        phi_704_ = _e393;
+                                        phi_707_ = type_4(_e424, (_e424 + ((_e416 >> bitcast<u32>(28u)) & 7u)));
                                         loop {
-                                            let _e619 = phi_703_;
-                                            let _e621 = phi_706_;
+                                            let _e619 = phi_704_;
+                                            let _e621 = phi_707_;
                                             local_3 = _e619;
                                             if (_e621.member < _e621.member_1) {
-                                                phi_707_ = type_4((_e621.member + 1u), _e621.member_1);
-                                                phi_729_ = type_4(1u, _e621.member);
+                                                phi_708_ = type_4((_e621.member + 1u), _e621.member_1);
+                                                phi_730_ = type_4(1u, _e621.member);
                                             } else {
-                                                phi_707_ = _e621;
-                                                phi_729_ = type_4(0u, type_4().member_1);
+                                                phi_708_ = _e621;
+                                                phi_730_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e634 = phi_707_;
-                                            let _e636 = phi_729_;
+                                            let _e634 = phi_708_;
+                                            let _e636 = phi_730_;
                                             let _e640 = (bitcast<i32>(_e636.member) != 0i);
                                             if _e640 {
                                                 let _e641 = (_e636.member_1 < _e65);
                                                 if _e641 {
                                                     if _e641 {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_1984_ = true;
                                                         break;
                                                     }
                                                     let _e645 = global_3.member[_e636.member_1].member_1;
-                                                    phi_749_ = _e645;
+                                                    phi_750_ = _e645;
                                                 } else {
-                                                    phi_749_ = 4294967295u;
+                                                    phi_750_ = 4294967295u;
                                                 }
-                                                let _e647 = phi_749_;
+                                                let _e647 = phi_750_;
                                                 if (_e636.member_1 >= _e65) {
-                                                    phi_837_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_838_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e641 {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_1984_ = true;
                                                         break;
                                                     }
                                                     let _e649 = (_e191 % 3u);
@@ -524,67 +524,67 @@ fn function_() {
                                                     let _e651 = (_e192 % 3u);
                                                     if (_e649 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_1984_ = true;
                                                         break;
                                                     }
                                                     let _e657 = global_3.member[_e636.member_1].member[_e649];
                                                     if (_e650 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_1984_ = true;
                                                         break;
                                                     }
                                                     let _e663 = global_3.member[_e636.member_1].member[_e650];
                                                     if (_e651 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_1984_ = true;
                                                         break;
                                                     }
                                                     let _e669 = global_3.member[_e636.member_1].member[_e651];
                                                     let _e671 = (3u + _e649);
                                                     if (_e671 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_1984_ = true;
                                                         break;
                                                     }
                                                     let _e677 = global_3.member[_e636.member_1].member[_e671];
                                                     let _e678 = (3u + _e650);
                                                     if (_e678 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_1984_ = true;
                                                         break;
                                                     }
                                                     let _e684 = global_3.member[_e636.member_1].member[_e678];
                                                     let _e685 = (3u + _e651);
                                                     if (_e685 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_1984_ = true;
                                                         break;
                                                     }
                                                     let _e691 = global_3.member[_e636.member_1].member[_e685];
                                                     let _e693 = (6u + _e649);
                                                     if (_e693 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_1984_ = true;
                                                         break;
                                                     }
                                                     let _e699 = global_3.member[_e636.member_1].member[_e693];
                                                     let _e700 = (6u + _e650);
                                                     if (_e700 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_1984_ = true;
                                                         break;
                                                     }
                                                     let _e706 = global_3.member[_e636.member_1].member[_e700];
                                                     let _e707 = (6u + _e651);
                                                     if (_e707 < 9u) {
                                                     } else {
-                                                        phi_1983_ = true;
+                                                        phi_1984_ = true;
                                                         break;
                                                     }
                                                     let _e713 = global_3.member[_e636.member_1].member[_e707];
-                                                    phi_837_ = array<array<f32, 3>, 3>(array<f32, 3>(_e657, _e663, _e669), array<f32, 3>(_e677, _e684, _e691), array<f32, 3>(_e699, _e706, _e713));
+                                                    phi_838_ = array<array<f32, 3>, 3>(array<f32, 3>(_e657, _e663, _e669), array<f32, 3>(_e677, _e684, _e691), array<f32, 3>(_e699, _e706, _e713));
                                                 }
-                                                let _e717 = phi_837_;
+                                                let _e717 = phi_838_;
                                                 let _e725 = (_e717[0][2] - _e309);
                                                 let _e728 = (((_e717[0][0] - _e232) * _e333) - (_e725 * _e257));
                                                 let _e731 = (((_e717[0][1] - _e271) * _e333) - (_e725 * _e295));
@@ -611,8 +611,8 @@ fn function_() {
                                                     let _e787 = select(0f, _e785, (_e785 > 0f));
                                                     let _e789 = ((_e779 + _e783) + _e787);
                                                     if (_e789 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1403_ = type_23();
-                                                        phi_1404_ = true;
+                                                        phi_1404_ = type_23();
+                                                        phi_1405_ = true;
                                                     } else {
                                                         let _e792 = select(_e717[1][0], _e717[0][0], (_e717[0][0] < _e717[1][0]));
                                                         let _e796 = select(_e717[1][0], _e717[0][0], (_e717[0][0] > _e717[1][0]));
@@ -639,12 +639,12 @@ fn function_() {
                                                         let _e847 = -(_e828);
                                                         let _e853 = select(_e383, _e838, (_e838 > _e383));
                                                         if (_e853 > (_e846 + (select(_e847, _e830, (_e830 > _e847)) * 0.0000019073523f))) {
-                                                            phi_1398_ = type_23();
-                                                            phi_1399_ = true;
+                                                            phi_1399_ = type_23();
+                                                            phi_1400_ = true;
                                                         } else {
                                                             let _e855 = (_e853 > _e619.member_1);
                                                             if _e855 {
-                                                                phi_1397_ = type_23();
+                                                                phi_1398_ = type_23();
                                                             } else {
                                                                 let _e859 = (_e717[1][0] - _e717[0][0]);
                                                                 let _e860 = (_e717[1][1] - _e717[0][1]);
@@ -676,30 +676,30 @@ fn function_() {
                                                                 let _e911 = select(_e896, _e883, (_e883 > _e896));
                                                                 let _e913 = select(_e909, _e911, (_e911 > _e909));
                                                                 if (_e883 == _e913) {
-                                                                    phi_1308_ = _e866;
-                                                                    phi_1309_ = _e870;
+                                                                    phi_1309_ = _e866;
+                                                                    phi_1310_ = _e870;
                                                                 } else {
                                                                     let _e916 = vec3((_e896 == _e913));
-                                                                    phi_1308_ = select(_e862, _e870, _e916);
-                                                                    phi_1309_ = select(_e866, _e862, _e916);
+                                                                    phi_1309_ = select(_e862, _e870, _e916);
+                                                                    phi_1310_ = select(_e866, _e862, _e916);
                                                                 }
-                                                                let _e920 = phi_1308_;
-                                                                let _e922 = phi_1309_;
+                                                                let _e920 = phi_1309_;
+                                                                let _e922 = phi_1310_;
                                                                 let _e929 = ((_e920.y * _e922.z) - (_e922.y * _e920.z));
                                                                 let _e934 = ((_e920.z * _e922.x) - (_e922.z * _e920.x));
                                                                 let _e937 = ((_e920.x * _e922.y) - (_e922.x * _e920.y));
                                                                 if (_e779 >= _e783) {
-                                                                    phi_1340_ = select(true, false, (_e779 >= _e787));
+                                                                    phi_1341_ = select(true, false, (_e779 >= _e787));
                                                                 } else {
-                                                                    phi_1340_ = true;
+                                                                    phi_1341_ = true;
                                                                 }
-                                                                let _e942 = phi_1340_;
+                                                                let _e942 = phi_1341_;
                                                                 if _e942 {
-                                                                    phi_1349_ = select(vec3<f32>(_e717[2][0], _e717[2][1], _e717[2][2]), vec3<f32>(_e717[1][0], _e717[1][1], _e717[1][2]), vec3((_e783 >= _e787)));
+                                                                    phi_1350_ = select(vec3<f32>(_e717[2][0], _e717[2][1], _e717[2][2]), vec3<f32>(_e717[1][0], _e717[1][1], _e717[1][2]), vec3((_e783 >= _e787)));
                                                                 } else {
-                                                                    phi_1349_ = vec3<f32>(_e717[0][0], _e717[0][1], _e717[0][2]);
+                                                                    phi_1350_ = vec3<f32>(_e717[0][0], _e717[0][1], _e717[0][2]);
                                                                 }
-                                                                let _e947 = phi_1349_;
+                                                                let _e947 = phi_1350_;
                                                                 let _e964 = ((((_e929 * (_e947.x - _e232)) + (_e934 * (_e947.y - _e271))) + (_e937 * (_e947.z - _e309))) / (((_e929 * _e257) + (_e934 * _e295)) + (_e937 * _e333)));
                                                                 let _e966 = select(_e846, _e964, (_e964 < _e846));
                                                                 let _e968 = select(_e838, _e966, (_e966 > _e838));
@@ -707,141 +707,141 @@ fn function_() {
                                                                     let _e970 = (_e968 <= _e619.member_1);
                                                                     if _e970 {
                                                                         let _e971 = (1f / _e789);
-                                                                        phi_1389_ = type_23(_e968, (_e783 * _e971), (_e787 * _e971), _e647);
+                                                                        phi_1390_ = type_23(_e968, (_e783 * _e971), (_e787 * _e971), _e647);
                                                                     } else {
-                                                                        phi_1389_ = type_23();
+                                                                        phi_1390_ = type_23();
                                                                     }
-                                                                    let _e976 = phi_1389_;
-                                                                    phi_1391_ = _e976;
-                                                                    phi_1392_ = select(true, false, _e970);
+                                                                    let _e976 = phi_1390_;
+                                                                    phi_1392_ = _e976;
+                                                                    phi_1393_ = select(true, false, _e970);
                                                                 } else {
-                                                                    phi_1391_ = type_23();
-                                                                    phi_1392_ = true;
+                                                                    phi_1392_ = type_23();
+                                                                    phi_1393_ = true;
                                                                 }
-                                                                let _e979 = phi_1391_;
-                                                                let _e981 = phi_1392_;
+                                                                let _e979 = phi_1392_;
+                                                                let _e981 = phi_1393_;
                                                                 if _e981 {
-                                                                    phi_1396_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1397_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1396_ = _e979;
+                                                                    phi_1397_ = _e979;
                                                                 }
-                                                                let _e983 = phi_1396_;
-                                                                phi_1397_ = _e983;
+                                                                let _e983 = phi_1397_;
+                                                                phi_1398_ = _e983;
                                                             }
-                                                            let _e985 = phi_1397_;
-                                                            phi_1398_ = _e985;
-                                                            phi_1399_ = _e855;
+                                                            let _e985 = phi_1398_;
+                                                            phi_1399_ = _e985;
+                                                            phi_1400_ = _e855;
                                                         }
-                                                        let _e987 = phi_1398_;
-                                                        let _e989 = phi_1399_;
-                                                        phi_1403_ = _e987;
-                                                        phi_1404_ = _e989;
+                                                        let _e987 = phi_1399_;
+                                                        let _e989 = phi_1400_;
+                                                        phi_1404_ = _e987;
+                                                        phi_1405_ = _e989;
                                                     }
-                                                    let _e991 = phi_1403_;
-                                                    let _e993 = phi_1404_;
-                                                    phi_1408_ = _e991;
-                                                    phi_1409_ = _e993;
+                                                    let _e991 = phi_1404_;
+                                                    let _e993 = phi_1405_;
+                                                    phi_1409_ = _e991;
+                                                    phi_1410_ = _e993;
                                                 } else {
-                                                    phi_1408_ = type_23();
-                                                    phi_1409_ = true;
+                                                    phi_1409_ = type_23();
+                                                    phi_1410_ = true;
                                                 }
-                                                let _e995 = phi_1408_;
-                                                let _e997 = phi_1409_;
+                                                let _e995 = phi_1409_;
+                                                let _e997 = phi_1410_;
                                                 if _e997 {
-                                                    phi_1413_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1414_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1413_ = _e995;
+                                                    phi_1414_ = _e995;
                                                 }
-                                                let _e999 = phi_1413_;
+                                                let _e999 = phi_1414_;
                                                 if (_e999.member_3 != 4294967295u) {
                                                     if (_e647 != 4294967295u) {
                                                         if (_e999.member < _e619.member.member) {
-                                                            phi_1439_ = true;
+                                                            phi_1440_ = true;
                                                         } else {
                                                             if (_e999.member == _e619.member.member) {
-                                                                phi_1438_ = (_e999.member_3 < _e619.member.member_3);
+                                                                phi_1439_ = (_e999.member_3 < _e619.member.member_3);
                                                             } else {
-                                                                phi_1438_ = false;
+                                                                phi_1439_ = false;
                                                             }
-                                                            let _e1012 = phi_1438_;
-                                                            phi_1439_ = _e1012;
+                                                            let _e1012 = phi_1439_;
+                                                            phi_1440_ = _e1012;
                                                         }
-                                                        let _e1014 = phi_1439_;
+                                                        let _e1014 = phi_1440_;
                                                         if _e1014 {
-                                                            phi_1445_ = type_41(_e999, _e999.member);
+                                                            phi_1446_ = type_41(_e999, _e999.member);
                                                         } else {
-                                                            phi_1445_ = _e619;
+                                                            phi_1446_ = _e619;
                                                         }
-                                                        let _e1017 = phi_1445_;
-                                                        phi_1446_ = _e1017;
+                                                        let _e1017 = phi_1446_;
+                                                        phi_1447_ = _e1017;
                                                     } else {
-                                                        phi_1446_ = _e619;
+                                                        phi_1447_ = _e619;
                                                     }
-                                                    let _e1019 = phi_1446_;
-                                                    phi_1447_ = _e1019;
+                                                    let _e1019 = phi_1447_;
+                                                    phi_1448_ = _e1019;
                                                 } else {
-                                                    phi_1447_ = _e619;
+                                                    phi_1448_ = _e619;
                                                 }
-                                                let _e1021 = phi_1447_;
-                                                phi_704_ = _e1021;
+                                                let _e1021 = phi_1448_;
+                                                phi_705_ = _e1021;
                                             } else {
-                                                phi_704_ = type_41();
+                                                phi_705_ = type_41();
                                             }
-                                            let _e1023 = phi_704_;
+                                            let _e1023 = phi_705_;
                                             continue;
                                             continuing {
-                                                phi_703_ = _e1023;
-                                                phi_706_ = _e634;
-                                                phi_1983_ = _e391;
+                                                phi_704_ = _e1023;
+                                                phi_707_ = _e634;
+                                                phi_1984_ = _e391;
                                                 break if !(_e640);
                                             }
                                         }
-                                        let _e1026 = phi_1983_;
-                                        phi_2093_ = _e1026;
+                                        let _e1026 = phi_1984_;
+                                        phi_2094_ = _e1026;
                                         if _e1026 {
                                             break;
                                         }
-                                        phi_2097_ = _e1026;
+                                        phi_2098_ = _e1026;
                                         let _e1192 = local_3;
-                                        phi_1900_ = _e1192;
-                                        phi_1901_ = _e416;
-                                        phi_1902_ = false;
-                                        phi_1903_ = _e420;
+                                        phi_1901_ = _e1192;
+                                        phi_1902_ = _e416;
+                                        phi_1903_ = false;
+                                        phi_1904_ = _e420;
                                     } else {
                                         if (_e416 >= _e63) {
-                                            phi_1507_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1508_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e416 < _e63) {
                                             } else {
-                                                phi_2093_ = true;
+                                                phi_2094_ = true;
                                                 break;
                                             }
                                             let _e430 = (_e191 % 3u);
                                             if (_e430 < 3u) {
                                             } else {
-                                                phi_2093_ = true;
+                                                phi_2094_ = true;
                                                 break;
                                             }
                                             let _e436 = global_2.member[_e416].member[_e430];
                                             let _e442 = (_e190 % 3u);
                                             if (_e442 < 3u) {
                                             } else {
-                                                phi_2093_ = true;
+                                                phi_2094_ = true;
                                                 break;
                                             }
                                             let _e448 = global_2.member[_e416].member[_e442];
                                             let _e454 = (_e192 % 3u);
                                             if (_e454 < 3u) {
                                             } else {
-                                                phi_2093_ = true;
+                                                phi_2094_ = true;
                                                 break;
                                             }
                                             let _e460 = global_2.member[_e416].member[_e454];
                                             let _e470 = global_2.member[_e416].member_1;
                                             let _e474 = global_2.member[_e416].member_2;
-                                            phi_1507_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e436[0], _e436[1], _e436[2], _e436[3]), vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3])), _e470, _e474);
+                                            phi_1508_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e436[0], _e436[1], _e436[2], _e436[3]), vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3])), _e470, _e474);
                                         }
-                                        let _e477 = phi_1507_;
+                                        let _e477 = phi_1508_;
                                         let _e489 = ((_e477.member[0].x - _e255) * _e260);
                                         let _e490 = ((_e477.member[0].y - _e255) * _e260);
                                         let _e491 = ((_e477.member[0].z - _e256) * _e260);
@@ -884,152 +884,152 @@ fn function_() {
                                         if _e577 {
                                             if _e578 {
                                                 if _e579 {
-                                                    phi_1851_ = _e477.member_2;
+                                                    phi_1852_ = _e477.member_2;
                                                 } else {
-                                                    phi_1851_ = _e477.member_1;
+                                                    phi_1852_ = _e477.member_1;
                                                 }
-                                                let _e583 = phi_1851_;
+                                                let _e583 = phi_1852_;
                                                 let _e584 = (_e420 % 128u);
                                                 let _e585 = (_e584 < 128u);
                                                 if _e585 {
                                                 } else {
-                                                    phi_2093_ = true;
+                                                    phi_2094_ = true;
                                                     break;
                                                 }
                                                 local[_e584] = _e583;
                                                 if _e585 {
                                                 } else {
-                                                    phi_2093_ = true;
+                                                    phi_2094_ = true;
                                                     break;
                                                 }
                                                 local_1[_e584] = select(_e572, _e570, (_e570 > _e572));
                                                 if _e579 {
-                                                    phi_1877_ = _e477.member_1;
+                                                    phi_1878_ = _e477.member_1;
                                                 } else {
-                                                    phi_1877_ = _e477.member_2;
+                                                    phi_1878_ = _e477.member_2;
                                                 }
-                                                let _e594 = phi_1877_;
-                                                phi_1878_ = _e594;
-                                                phi_1879_ = (_e420 + 1u);
+                                                let _e594 = phi_1878_;
+                                                phi_1879_ = _e594;
+                                                phi_1880_ = (_e420 + 1u);
                                             } else {
-                                                phi_1878_ = u32();
                                                 phi_1879_ = u32();
+                                                phi_1880_ = u32();
                                             }
-                                            let _e596 = phi_1878_;
-                                            let _e598 = phi_1879_;
-                                            phi_1881_ = _e596;
-                                            phi_1882_ = _e598;
-                                            phi_1883_ = select(true, false, _e578);
+                                            let _e596 = phi_1879_;
+                                            let _e598 = phi_1880_;
+                                            phi_1882_ = _e596;
+                                            phi_1883_ = _e598;
+                                            phi_1884_ = select(true, false, _e578);
                                         } else {
-                                            phi_1881_ = u32();
                                             phi_1882_ = u32();
-                                            phi_1883_ = true;
+                                            phi_1883_ = u32();
+                                            phi_1884_ = true;
                                         }
-                                        let _e601 = phi_1881_;
-                                        let _e603 = phi_1882_;
-                                        let _e605 = phi_1883_;
+                                        let _e601 = phi_1882_;
+                                        let _e603 = phi_1883_;
+                                        let _e605 = phi_1884_;
                                         if _e605 {
                                             if _e577 {
-                                                phi_1892_ = _e477.member_1;
+                                                phi_1893_ = _e477.member_1;
                                             } else {
-                                                phi_1892_ = _e477.member_2;
+                                                phi_1893_ = _e477.member_2;
                                             }
-                                            let _e609 = phi_1892_;
-                                            phi_1897_ = _e609;
-                                            phi_1898_ = select(_e578, true, _e577);
+                                            let _e609 = phi_1893_;
+                                            phi_1898_ = _e609;
+                                            phi_1899_ = select(_e578, true, _e577);
                                         } else {
-                                            phi_1897_ = _e601;
-                                            phi_1898_ = _e418;
+                                            phi_1898_ = _e601;
+                                            phi_1899_ = _e418;
                                         }
-                                        let _e612 = phi_1897_;
-                                        let _e614 = phi_1898_;
-                                        phi_2097_ = _e391;
-                                        phi_1900_ = _e393;
-                                        phi_1901_ = _e612;
-                                        phi_1902_ = _e614;
-                                        phi_1903_ = select(_e603, _e420, _e605);
+                                        let _e612 = phi_1898_;
+                                        let _e614 = phi_1899_;
+                                        phi_2098_ = _e391;
+                                        phi_1901_ = _e393;
+                                        phi_1902_ = _e612;
+                                        phi_1903_ = _e614;
+                                        phi_1904_ = select(_e603, _e420, _e605);
                                     }
-                                    let _e1028 = phi_2097_;
-                                    let _e1030 = phi_1900_;
-                                    let _e1032 = phi_1901_;
-                                    let _e1034 = phi_1902_;
-                                    let _e1036 = phi_1903_;
-                                    phi_2096_ = _e1028;
-                                    phi_1904_ = _e1030;
-                                    phi_1905_ = _e1032;
-                                    phi_1906_ = (_e397 - 1u);
-                                    phi_1907_ = _e1034;
-                                    phi_1908_ = _e1036;
+                                    let _e1028 = phi_2098_;
+                                    let _e1030 = phi_1901_;
+                                    let _e1032 = phi_1902_;
+                                    let _e1034 = phi_1903_;
+                                    let _e1036 = phi_1904_;
+                                    phi_2097_ = _e1028;
+                                    phi_1905_ = _e1030;
+                                    phi_1906_ = _e1032;
+                                    phi_1907_ = (_e397 - 1u);
+                                    phi_1908_ = _e1034;
+                                    phi_1909_ = _e1036;
                                 } else {
-                                    phi_2096_ = _e391;
-                                    phi_1904_ = _e393;
-                                    phi_1905_ = _e416;
-                                    phi_1906_ = _e397;
-                                    phi_1907_ = _e418;
-                                    phi_1908_ = _e420;
+                                    phi_2097_ = _e391;
+                                    phi_1905_ = _e393;
+                                    phi_1906_ = _e416;
+                                    phi_1907_ = _e397;
+                                    phi_1908_ = _e418;
+                                    phi_1909_ = _e420;
                                 }
-                                let _e1038 = phi_2096_;
-                                let _e1040 = phi_1904_;
-                                let _e1042 = phi_1905_;
-                                let _e1044 = phi_1906_;
-                                let _e1046 = phi_1907_;
-                                let _e1048 = phi_1908_;
-                                phi_2095_ = _e1038;
-                                phi_1909_ = _e1040;
-                                phi_1910_ = _e1042;
-                                phi_1911_ = _e1044;
-                                phi_1912_ = _e1046;
-                                phi_1913_ = _e1048;
+                                let _e1038 = phi_2097_;
+                                let _e1040 = phi_1905_;
+                                let _e1042 = phi_1906_;
+                                let _e1044 = phi_1907_;
+                                let _e1046 = phi_1908_;
+                                let _e1048 = phi_1909_;
+                                phi_2096_ = _e1038;
+                                phi_1910_ = _e1040;
+                                phi_1911_ = _e1042;
+                                phi_1912_ = _e1044;
+                                phi_1913_ = _e1046;
+                                phi_1914_ = _e1048;
                             } else {
-                                phi_2095_ = _e391;
-                                phi_1909_ = type_41();
-                                phi_1910_ = u32();
+                                phi_2096_ = _e391;
+                                phi_1910_ = type_41();
                                 phi_1911_ = u32();
-                                phi_1912_ = bool();
-                                phi_1913_ = u32();
+                                phi_1912_ = u32();
+                                phi_1913_ = bool();
+                                phi_1914_ = u32();
                             }
-                            let _e1050 = phi_2095_;
-                            let _e1052 = phi_1909_;
-                            let _e1054 = phi_1910_;
-                            let _e1056 = phi_1911_;
-                            let _e1058 = phi_1912_;
-                            let _e1060 = phi_1913_;
-                            phi_2094_ = _e1050;
-                            phi_636_ = _e1052;
-                            phi_639_ = _e1054;
-                            phi_641_ = _e1056;
-                            phi_643_ = _e1058;
-                            phi_645_ = _e1060;
-                            phi_1914_ = _e405;
+                            let _e1050 = phi_2096_;
+                            let _e1052 = phi_1910_;
+                            let _e1054 = phi_1911_;
+                            let _e1056 = phi_1912_;
+                            let _e1058 = phi_1913_;
+                            let _e1060 = phi_1914_;
+                            phi_2095_ = _e1050;
+                            phi_637_ = _e1052;
+                            phi_640_ = _e1054;
+                            phi_642_ = _e1056;
+                            phi_644_ = _e1058;
+                            phi_646_ = _e1060;
+                            phi_1915_ = _e405;
                         } else {
-                            phi_2094_ = _e391;
-                            phi_636_ = type_41();
-                            phi_639_ = u32();
-                            phi_641_ = u32();
-                            phi_643_ = bool();
-                            phi_645_ = u32();
-                            phi_1914_ = false;
+                            phi_2095_ = _e391;
+                            phi_637_ = type_41();
+                            phi_640_ = u32();
+                            phi_642_ = u32();
+                            phi_644_ = bool();
+                            phi_646_ = u32();
+                            phi_1915_ = false;
                         }
-                        let _e1062 = phi_2094_;
-                        let _e1064 = phi_636_;
-                        let _e1066 = phi_639_;
-                        let _e1068 = phi_641_;
-                        let _e1070 = phi_643_;
-                        let _e1072 = phi_645_;
-                        let _e1074 = phi_1914_;
+                        let _e1062 = phi_2095_;
+                        let _e1064 = phi_637_;
+                        let _e1066 = phi_640_;
+                        let _e1068 = phi_642_;
+                        let _e1070 = phi_644_;
+                        let _e1072 = phi_646_;
+                        let _e1074 = phi_1915_;
                         continue;
                         continuing {
-                            phi_1989_ = _e1062;
-                            phi_635_ = _e1064;
-                            phi_638_ = _e1066;
-                            phi_640_ = _e1068;
-                            phi_642_ = _e1070;
-                            phi_644_ = _e1072;
-                            phi_2093_ = _e1062;
+                            phi_1990_ = _e1062;
+                            phi_636_ = _e1064;
+                            phi_639_ = _e1066;
+                            phi_641_ = _e1068;
+                            phi_643_ = _e1070;
+                            phi_645_ = _e1072;
+                            phi_2094_ = _e1062;
                             break if !(_e1074);
                         }
                     }
-                    let _e1077 = phi_2093_;
+                    let _e1077 = phi_2094_;
                     if _e1077 {
                         break;
                     }
@@ -1040,11 +1040,11 @@ fn function_() {
                         let _e1092 = bitcast<f32>((bitcast<u32>((_e1085 + 127i)) << bitcast<u32>(23i)));
                         let _e1100 = (((_e1079.member.member * _e1092) * _e1092) * bitcast<f32>((bitcast<u32>(((_e1084 - (2i * _e1085)) + 127i)) << bitcast<u32>(23i))));
                         let _e1102 = select(340282350000000000000000000000000000000f, _e1100, (_e1100 < 340282350000000000000000000000000000000f));
-                        phi_1966_ = type_23(select(-340282350000000000000000000000000000000f, _e1102, (_e1102 > -340282350000000000000000000000000000000f)), _e1079.member.member_1, _e1079.member.member_2, _e1079.member.member_3);
+                        phi_1967_ = type_23(select(-340282350000000000000000000000000000000f, _e1102, (_e1102 > -340282350000000000000000000000000000000f)), _e1079.member.member_1, _e1079.member.member_2, _e1079.member.member_3);
                     } else {
-                        phi_1966_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_1967_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1109 = phi_1966_;
+                    let _e1109 = phi_1967_;
                     if _e75 {
                     } else {
                         break;

@@ -88,110 +88,110 @@ var<storage, read_write> global_5: type_51;
 fn function_() {
     var local: array<u32, 128>;
     var local_1: array<f32, 128>;
-    var phi_272_: i32;
     var phi_273_: i32;
-    var phi_283_: bool;
-    var phi_293_: u32;
+    var phi_274_: i32;
+    var phi_284_: bool;
     var phi_294_: u32;
-    var phi_296_: bool;
-    var phi_301_: u32;
-    var phi_345_: f32;
-    var phi_351_: f32;
-    var phi_362_: f32;
-    var phi_368_: f32;
-    var phi_391_: f32;
-    var phi_402_: f32;
-    var phi_411_: f32;
-    var phi_417_: f32;
-    var phi_428_: f32;
-    var phi_434_: f32;
-    var phi_457_: f32;
-    var phi_468_: f32;
-    var phi_477_: f32;
-    var phi_483_: f32;
-    var phi_494_: f32;
-    var phi_500_: f32;
-    var phi_523_: f32;
-    var phi_534_: f32;
-    var phi_634_: f32;
+    var phi_295_: u32;
+    var phi_297_: bool;
+    var phi_302_: u32;
+    var phi_346_: f32;
+    var phi_352_: f32;
+    var phi_363_: f32;
+    var phi_369_: f32;
+    var phi_392_: f32;
+    var phi_403_: f32;
+    var phi_412_: f32;
+    var phi_418_: f32;
+    var phi_429_: f32;
+    var phi_435_: f32;
+    var phi_458_: f32;
+    var phi_469_: f32;
+    var phi_478_: f32;
+    var phi_484_: f32;
+    var phi_495_: f32;
+    var phi_501_: f32;
+    var phi_524_: f32;
+    var phi_535_: f32;
     var phi_635_: f32;
-    var phi_2075_: bool;
-    var phi_646_: type_44;
-    var phi_649_: u32;
-    var phi_651_: u32;
-    var phi_653_: bool;
-    var phi_655_: u32;
-    var phi_666_: bool;
-    var phi_696_: u32;
-    var phi_697_: bool;
-    var phi_698_: u32;
-    var phi_1518_: type_47;
-    var phi_1862_: u32;
-    var phi_1888_: u32;
-    var phi_1889_: u32;
-    var phi_1890_: u32;
-    var phi_1892_: u32;
-    var phi_1893_: u32;
-    var phi_1894_: bool;
-    var phi_1903_: u32;
-    var phi_1908_: u32;
-    var phi_1909_: bool;
-    var phi_714_: type_44;
-    var phi_717_: type_7;
-    var phi_718_: type_7;
-    var phi_740_: type_7;
-    var phi_760_: u32;
-    var phi_848_: array<array<f32, 3>, 3>;
-    var phi_1319_: vec3<f32>;
-    var phi_1320_: vec3<f32>;
-    var phi_1351_: bool;
-    var phi_1360_: vec3<f32>;
-    var phi_1400_: type_22;
-    var phi_1402_: type_22;
-    var phi_1403_: bool;
-    var phi_1407_: type_22;
-    var phi_1408_: type_22;
-    var phi_1409_: type_22;
-    var phi_1410_: bool;
-    var phi_1414_: type_22;
-    var phi_1415_: bool;
-    var phi_1419_: type_22;
-    var phi_1420_: bool;
-    var phi_1424_: type_22;
-    var phi_1449_: bool;
-    var phi_1450_: bool;
-    var phi_1456_: type_44;
-    var phi_1457_: type_44;
-    var phi_1458_: type_44;
-    var phi_715_: type_44;
-    var phi_2069_: bool;
-    var phi_2183_: bool;
-    var phi_1911_: type_44;
-    var phi_1912_: u32;
-    var phi_1913_: bool;
-    var phi_1914_: u32;
-    var phi_2182_: bool;
-    var phi_1915_: type_44;
-    var phi_1916_: u32;
-    var phi_1917_: u32;
-    var phi_1918_: bool;
-    var phi_1919_: u32;
-    var phi_2181_: bool;
-    var phi_1920_: type_44;
-    var phi_1921_: u32;
-    var phi_1922_: u32;
-    var phi_1923_: bool;
-    var phi_1924_: u32;
-    var phi_2180_: bool;
+    var phi_636_: f32;
+    var phi_2076_: bool;
     var phi_647_: type_44;
     var phi_650_: u32;
     var phi_652_: u32;
     var phi_654_: bool;
     var phi_656_: u32;
-    var phi_1925_: bool;
-    var phi_2179_: bool;
+    var phi_667_: bool;
+    var phi_697_: u32;
+    var phi_698_: bool;
+    var phi_699_: u32;
+    var phi_1519_: type_47;
+    var phi_1863_: u32;
+    var phi_1889_: u32;
+    var phi_1890_: u32;
+    var phi_1891_: u32;
+    var phi_1893_: u32;
+    var phi_1894_: u32;
+    var phi_1895_: bool;
+    var phi_1904_: u32;
+    var phi_1909_: u32;
+    var phi_1910_: bool;
+    var phi_715_: type_44;
+    var phi_718_: type_7;
+    var phi_719_: type_7;
+    var phi_741_: type_7;
+    var phi_761_: u32;
+    var phi_849_: array<array<f32, 3>, 3>;
+    var phi_1320_: vec3<f32>;
+    var phi_1321_: vec3<f32>;
+    var phi_1352_: bool;
+    var phi_1361_: vec3<f32>;
+    var phi_1401_: type_22;
+    var phi_1403_: type_22;
+    var phi_1404_: bool;
+    var phi_1408_: type_22;
+    var phi_1409_: type_22;
+    var phi_1410_: type_22;
+    var phi_1411_: bool;
+    var phi_1415_: type_22;
+    var phi_1416_: bool;
+    var phi_1420_: type_22;
+    var phi_1421_: bool;
+    var phi_1425_: type_22;
+    var phi_1450_: bool;
+    var phi_1451_: bool;
+    var phi_1457_: type_44;
+    var phi_1458_: type_44;
+    var phi_1459_: type_44;
+    var phi_716_: type_44;
+    var phi_2070_: bool;
+    var phi_2184_: bool;
+    var phi_1912_: type_44;
+    var phi_1913_: u32;
+    var phi_1914_: bool;
+    var phi_1915_: u32;
+    var phi_2183_: bool;
+    var phi_1916_: type_44;
+    var phi_1917_: u32;
+    var phi_1918_: u32;
+    var phi_1919_: bool;
+    var phi_1920_: u32;
+    var phi_2182_: bool;
+    var phi_1921_: type_44;
+    var phi_1922_: u32;
+    var phi_1923_: u32;
+    var phi_1924_: bool;
+    var phi_1925_: u32;
+    var phi_2181_: bool;
+    var phi_648_: type_44;
+    var phi_651_: u32;
+    var phi_653_: u32;
+    var phi_655_: bool;
+    var phi_657_: u32;
+    var phi_1926_: bool;
+    var phi_2180_: bool;
     var local_2: type_44;
-    var phi_1977_: type_22;
+    var phi_1978_: type_22;
     var local_3: type_44;
 
     switch bitcast<i32>(0u) {
@@ -238,43 +238,43 @@ fn function_() {
                     if _e165 {
                         let _e168 = (bitcast<u32>(bitcast<f32>(_e138)) & 2147483647u);
                         if (_e168 >= 8388608u) {
-                            phi_272_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
+                            phi_273_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_272_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
+                            phi_273_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
                         }
-                        let _e182 = phi_272_;
-                        phi_273_ = _e182;
+                        let _e182 = phi_273_;
+                        phi_274_ = _e182;
                     } else {
-                        phi_273_ = 0i;
+                        phi_274_ = 0i;
                     }
-                    let _e184 = phi_273_;
+                    let _e184 = phi_274_;
                     let _e185 = (_e94 == _e138);
                     if _e185 {
-                        phi_283_ = true;
+                        phi_284_ = true;
                     } else {
-                        phi_283_ = (_e102 == _e138);
+                        phi_284_ = (_e102 == _e138);
                     }
-                    let _e188 = phi_283_;
+                    let _e188 = phi_284_;
                     let _e189 = select(1u, 0u, _e185);
                     if _e188 {
                         let _e190 = (_e189 + 1u);
-                        phi_293_ = _e190;
                         phi_294_ = _e190;
-                        phi_296_ = select(true, false, (_e190 == 2u));
+                        phi_295_ = _e190;
+                        phi_297_ = select(true, false, (_e190 == 2u));
                     } else {
-                        phi_293_ = u32();
-                        phi_294_ = 0u;
-                        phi_296_ = true;
+                        phi_294_ = u32();
+                        phi_295_ = 0u;
+                        phi_297_ = true;
                     }
-                    let _e194 = phi_293_;
-                    let _e196 = phi_294_;
-                    let _e198 = phi_296_;
+                    let _e194 = phi_294_;
+                    let _e196 = phi_295_;
+                    let _e198 = phi_297_;
                     if _e198 {
-                        phi_301_ = (_e196 + 1u);
+                        phi_302_ = (_e196 + 1u);
                     } else {
-                        phi_301_ = 0u;
+                        phi_302_ = 0u;
                     }
-                    let _e202 = phi_301_;
+                    let _e202 = phi_302_;
                     let _e203 = select(_e194, _e196, _e198);
                     let _e204 = select(_e189, select(2u, _e189, _e188), _e198);
                     let _e205 = -(_e184);
@@ -284,137 +284,137 @@ fn function_() {
                     let _e222 = global_3.member[_e76].member.member;
                     let _e223 = (_e203 == 0u);
                     if _e223 {
-                        phi_345_ = _e222[0];
+                        phi_346_ = _e222[0];
                     } else {
-                        phi_345_ = _e222[1];
+                        phi_346_ = _e222[1];
                     }
-                    let _e227 = phi_345_;
+                    let _e227 = phi_346_;
                     let _e228 = (_e203 == 2u);
                     if _e228 {
-                        phi_351_ = _e222[2];
+                        phi_352_ = _e222[2];
                     } else {
-                        phi_351_ = _e227;
+                        phi_352_ = _e227;
                     }
-                    let _e231 = phi_351_;
+                    let _e231 = phi_352_;
                     let _e232 = global_3.member[_e76].member.member_2;
                     if _e223 {
-                        phi_362_ = _e232[0];
+                        phi_363_ = _e232[0];
                     } else {
-                        phi_362_ = _e232[1];
+                        phi_363_ = _e232[1];
                     }
-                    let _e236 = phi_362_;
+                    let _e236 = phi_363_;
                     if _e228 {
-                        phi_368_ = _e232[2];
+                        phi_369_ = _e232[2];
                     } else {
-                        phi_368_ = _e236;
+                        phi_369_ = _e236;
                     }
-                    let _e239 = phi_368_;
+                    let _e239 = phi_369_;
                     let _e241 = ((_e239 * _e211) * _e217);
                     let _e245 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e245 {
                         let _e249 = (bitcast<f32>((bitcast<u32>(_e231) & 2147483647u)) * 0.00000011920929f);
-                        phi_391_ = select(0.00000000000011368684f, _e249, (_e249 > 0.00000000000011368684f));
+                        phi_392_ = select(0.00000000000011368684f, _e249, (_e249 > 0.00000000000011368684f));
                     } else {
-                        phi_391_ = 0f;
+                        phi_392_ = 0f;
                     }
-                    let _e253 = phi_391_;
+                    let _e253 = phi_392_;
                     let _e254 = (_e231 + _e253);
                     let _e255 = (_e231 - _e253);
                     let _e256 = select(_e241, 0f, _e245);
                     if _e245 {
-                        phi_402_ = 38685626000000000000000000f;
+                        phi_403_ = 38685626000000000000000000f;
                     } else {
-                        phi_402_ = (1f / _e241);
+                        phi_403_ = (1f / _e241);
                     }
-                    let _e259 = phi_402_;
+                    let _e259 = phi_403_;
                     let _e260 = (_e202 == 0u);
                     if _e260 {
-                        phi_411_ = _e222[0];
+                        phi_412_ = _e222[0];
                     } else {
-                        phi_411_ = _e222[1];
+                        phi_412_ = _e222[1];
                     }
-                    let _e264 = phi_411_;
+                    let _e264 = phi_412_;
                     let _e265 = (_e202 == 2u);
                     if _e265 {
-                        phi_417_ = _e222[2];
+                        phi_418_ = _e222[2];
                     } else {
-                        phi_417_ = _e264;
+                        phi_418_ = _e264;
                     }
-                    let _e268 = phi_417_;
+                    let _e268 = phi_418_;
                     if _e260 {
-                        phi_428_ = _e232[0];
+                        phi_429_ = _e232[0];
                     } else {
-                        phi_428_ = _e232[1];
+                        phi_429_ = _e232[1];
                     }
-                    let _e272 = phi_428_;
+                    let _e272 = phi_429_;
                     if _e265 {
-                        phi_434_ = _e232[2];
+                        phi_435_ = _e232[2];
                     } else {
-                        phi_434_ = _e272;
+                        phi_435_ = _e272;
                     }
-                    let _e275 = phi_434_;
+                    let _e275 = phi_435_;
                     let _e277 = ((_e275 * _e211) * _e217);
                     let _e281 = (bitcast<f32>((bitcast<u32>(_e277) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e281 {
                         let _e285 = (bitcast<f32>((bitcast<u32>(_e268) & 2147483647u)) * 0.00000011920929f);
-                        phi_457_ = select(0.00000000000011368684f, _e285, (_e285 > 0.00000000000011368684f));
+                        phi_458_ = select(0.00000000000011368684f, _e285, (_e285 > 0.00000000000011368684f));
                     } else {
-                        phi_457_ = 0f;
+                        phi_458_ = 0f;
                     }
-                    let _e289 = phi_457_;
+                    let _e289 = phi_458_;
                     let _e290 = (_e268 + _e289);
                     let _e291 = (_e268 - _e289);
                     let _e292 = select(_e277, 0f, _e281);
                     if _e281 {
-                        phi_468_ = 38685626000000000000000000f;
+                        phi_469_ = 38685626000000000000000000f;
                     } else {
-                        phi_468_ = (1f / _e277);
+                        phi_469_ = (1f / _e277);
                     }
-                    let _e295 = phi_468_;
+                    let _e295 = phi_469_;
                     let _e296 = (_e204 == 0u);
                     if _e296 {
-                        phi_477_ = _e222[0];
+                        phi_478_ = _e222[0];
                     } else {
-                        phi_477_ = _e222[1];
+                        phi_478_ = _e222[1];
                     }
-                    let _e300 = phi_477_;
+                    let _e300 = phi_478_;
                     let _e301 = (_e204 == 2u);
                     if _e301 {
-                        phi_483_ = _e222[2];
+                        phi_484_ = _e222[2];
                     } else {
-                        phi_483_ = _e300;
+                        phi_484_ = _e300;
                     }
-                    let _e304 = phi_483_;
+                    let _e304 = phi_484_;
                     if _e296 {
-                        phi_494_ = _e232[0];
+                        phi_495_ = _e232[0];
                     } else {
-                        phi_494_ = _e232[1];
+                        phi_495_ = _e232[1];
                     }
-                    let _e308 = phi_494_;
+                    let _e308 = phi_495_;
                     if _e301 {
-                        phi_500_ = _e232[2];
+                        phi_501_ = _e232[2];
                     } else {
-                        phi_500_ = _e308;
+                        phi_501_ = _e308;
                     }
-                    let _e311 = phi_500_;
+                    let _e311 = phi_501_;
                     let _e313 = ((_e311 * _e211) * _e217);
                     let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e317 {
                         let _e321 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) * 0.00000011920929f);
-                        phi_523_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
+                        phi_524_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
                     } else {
-                        phi_523_ = 0f;
+                        phi_524_ = 0f;
                     }
-                    let _e325 = phi_523_;
+                    let _e325 = phi_524_;
                     let _e326 = (_e304 + _e325);
                     let _e327 = (_e304 - _e325);
                     let _e328 = select(_e313, 0f, _e317);
                     if _e317 {
-                        phi_534_ = 38685626000000000000000000f;
+                        phi_535_ = 38685626000000000000000000f;
                     } else {
-                        phi_534_ = (1f / _e313);
+                        phi_535_ = (1f / _e313);
                     }
-                    let _e331 = phi_534_;
+                    let _e331 = phi_535_;
                     let _e334 = bitcast<f32>((bitcast<u32>(_e231) & 2147483647u));
                     let _e337 = bitcast<f32>((bitcast<u32>(_e268) & 2147483647u));
                     let _e339 = select(_e337, _e334, (_e334 > _e337));
@@ -427,105 +427,105 @@ fn function_() {
                         let _e364 = select(340282350000000000000000000000000000000f, _e362, (_e362 < 340282350000000000000000000000000000000f));
                         let _e369 = (((_e159 * _e354) * _e354) * _e361);
                         let _e371 = select(340282350000000000000000000000000000000f, _e369, (_e369 < 340282350000000000000000000000000000000f));
-                        phi_634_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
-                        phi_635_ = select(-340282350000000000000000000000000000000f, _e364, (_e364 > -340282350000000000000000000000000000000f));
+                        phi_635_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
+                        phi_636_ = select(-340282350000000000000000000000000000000f, _e364, (_e364 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_634_ = 0f;
-                        phi_635_ = 1f;
+                        phi_635_ = 0f;
+                        phi_636_ = 1f;
                     }
-                    let _e375 = phi_634_;
-                    let _e377 = phi_635_;
+                    let _e375 = phi_635_;
+                    let _e377 = phi_636_;
                     local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2075_ = false;
-                    phi_646_ = type_44(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e375);
-                    phi_649_ = select(0u, 2147483648u, (_e64 == 0u));
-                    phi_651_ = ((3u * _e64) + 1u);
-                    phi_653_ = (_e377 <= _e375);
-                    phi_655_ = 0u;
+                    phi_2076_ = false;
+                    phi_647_ = type_44(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e375);
+                    phi_650_ = select(0u, 2147483648u, (_e64 == 0u));
+                    phi_652_ = ((3u * _e64) + 1u);
+                    phi_654_ = (_e377 <= _e375);
+                    phi_656_ = 0u;
                     loop {
-                        let _e385 = phi_2075_;
-                        let _e387 = phi_646_;
-                        let _e389 = phi_649_;
-                        let _e391 = phi_651_;
-                        let _e393 = phi_653_;
-                        let _e395 = phi_655_;
+                        let _e385 = phi_2076_;
+                        let _e387 = phi_647_;
+                        let _e389 = phi_650_;
+                        let _e391 = phi_652_;
+                        let _e393 = phi_654_;
+                        let _e395 = phi_656_;
                         local_2 = _e387;
                         if _e393 {
-                            phi_666_ = true;
+                            phi_667_ = true;
                         } else {
-                            phi_666_ = (_e395 > 0u);
+                            phi_667_ = (_e395 > 0u);
                         }
-                        let _e398 = phi_666_;
+                        let _e398 = phi_667_;
                         if _e398 {
                             let _e399 = (_e391 > 0u);
                             if _e399 {
                                 if _e393 {
-                                    phi_696_ = _e389;
-                                    phi_697_ = _e393;
-                                    phi_698_ = _e395;
+                                    phi_697_ = _e389;
+                                    phi_698_ = _e393;
+                                    phi_699_ = _e395;
                                 } else {
                                     let _e400 = (_e395 - 1u);
                                     let _e401 = (_e400 % 128u);
                                     let _e402 = (_e401 < 128u);
                                     if _e402 {
                                     } else {
-                                        phi_2179_ = true;
+                                        phi_2180_ = true;
                                         break;
                                     }
                                     let _e404 = local[_e401];
                                     if _e402 {
                                     } else {
-                                        phi_2179_ = true;
+                                        phi_2180_ = true;
                                         break;
                                     }
                                     let _e406 = local_1[_e401];
-                                    phi_696_ = _e404;
-                                    phi_697_ = (_e406 <= _e387.member_1);
-                                    phi_698_ = _e400;
+                                    phi_697_ = _e404;
+                                    phi_698_ = (_e406 <= _e387.member_1);
+                                    phi_699_ = _e400;
                                 }
-                                let _e410 = phi_696_;
-                                let _e412 = phi_697_;
-                                let _e414 = phi_698_;
+                                let _e410 = phi_697_;
+                                let _e412 = phi_698_;
+                                let _e414 = phi_699_;
                                 if _e412 {
                                     let _e418 = (_e410 & 268435455u);
                                     if ((_e410 & 2147483648u) != 0u) {
-                                        phi_714_ = _e387;
-                                        phi_717_ = type_7(_e418, (_e418 + ((_e410 >> bitcast<u32>(28u)) & 7u)));
+                                        phi_715_ = _e387;
+                                        phi_718_ = type_7(_e418, (_e418 + ((_e410 >> bitcast<u32>(28u)) & 7u)));
                                         loop {
-                                            let _e613 = phi_714_;
-                                            let _e615 = phi_717_;
+                                            let _e613 = phi_715_;
+                                            let _e615 = phi_718_;
                                             local_3 = _e613;
                                             if (_e615.member < _e615.member_1) {
-                                                phi_718_ = type_7((_e615.member + 1u), _e615.member_1);
-                                                phi_740_ = type_7(1u, _e615.member);
+                                                phi_719_ = type_7((_e615.member + 1u), _e615.member_1);
+                                                phi_741_ = type_7(1u, _e615.member);
                                             } else {
-                                                phi_718_ = _e615;
-                                                phi_740_ = type_7(0u, type_7().member_1);
+                                                phi_719_ = _e615;
+                                                phi_741_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e628 = phi_718_;
-                                            let _e630 = phi_740_;
+                                            let _e628 = phi_719_;
+                                            let _e630 = phi_741_;
                                             let _e634 = (bitcast<i32>(_e630.member) != 0i);
                                             if _e634 {
                                                 let _e635 = (_e630.member_1 < _e66);
                                                 if _e635 {
                                                     if _e635 {
                                                     } else {
-                                                        phi_2069_ = true;
+                                                        phi_2070_ = true;
                                                         break;
                                                     }
                                                     let _e639 = global_1.member[_e630.member_1].member_1;
-                                                    phi_760_ = _e639;
+                                                    phi_761_ = _e639;
                                                 } else {
-                                                    phi_760_ = 4294967295u;
+                                                    phi_761_ = 4294967295u;
                                                 }
-                                                let _e641 = phi_760_;
+                                                let _e641 = phi_761_;
                                                 if (_e630.member_1 >= _e66) {
-                                                    phi_848_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_849_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e635 {
                                                     } else {
-                                                        phi_2069_ = true;
+                                                        phi_2070_ = true;
                                                         break;
                                                     }
                                                     let _e643 = (_e203 % 3u);
@@ -533,67 +533,67 @@ fn function_() {
                                                     let _e645 = (_e204 % 3u);
                                                     if (_e643 < 9u) {
                                                     } else {
-                                                        phi_2069_ = true;
+                                                        phi_2070_ = true;
                                                         break;
                                                     }
                                                     let _e651 = global_1.member[_e630.member_1].member[_e643];
                                                     if (_e644 < 9u) {
                                                     } else {
-                                                        phi_2069_ = true;
+                                                        phi_2070_ = true;
                                                         break;
                                                     }
                                                     let _e657 = global_1.member[_e630.member_1].member[_e644];
                                                     if (_e645 < 9u) {
                                                     } else {
-                                                        phi_2069_ = true;
+                                                        phi_2070_ = true;
                                                         break;
                                                     }
                                                     let _e663 = global_1.member[_e630.member_1].member[_e645];
                                                     let _e665 = (3u + _e643);
                                                     if (_e665 < 9u) {
                                                     } else {
-                                                        phi_2069_ = true;
+                                                        phi_2070_ = true;
                                                         break;
                                                     }
                                                     let _e671 = global_1.member[_e630.member_1].member[_e665];
                                                     let _e672 = (3u + _e644);
                                                     if (_e672 < 9u) {
                                                     } else {
-                                                        phi_2069_ = true;
+                                                        phi_2070_ = true;
                                                         break;
                                                     }
                                                     let _e678 = global_1.member[_e630.member_1].member[_e672];
                                                     let _e679 = (3u + _e645);
                                                     if (_e679 < 9u) {
                                                     } else {
-                                                        phi_2069_ = true;
+                                                        phi_2070_ = true;
                                                         break;
                                                     }
                                                     let _e685 = global_1.member[_e630.member_1].member[_e679];
                                                     let _e687 = (6u + _e643);
                                                     if (_e687 < 9u) {
                                                     } else {
-                                                        phi_2069_ = true;
+                                                        phi_2070_ = true;
                                                         break;
                                                     }
                                                     let _e693 = global_1.member[_e630.member_1].member[_e687];
                                                     let _e694 = (6u + _e644);
                                                     if (_e694 < 9u) {
                                                     } else {
-                                                        phi_2069_ = true;
+                                                        phi_2070_ = true;
                                                         break;
                                                     }
                                                     let _e700 = global_1.member[_e630.member_1].member[_e694];
                                                     let _e701 = (6u + _e645);
                                                     if (_e701 < 9u) {
                                                     } else {
-                                                        phi_2069_ = true;
+                                                        phi_2070_ = true;
                                                         break;
                                                     }
                                                     let _e707 = global_1.member[_e630.member_1].member[_e701];
-                                                    phi_848_ = array<array<f32, 3>, 3>(array<f32, 3>(_e651, _e657, _e663), array<f32, 3>(_e671, _e678, _e685), array<f32, 3>(_e693, _e700, _e707));
+                                                    phi_849_ = array<array<f32, 3>, 3>(array<f32, 3>(_e651, _e657, _e663), array<f32, 3>(_e671, _e678, _e685), array<f32, 3>(_e693, _e700, _e707));
                                                 }
-                                                let _e711 = phi_848_;
+                                                let _e711 = phi_849_;
                                                 let _e719 = (_e711[0][2] - _e304);
                                                 let _e722 = (((_e711[0][0] - _e231) * _e328) - (_e719 * _e256));
                                                 let _e725 = (((_e711[0][1] - _e268) * _e328) - (_e719 * _e292));
@@ -620,8 +620,8 @@ fn function_() {
                                                     let _e781 = select(0f, _e779, (_e779 > 0f));
                                                     let _e783 = ((_e773 + _e777) + _e781);
                                                     if (_e783 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1414_ = type_22();
-                                                        phi_1415_ = true;
+                                                        phi_1415_ = type_22();
+                                                        phi_1416_ = true;
                                                     } else {
                                                         let _e786 = select(_e711[1][0], _e711[0][0], (_e711[0][0] < _e711[1][0]));
                                                         let _e790 = select(_e711[1][0], _e711[0][0], (_e711[0][0] > _e711[1][0]));
@@ -648,12 +648,12 @@ fn function_() {
                                                         let _e841 = -(_e822);
                                                         let _e847 = select(_e377, _e832, (_e832 > _e377));
                                                         if (_e847 > (_e840 + (select(_e841, _e824, (_e824 > _e841)) * 0.0000019073523f))) {
-                                                            phi_1409_ = type_22();
-                                                            phi_1410_ = true;
+                                                            phi_1410_ = type_22();
+                                                            phi_1411_ = true;
                                                         } else {
                                                             let _e849 = (_e847 > _e613.member_1);
                                                             if _e849 {
-                                                                phi_1408_ = type_22();
+                                                                phi_1409_ = type_22();
                                                             } else {
                                                                 let _e853 = (_e711[1][0] - _e711[0][0]);
                                                                 let _e854 = (_e711[1][1] - _e711[0][1]);
@@ -685,30 +685,30 @@ fn function_() {
                                                                 let _e905 = select(_e890, _e877, (_e877 > _e890));
                                                                 let _e907 = select(_e903, _e905, (_e905 > _e903));
                                                                 if (_e877 == _e907) {
-                                                                    phi_1319_ = _e860;
-                                                                    phi_1320_ = _e864;
+                                                                    phi_1320_ = _e860;
+                                                                    phi_1321_ = _e864;
                                                                 } else {
                                                                     let _e910 = vec3((_e890 == _e907));
-                                                                    phi_1319_ = select(_e856, _e864, _e910);
-                                                                    phi_1320_ = select(_e860, _e856, _e910);
+                                                                    phi_1320_ = select(_e856, _e864, _e910);
+                                                                    phi_1321_ = select(_e860, _e856, _e910);
                                                                 }
-                                                                let _e914 = phi_1319_;
-                                                                let _e916 = phi_1320_;
+                                                                let _e914 = phi_1320_;
+                                                                let _e916 = phi_1321_;
                                                                 let _e923 = ((_e914.y * _e916.z) - (_e916.y * _e914.z));
                                                                 let _e928 = ((_e914.z * _e916.x) - (_e916.z * _e914.x));
                                                                 let _e931 = ((_e914.x * _e916.y) - (_e916.x * _e914.y));
                                                                 if (_e773 >= _e777) {
-                                                                    phi_1351_ = select(true, false, (_e773 >= _e781));
+                                                                    phi_1352_ = select(true, false, (_e773 >= _e781));
                                                                 } else {
-                                                                    phi_1351_ = true;
+                                                                    phi_1352_ = true;
                                                                 }
-                                                                let _e936 = phi_1351_;
+                                                                let _e936 = phi_1352_;
                                                                 if _e936 {
-                                                                    phi_1360_ = select(vec3<f32>(_e711[2][0], _e711[2][1], _e711[2][2]), vec3<f32>(_e711[1][0], _e711[1][1], _e711[1][2]), vec3((_e777 >= _e781)));
+                                                                    phi_1361_ = select(vec3<f32>(_e711[2][0], _e711[2][1], _e711[2][2]), vec3<f32>(_e711[1][0], _e711[1][1], _e711[1][2]), vec3((_e777 >= _e781)));
                                                                 } else {
-                                                                    phi_1360_ = vec3<f32>(_e711[0][0], _e711[0][1], _e711[0][2]);
+                                                                    phi_1361_ = vec3<f32>(_e711[0][0], _e711[0][1], _e711[0][2]);
                                                                 }
-                                                                let _e941 = phi_1360_;
+                                                                let _e941 = phi_1361_;
                                                                 let _e958 = ((((_e923 * (_e941.x - _e231)) + (_e928 * (_e941.y - _e268))) + (_e931 * (_e941.z - _e304))) / (((_e923 * _e256) + (_e928 * _e292)) + (_e931 * _e328)));
                                                                 let _e960 = select(_e840, _e958, (_e958 < _e840));
                                                                 let _e962 = select(_e832, _e960, (_e960 > _e832));
@@ -716,141 +716,141 @@ fn function_() {
                                                                     let _e964 = (_e962 <= _e613.member_1);
                                                                     if _e964 {
                                                                         let _e965 = (1f / _e783);
-                                                                        phi_1400_ = type_22(_e962, (_e777 * _e965), (_e781 * _e965), _e641);
+                                                                        phi_1401_ = type_22(_e962, (_e777 * _e965), (_e781 * _e965), _e641);
                                                                     } else {
-                                                                        phi_1400_ = type_22();
+                                                                        phi_1401_ = type_22();
                                                                     }
-                                                                    let _e970 = phi_1400_;
-                                                                    phi_1402_ = _e970;
-                                                                    phi_1403_ = select(true, false, _e964);
+                                                                    let _e970 = phi_1401_;
+                                                                    phi_1403_ = _e970;
+                                                                    phi_1404_ = select(true, false, _e964);
                                                                 } else {
-                                                                    phi_1402_ = type_22();
-                                                                    phi_1403_ = true;
+                                                                    phi_1403_ = type_22();
+                                                                    phi_1404_ = true;
                                                                 }
-                                                                let _e973 = phi_1402_;
-                                                                let _e975 = phi_1403_;
+                                                                let _e973 = phi_1403_;
+                                                                let _e975 = phi_1404_;
                                                                 if _e975 {
-                                                                    phi_1407_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1408_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1407_ = _e973;
+                                                                    phi_1408_ = _e973;
                                                                 }
-                                                                let _e977 = phi_1407_;
-                                                                phi_1408_ = _e977;
+                                                                let _e977 = phi_1408_;
+                                                                phi_1409_ = _e977;
                                                             }
-                                                            let _e979 = phi_1408_;
-                                                            phi_1409_ = _e979;
-                                                            phi_1410_ = _e849;
+                                                            let _e979 = phi_1409_;
+                                                            phi_1410_ = _e979;
+                                                            phi_1411_ = _e849;
                                                         }
-                                                        let _e981 = phi_1409_;
-                                                        let _e983 = phi_1410_;
-                                                        phi_1414_ = _e981;
-                                                        phi_1415_ = _e983;
+                                                        let _e981 = phi_1410_;
+                                                        let _e983 = phi_1411_;
+                                                        phi_1415_ = _e981;
+                                                        phi_1416_ = _e983;
                                                     }
-                                                    let _e985 = phi_1414_;
-                                                    let _e987 = phi_1415_;
-                                                    phi_1419_ = _e985;
-                                                    phi_1420_ = _e987;
+                                                    let _e985 = phi_1415_;
+                                                    let _e987 = phi_1416_;
+                                                    phi_1420_ = _e985;
+                                                    phi_1421_ = _e987;
                                                 } else {
-                                                    phi_1419_ = type_22();
-                                                    phi_1420_ = true;
+                                                    phi_1420_ = type_22();
+                                                    phi_1421_ = true;
                                                 }
-                                                let _e989 = phi_1419_;
-                                                let _e991 = phi_1420_;
+                                                let _e989 = phi_1420_;
+                                                let _e991 = phi_1421_;
                                                 if _e991 {
-                                                    phi_1424_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1425_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1424_ = _e989;
+                                                    phi_1425_ = _e989;
                                                 }
-                                                let _e993 = phi_1424_;
+                                                let _e993 = phi_1425_;
                                                 if (_e993.member_3 != 4294967295u) {
                                                     if (_e641 != _e82) {
                                                         if (_e993.member < _e613.member.member) {
-                                                            phi_1450_ = true;
+                                                            phi_1451_ = true;
                                                         } else {
                                                             if (_e993.member == _e613.member.member) {
-                                                                phi_1449_ = (_e993.member_3 < _e613.member.member_3);
+                                                                phi_1450_ = (_e993.member_3 < _e613.member.member_3);
                                                             } else {
-                                                                phi_1449_ = false;
+                                                                phi_1450_ = false;
                                                             }
-                                                            let _e1006 = phi_1449_;
-                                                            phi_1450_ = _e1006;
+                                                            let _e1006 = phi_1450_;
+                                                            phi_1451_ = _e1006;
                                                         }
-                                                        let _e1008 = phi_1450_;
+                                                        let _e1008 = phi_1451_;
                                                         if _e1008 {
-                                                            phi_1456_ = type_44(_e993, _e993.member);
+                                                            phi_1457_ = type_44(_e993, _e993.member);
                                                         } else {
-                                                            phi_1456_ = _e613;
+                                                            phi_1457_ = _e613;
                                                         }
-                                                        let _e1011 = phi_1456_;
-                                                        phi_1457_ = _e1011;
+                                                        let _e1011 = phi_1457_;
+                                                        phi_1458_ = _e1011;
                                                     } else {
-                                                        phi_1457_ = _e613;
+                                                        phi_1458_ = _e613;
                                                     }
-                                                    let _e1013 = phi_1457_;
-                                                    phi_1458_ = _e1013;
+                                                    let _e1013 = phi_1458_;
+                                                    phi_1459_ = _e1013;
                                                 } else {
-                                                    phi_1458_ = _e613;
+                                                    phi_1459_ = _e613;
                                                 }
-                                                let _e1015 = phi_1458_;
-                                                phi_715_ = _e1015;
+                                                let _e1015 = phi_1459_;
+                                                phi_716_ = _e1015;
                                             } else {
-                                                phi_715_ = type_44();
+                                                phi_716_ = type_44();
                                             }
-                                            let _e1017 = phi_715_;
+                                            let _e1017 = phi_716_;
                                             continue;
                                             continuing {
-                                                phi_714_ = _e1017;
-                                                phi_717_ = _e628;
-                                                phi_2069_ = _e385;
+                                                phi_715_ = _e1017;
+                                                phi_718_ = _e628;
+                                                phi_2070_ = _e385;
                                                 break if !(_e634);
                                             }
                                         }
-                                        let _e1020 = phi_2069_;
-                                        phi_2179_ = _e1020;
+                                        let _e1020 = phi_2070_;
+                                        phi_2180_ = _e1020;
                                         if _e1020 {
                                             break;
                                         }
-                                        phi_2183_ = _e1020;
+                                        phi_2184_ = _e1020;
                                         let _e1212 = local_3;
-                                        phi_1911_ = _e1212;
-                                        phi_1912_ = _e410;
-                                        phi_1913_ = false;
-                                        phi_1914_ = _e414;
+                                        phi_1912_ = _e1212;
+                                        phi_1913_ = _e410;
+                                        phi_1914_ = false;
+                                        phi_1915_ = _e414;
                                     } else {
                                         if (_e410 >= _e64) {
-                                            phi_1518_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1519_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e410 < _e64) {
                                             } else {
-                                                phi_2179_ = true;
+                                                phi_2180_ = true;
                                                 break;
                                             }
                                             let _e424 = (_e203 % 3u);
                                             if (_e424 < 3u) {
                                             } else {
-                                                phi_2179_ = true;
+                                                phi_2180_ = true;
                                                 break;
                                             }
                                             let _e430 = global_2.member[_e410].member[_e424];
                                             let _e436 = (_e202 % 3u);
                                             if (_e436 < 3u) {
                                             } else {
-                                                phi_2179_ = true;
+                                                phi_2180_ = true;
                                                 break;
                                             }
                                             let _e442 = global_2.member[_e410].member[_e436];
                                             let _e448 = (_e204 % 3u);
                                             if (_e448 < 3u) {
                                             } else {
-                                                phi_2179_ = true;
+                                                phi_2180_ = true;
                                                 break;
                                             }
                                             let _e454 = global_2.member[_e410].member[_e448];
                                             let _e464 = global_2.member[_e410].member_1;
                                             let _e468 = global_2.member[_e410].member_2;
-                                            phi_1518_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e430[0], _e430[1], _e430[2], _e430[3]), vec4<f32>(_e442[0], _e442[1], _e442[2], _e442[3]), vec4<f32>(_e454[0], _e454[1], _e454[2], _e454[3])), _e464, _e468);
+                                            phi_1519_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e430[0], _e430[1], _e430[2], _e430[3]), vec4<f32>(_e442[0], _e442[1], _e442[2], _e442[3]), vec4<f32>(_e454[0], _e454[1], _e454[2], _e454[3])), _e464, _e468);
                                         }
-                                        let _e471 = phi_1518_;
+                                        let _e471 = phi_1519_;
                                         let _e483 = ((_e471.member[0].x - _e254) * _e259);
                                         let _e484 = ((_e471.member[0].y - _e254) * _e259);
                                         let _e485 = ((_e471.member[0].z - _e255) * _e259);
@@ -893,152 +893,152 @@ fn function_() {
                                         if _e571 {
                                             if _e572 {
                                                 if _e573 {
-                                                    phi_1862_ = _e471.member_2;
+                                                    phi_1863_ = _e471.member_2;
                                                 } else {
-                                                    phi_1862_ = _e471.member_1;
+                                                    phi_1863_ = _e471.member_1;
                                                 }
-                                                let _e577 = phi_1862_;
+                                                let _e577 = phi_1863_;
                                                 let _e578 = (_e414 % 128u);
                                                 let _e579 = (_e578 < 128u);
                                                 if _e579 {
                                                 } else {
-                                                    phi_2179_ = true;
+                                                    phi_2180_ = true;
                                                     break;
                                                 }
                                                 local[_e578] = _e577;
                                                 if _e579 {
                                                 } else {
-                                                    phi_2179_ = true;
+                                                    phi_2180_ = true;
                                                     break;
                                                 }
                                                 local_1[_e578] = select(_e566, _e564, (_e564 > _e566));
                                                 if _e573 {
-                                                    phi_1888_ = _e471.member_1;
+                                                    phi_1889_ = _e471.member_1;
                                                 } else {
-                                                    phi_1888_ = _e471.member_2;
+                                                    phi_1889_ = _e471.member_2;
                                                 }
-                                                let _e588 = phi_1888_;
-                                                phi_1889_ = _e588;
-                                                phi_1890_ = (_e414 + 1u);
+                                                let _e588 = phi_1889_;
+                                                phi_1890_ = _e588;
+                                                phi_1891_ = (_e414 + 1u);
                                             } else {
-                                                phi_1889_ = u32();
                                                 phi_1890_ = u32();
+                                                phi_1891_ = u32();
                                             }
-                                            let _e590 = phi_1889_;
-                                            let _e592 = phi_1890_;
-                                            phi_1892_ = _e590;
-                                            phi_1893_ = _e592;
-                                            phi_1894_ = select(true, false, _e572);
+                                            let _e590 = phi_1890_;
+                                            let _e592 = phi_1891_;
+                                            phi_1893_ = _e590;
+                                            phi_1894_ = _e592;
+                                            phi_1895_ = select(true, false, _e572);
                                         } else {
-                                            phi_1892_ = u32();
                                             phi_1893_ = u32();
-                                            phi_1894_ = true;
+                                            phi_1894_ = u32();
+                                            phi_1895_ = true;
                                         }
-                                        let _e595 = phi_1892_;
-                                        let _e597 = phi_1893_;
-                                        let _e599 = phi_1894_;
+                                        let _e595 = phi_1893_;
+                                        let _e597 = phi_1894_;
+                                        let _e599 = phi_1895_;
                                         if _e599 {
                                             if _e571 {
-                                                phi_1903_ = _e471.member_1;
+                                                phi_1904_ = _e471.member_1;
                                             } else {
-                                                phi_1903_ = _e471.member_2;
+                                                phi_1904_ = _e471.member_2;
                                             }
-                                            let _e603 = phi_1903_;
-                                            phi_1908_ = _e603;
-                                            phi_1909_ = select(_e572, true, _e571);
+                                            let _e603 = phi_1904_;
+                                            phi_1909_ = _e603;
+                                            phi_1910_ = select(_e572, true, _e571);
                                         } else {
-                                            phi_1908_ = _e595;
-                                            phi_1909_ = _e412;
+                                            phi_1909_ = _e595;
+                                            phi_1910_ = _e412;
                                         }
-                                        let _e606 = phi_1908_;
-                                        let _e608 = phi_1909_;
-                                        phi_2183_ = _e385;
-                                        phi_1911_ = _e387;
-                                        phi_1912_ = _e606;
-                                        phi_1913_ = _e608;
-                                        phi_1914_ = select(_e597, _e414, _e599);
+                                        let _e606 = phi_1909_;
+                                        let _e608 = phi_1910_;
+                                        phi_2184_ = _e385;
+                                        phi_1912_ = _e387;
+                                        phi_1913_ = _e606;
+                                        phi_1914_ = _e608;
+                                        phi_1915_ = select(_e597, _e414, _e599);
                                     }
-                                    let _e1022 = phi_2183_;
-                                    let _e1024 = phi_1911_;
-                                    let _e1026 = phi_1912_;
-                                    let _e1028 = phi_1913_;
-                                    let _e1030 = phi_1914_;
-                                    phi_2182_ = _e1022;
-                                    phi_1915_ = _e1024;
-                                    phi_1916_ = _e1026;
-                                    phi_1917_ = (_e391 - 1u);
-                                    phi_1918_ = _e1028;
-                                    phi_1919_ = _e1030;
+                                    let _e1022 = phi_2184_;
+                                    let _e1024 = phi_1912_;
+                                    let _e1026 = phi_1913_;
+                                    let _e1028 = phi_1914_;
+                                    let _e1030 = phi_1915_;
+                                    phi_2183_ = _e1022;
+                                    phi_1916_ = _e1024;
+                                    phi_1917_ = _e1026;
+                                    phi_1918_ = (_e391 - 1u);
+                                    phi_1919_ = _e1028;
+                                    phi_1920_ = _e1030;
                                 } else {
-                                    phi_2182_ = _e385;
-                                    phi_1915_ = _e387;
-                                    phi_1916_ = _e410;
-                                    phi_1917_ = _e391;
-                                    phi_1918_ = _e412;
-                                    phi_1919_ = _e414;
+                                    phi_2183_ = _e385;
+                                    phi_1916_ = _e387;
+                                    phi_1917_ = _e410;
+                                    phi_1918_ = _e391;
+                                    phi_1919_ = _e412;
+                                    phi_1920_ = _e414;
                                 }
-                                let _e1032 = phi_2182_;
-                                let _e1034 = phi_1915_;
-                                let _e1036 = phi_1916_;
-                                let _e1038 = phi_1917_;
-                                let _e1040 = phi_1918_;
-                                let _e1042 = phi_1919_;
-                                phi_2181_ = _e1032;
-                                phi_1920_ = _e1034;
-                                phi_1921_ = _e1036;
-                                phi_1922_ = _e1038;
-                                phi_1923_ = _e1040;
-                                phi_1924_ = _e1042;
+                                let _e1032 = phi_2183_;
+                                let _e1034 = phi_1916_;
+                                let _e1036 = phi_1917_;
+                                let _e1038 = phi_1918_;
+                                let _e1040 = phi_1919_;
+                                let _e1042 = phi_1920_;
+                                phi_2182_ = _e1032;
+                                phi_1921_ = _e1034;
+                                phi_1922_ = _e1036;
+                                phi_1923_ = _e1038;
+                                phi_1924_ = _e1040;
+                                phi_1925_ = _e1042;
                             } else {
-                                phi_2181_ = _e385;
-                                phi_1920_ = type_44();
-                                phi_1921_ = u32();
+                                phi_2182_ = _e385;
+                                phi_1921_ = type_44();
                                 phi_1922_ = u32();
-                                phi_1923_ = bool();
-                                phi_1924_ = u32();
+                                phi_1923_ = u32();
+                                phi_1924_ = bool();
+                                phi_1925_ = u32();
                             }
-                            let _e1044 = phi_2181_;
-                            let _e1046 = phi_1920_;
-                            let _e1048 = phi_1921_;
-                            let _e1050 = phi_1922_;
-                            let _e1052 = phi_1923_;
-                            let _e1054 = phi_1924_;
-                            phi_2180_ = _e1044;
-                            phi_647_ = _e1046;
-                            phi_650_ = _e1048;
-                            phi_652_ = _e1050;
-                            phi_654_ = _e1052;
-                            phi_656_ = _e1054;
-                            phi_1925_ = _e399;
+                            let _e1044 = phi_2182_;
+                            let _e1046 = phi_1921_;
+                            let _e1048 = phi_1922_;
+                            let _e1050 = phi_1923_;
+                            let _e1052 = phi_1924_;
+                            let _e1054 = phi_1925_;
+                            phi_2181_ = _e1044;
+                            phi_648_ = _e1046;
+                            phi_651_ = _e1048;
+                            phi_653_ = _e1050;
+                            phi_655_ = _e1052;
+                            phi_657_ = _e1054;
+                            phi_1926_ = _e399;
                         } else {
-                            phi_2180_ = _e385;
-                            phi_647_ = type_44();
-                            phi_650_ = u32();
-                            phi_652_ = u32();
-                            phi_654_ = bool();
-                            phi_656_ = u32();
-                            phi_1925_ = false;
+                            phi_2181_ = _e385;
+                            phi_648_ = type_44();
+                            phi_651_ = u32();
+                            phi_653_ = u32();
+                            phi_655_ = bool();
+                            phi_657_ = u32();
+                            phi_1926_ = false;
                         }
-                        let _e1056 = phi_2180_;
-                        let _e1058 = phi_647_;
-                        let _e1060 = phi_650_;
-                        let _e1062 = phi_652_;
-                        let _e1064 = phi_654_;
-                        let _e1066 = phi_656_;
-                        let _e1068 = phi_1925_;
+                        let _e1056 = phi_2181_;
+                        let _e1058 = phi_648_;
+                        let _e1060 = phi_651_;
+                        let _e1062 = phi_653_;
+                        let _e1064 = phi_655_;
+                        let _e1066 = phi_657_;
+                        let _e1068 = phi_1926_;
                         continue;
                         continuing {
-                            phi_2075_ = _e1056;
-                            phi_646_ = _e1058;
-                            phi_649_ = _e1060;
-                            phi_651_ = _e1062;
-                            phi_653_ = _e1064;
-                            phi_655_ = _e1066;
-                            phi_2179_ = _e1056;
+                            phi_2076_ = _e1056;
+                            phi_647_ = _e1058;
+                            phi_650_ = _e1060;
+                            phi_652_ = _e1062;
+                            phi_654_ = _e1064;
+                            phi_656_ = _e1066;
+                            phi_2180_ = _e1056;
                             break if !(_e1068);
                         }
                     }
-                    let _e1071 = phi_2179_;
+                    let _e1071 = phi_2180_;
                     if _e1071 {
                         break;
                     }
@@ -1048,11 +1048,11 @@ fn function_() {
                         let _e1085 = bitcast<f32>((bitcast<u32>((_e1078 + 127i)) << bitcast<u32>(23i)));
                         let _e1093 = (((_e1073.member.member * _e1085) * _e1085) * bitcast<f32>((bitcast<u32>(((_e205 - (2i * _e1078)) + 127i)) << bitcast<u32>(23i))));
                         let _e1095 = select(340282350000000000000000000000000000000f, _e1093, (_e1093 < 340282350000000000000000000000000000000f));
-                        phi_1977_ = type_22(select(-340282350000000000000000000000000000000f, _e1095, (_e1095 > -340282350000000000000000000000000000000f)), _e1073.member.member_1, _e1073.member.member_2, _e1073.member.member_3);
+                        phi_1978_ = type_22(select(-340282350000000000000000000000000000000f, _e1095, (_e1095 > -340282350000000000000000000000000000000f)), _e1073.member.member_1, _e1073.member.member_2, _e1073.member.member_3);
                     } else {
-                        phi_1977_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_1978_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1102 = phi_1977_;
+                    let _e1102 = phi_1978_;
                     if _e78 {
                     } else {
                         break;

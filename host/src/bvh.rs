@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
-use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};
+use slimbvh_core::classify::Except;
+use slimbvh_core::ray::{Hit, Ray};
 use slimbvh_core::trace::{self, LeafTriangles, PlainNodes};
 use slimbvh_core::{LeafTriangle, Node};
 
@@ -12,6 +13,7 @@ use slimbvh_core::{LeafTriangle, Node};
 pub struct Bvh {
     pub(crate) nodes: Vec<Node>,
     pub(crate) triangles: Vec<LeafTriangle>,
+    pub(crate) mesh_triangle_count: usize,
     pub(crate) bounds: Option<Aabb>,
     pub(crate) scene_exponent: i32,
     pub(crate) depth_bound: u32,
@@ -29,7 +31,7 @@ impl Bvh {
             &self.triangle_source(),
             ray,
             self.scene_exponent,
-            NO_PRIMITIVE,
+            &Except::NOTHING,
         )
     }
 
@@ -42,7 +44,7 @@ impl Bvh {
             &self.triangle_source(),
             ray,
             self.scene_exponent,
-            NO_PRIMITIVE,
+            &Except::NOTHING,
         )
     }
 
@@ -81,10 +83,16 @@ impl Bvh {
         self.bounds
     }
 
-    /// How many triangles there are.
+    /// How many triangles there are in it.
     #[must_use]
     pub fn triangle_count(&self) -> usize {
         self.triangles.len()
+    }
+
+    /// How many triangles the mesh has that it was built over. A reduced hierarchy leaves out some.
+    #[must_use]
+    pub fn mesh_triangle_count(&self) -> usize {
+        self.mesh_triangle_count
     }
 
     /// How many inner nodes there are.

@@ -16,9 +16,9 @@ mod text;
 mod wide;
 
 pub use bvh::Bvh;
-pub use cpu::{BuildConfig, Builder, CodeBits, RefitError, Renderer};
+pub use cpu::{BuildConfig, Builder, CodeBits, RefitError, Renderer, Subset, Tree, Trees};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, RenderReport, RenderSettings, View};
 pub use scene::{Camera, Light, Material, Projection, Scene, ViewError};
-pub use slimbvh_core::{Aabb, Hit, Node, Ray};
+pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;

@@ -4,7 +4,8 @@ use super::{Answer, Bytes, Question, Tracer, Visits, answer_all};
 use anyhow::Result;
 use rayon::prelude::*;
 use slimbvh::{BuildConfig, Builder, Bvh, CodeBits, Mesh, Stages};
-use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay, Ray};
+use slimbvh_core::classify::Except;
+use slimbvh_core::ray::{PreparedRay, Ray};
 use slimbvh_core::trace::{AnyHit, ClosestHit, Collector, Counted, traverse};
 use std::ops::Add;
 
@@ -39,7 +40,7 @@ impl<'a> Slim<'a> {
             &self.bvh.node_source(),
             &self.bvh.triangle_source(),
             &ray,
-            NO_PRIMITIVE,
+            &Except::NOTHING,
             &mut counted,
         );
         Visits {

@@ -47,12 +47,16 @@ const CRATES: [ShaderCrate; 2] = [
 const MANIFEST: &str = "host/shaders/manifest.json";
 
 /// The entry points of `gpu-shaders`.
-const ENTRY_POINTS: [&str; 46] = [
+const ENTRY_POINTS: [&str; 51] = [
     "bounds",
     "call_trace",
     "camera_encode",
     "camera_rays",
     "camera_resolve",
+    "classify_30",
+    "classify_63",
+    "classify_compact_30",
+    "classify_compact_63",
     "compact",
     "compact_counts",
     "frame",
@@ -78,14 +82,15 @@ const ENTRY_POINTS: [&str; 46] = [
     "topology_kept_63",
     "topology_nodes_30",
     "topology_nodes_63",
-    "topology_single",
     "trace_any",
     "trace_closest",
     "trace_counted",
     "trace_nearest",
     "trace_paths",
     "trace_paths_counted",
+    "trace_paths_facing",
     "trace_shadows",
+    "trace_shadows_facing",
     "view_depth",
     "view_depth_range",
     "view_depth_values",

@@ -256,7 +256,7 @@ fn render_on_gpu(
         picture,
         |share| progress.set(share),
     )?;
-    let node_count = bvh.read_node_count(gpu)? as usize;
+    let [node_count, triangle_count] = bvh.read_counts(gpu)?.map(|count| count as usize);
     Ok(Outcome {
         backend: "gpu",
         adapter: Some(gpu.name().into()),
@@ -264,7 +264,7 @@ fn render_on_gpu(
         report,
         node_count,
         node_bytes: node_count * size_of::<slimbvh::Node>(),
-        triangle_bytes: bvh.triangle_bytes() as usize,
+        triangle_bytes: triangle_count * size_of::<slimbvh::LeafTriangle>(),
         scratch_bytes: (builder.scratch_bytes() + renderer.scratch_bytes()) as usize,
     })
 }

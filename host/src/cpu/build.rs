@@ -1,15 +1,15 @@
 //! Builds and refits on the CPU.
 
-use super::order::{gather, gather_again, order, scene_bounds};
+use super::order::{Order, gather_again, scene_bounds};
 use super::refit::{fill_boxes, fill_pyramid};
-use super::sort::Sorter;
 use super::topology::Connections;
 use crate::{Bvh, Mesh, MeshError, Stages};
+use slimbvh_core::classify::Sides;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
-use slimbvh_core::node::LEAF_SIZE;
+use slimbvh_core::orientation::Target;
 use slimbvh_core::refit::{PyramidBox, split_of};
-use slimbvh_core::topology::{Codes30, Codes63, depth_bound, single_node};
+use slimbvh_core::topology::{Codes30, Codes63, depth_bound};
 use slimbvh_core::{Aabb, NodeRef};
 use thiserror::Error;
 
@@ -44,16 +44,32 @@ pub enum RefitError {
         /// Triangles of the hierarchy.
         expected: usize,
     },
+    /// It leaves out triangles that may be needed now.
+    #[error("the hierarchy is reduced; build it again when the triangles have moved")]
+    Reduced,
+}
+
+/// Which triangles a hierarchy is built over.
+#[derive(Clone, Copy, Debug)]
+pub enum Subset<'a> {
+    /// All of the mesh.
+    All,
+    /// Those that rays from or to a target may hit.
+    Facing {
+        /// Which sides of which components face out.
+        sides: Sides<'a>,
+        /// The target, in the mesh's unit.
+        target: Target,
+    },
 }
 
 /// Builds hierarchies, and keeps its buffers from one to the next.
 #[derive(Debug, Default)]
 pub struct Builder {
     config: BuildConfig,
-    sorter_30: Sorter<1>,
-    sorter_63: Sorter<2>,
-    codes_30: Vec<[u32; 1]>,
-    codes_63: Vec<[u32; 2]>,
+    bounds: Option<Aabb>,
+    order_30: Order<1>,
+    order_63: Order<2>,
     connections: Connections,
     pyramid: Vec<PyramidBox>,
 }
@@ -84,59 +100,72 @@ impl Builder {
     /// # Errors
     /// Those of [`Mesh::validate`]; the earlier hierarchy stays as it was.
     pub fn build_into(&mut self, mesh: &Mesh, bvh: &mut Bvh) -> Result<Stages, MeshError> {
+        let mut stages = self.sort(mesh)?;
+        stages.merge(&self.build_sorted(mesh, Subset::All, bvh));
+        Ok(stages)
+    }
+
+    /// Puts a mesh's triangles in the order of the curve, once for all hierarchies over subsets of them. Returns the time of
+    /// each stage.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::validate`].
+    pub fn sort(&mut self, mesh: &Mesh) -> Result<Stages, MeshError> {
         let mut stages = Stages::default();
         stages.time("validate", || mesh.validate())?;
         let triangles = mesh.triangles();
-        let count = mesh.indices.len() as u32;
         let bounds = stages.time("bounds", || scene_bounds(&triangles));
-        bvh.set_bounds(bounds);
-        let scale = PowerOfTwo::new(bvh.scene_exponent);
+        self.bounds = Some(bounds);
         match self.config.code_bits {
             CodeBits::Bits30 => {
                 let frame = Frame::new(&bounds, 10);
                 let code = |bounds: &Aabb| [morton_code_30(bounds, &frame)];
-                order(&mut stages, &mut self.sorter_30, [30], &triangles, code);
-                stages.time("snap", || {
-                    let codes = &mut self.codes_30;
-                    gather(
-                        &mut self.sorter_30,
-                        &triangles,
-                        &scale,
-                        &mut bvh.triangles,
-                        codes,
-                    );
-                });
+                self.order_30.sort(&mut stages, [30], &triangles, code);
             }
             CodeBits::Bits63 => {
                 let frame = Frame::new(&bounds, 21);
                 let code = |bounds: &Aabb| morton_code_63(bounds, &frame);
-                order(&mut stages, &mut self.sorter_63, [31, 32], &triangles, code);
-                stages.time("snap", || {
-                    let codes = &mut self.codes_63;
-                    gather(
-                        &mut self.sorter_63,
-                        &triangles,
-                        &scale,
-                        &mut bvh.triangles,
-                        codes,
-                    );
-                });
+                self.order_63.sort(&mut stages, [31, 32], &triangles, code);
             }
         }
-        stages.time("topology", || {
-            if count <= LEAF_SIZE {
-                bvh.nodes.clear();
-                bvh.nodes.push(single_node(count));
-                self.connections.splits.clear();
-                self.connections.splits.push(split_of(&bvh.nodes[0], 0));
-                return;
+        Ok(stages)
+    }
+
+    /// Builds a hierarchy over the mesh that was sorted last, or a subset of it, in place of an earlier one. Returns the time
+    /// of each stage.
+    ///
+    /// # Panics
+    /// If the mesh is not the one that [`Self::sort`] was given.
+    pub fn build_sorted(&mut self, mesh: &Mesh, subset: Subset, bvh: &mut Bvh) -> Stages {
+        let mut stages = Stages::default();
+        let bounds = self.bounds.unwrap_or(Aabb::EMPTY);
+        bvh.set_bounds(bounds);
+        bvh.mesh_triangle_count = mesh.indices.len();
+        let scale = PowerOfTwo::new(bvh.scene_exponent);
+        let triangles = mesh.triangles();
+        let leaves = &mut bvh.triangles;
+        match self.config.code_bits {
+            CodeBits::Bits30 => {
+                let order = &mut self.order_30;
+                order.gather(&mut stages, &triangles, &scale, subset, leaves);
             }
+            CodeBits::Bits63 => {
+                let order = &mut self.order_63;
+                order.gather(&mut stages, &triangles, &scale, subset, leaves);
+            }
+        }
+        let count = bvh.triangles.len() as u32;
+        stages.time("topology", || {
             let (connections, nodes) = (&mut self.connections, &mut bvh.nodes);
             match self.config.code_bits {
                 CodeBits::Bits30 => {
-                    connections.connect(&Codes30(bytemuck::cast_slice(&self.codes_30)), nodes);
+                    let codes = bytemuck::cast_slice(&self.order_30.codes);
+                    connections.connect(&Codes30 { codes, count }, nodes);
                 }
-                CodeBits::Bits63 => connections.connect(&Codes63(&self.codes_63), nodes),
+                CodeBits::Bits63 => {
+                    let codes = &self.order_63.codes;
+                    connections.connect(&Codes63 { codes, count }, nodes);
+                }
             }
         });
         bvh.depth_bound = match self.config.code_bits {
@@ -144,7 +173,7 @@ impl Builder {
             CodeBits::Bits63 => depth_bound(63, count),
         };
         stages.time("refit", || self.fit(bvh));
-        Ok(stages)
+        stages
     }
 
     /// Moves a hierarchy's boxes to where the mesh's vertices are now; the triangles must be those that it was built over.
@@ -155,11 +184,14 @@ impl Builder {
     pub fn refit(&mut self, mesh: &Mesh, bvh: &mut Bvh) -> Result<Stages, RefitError> {
         let mut stages = Stages::default();
         stages.time("validate", || mesh.validate())?;
-        if mesh.indices.len() != bvh.triangles.len() {
+        if mesh.indices.len() != bvh.mesh_triangle_count {
             return Err(RefitError::TriangleCount {
                 triangle_count: mesh.indices.len(),
-                expected: bvh.triangles.len(),
+                expected: bvh.mesh_triangle_count,
             });
+        }
+        if bvh.triangles.len() != bvh.mesh_triangle_count {
+            return Err(RefitError::Reduced);
         }
         let triangles = mesh.triangles();
         let bounds = stages.time("bounds", || scene_bounds(&triangles));
@@ -198,10 +230,8 @@ impl Builder {
     /// Bytes of the buffers that the last build used; they are kept for the next.
     #[must_use]
     pub fn scratch_bytes(&self) -> usize {
-        self.sorter_30.bytes()
-            + self.sorter_63.bytes()
-            + size_of_val(self.codes_30.as_slice())
-            + size_of_val(self.codes_63.as_slice())
+        self.order_30.bytes()
+            + self.order_63.bytes()
             + self.connections.bytes()
             + size_of_val(self.pyramid.as_slice())
     }

@@ -5,12 +5,15 @@ mod order;
 mod paint;
 mod refit;
 mod render;
+mod select;
 mod sort;
 mod topology;
+mod trees;
 
-pub use build::{BuildConfig, Builder, CodeBits, RefitError};
+pub use build::{BuildConfig, Builder, CodeBits, RefitError, Subset};
 pub(crate) use order::scene_bounds;
 pub use render::Renderer;
+pub use trees::{Tree, Trees};
 
 /// Items that a task takes at once.
 const BLOCK: usize = 4096;

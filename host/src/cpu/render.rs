@@ -1,11 +1,13 @@
 //! Stages `trace` and `shade` on the CPU, in waves of samples.
 
 use super::paint::{paint_depth, paint_heat, resolve};
+use super::trees::{Tree, Trees};
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::ViewError;
 use crate::{Bvh, Scene};
 use rayon::prelude::*;
 use slimbvh_core::camera::Camera as CoreCamera;
+use slimbvh_core::classify::Except;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::ray::{Hit, PreparedRay};
 use slimbvh_core::shade::{
@@ -13,7 +15,7 @@ use slimbvh_core::shade::{
 };
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
-use slimbvh_core::trace::{self, ClosestHit, Counted};
+use slimbvh_core::trace::{ClosestHit, Counted, traverse};
 use slimbvh_core::view;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
@@ -35,7 +37,7 @@ pub struct Renderer {
 /// All that a picture is made from, next to the tree.
 struct Stage<'a> {
     scene: &'a Scene,
-    bvh: &'a Bvh,
+    trees: Trees<'a>,
     scale: PowerOfTwo,
     camera: CoreCamera,
     lights: Vec<CoreLight>,
@@ -61,9 +63,33 @@ impl Renderer {
         bvh: &Bvh,
         settings: &RenderSettings,
         picture: &mut Picture,
+        progress: impl FnMut(f64),
+    ) -> Result<RenderReport, ViewError> {
+        let trees = Trees::all(bvh, scene.lights.len());
+        self.render_with(scene, &trees, settings, picture, progress)
+    }
+
+    /// [`Self::render`], with a hierarchy for each kind of rays.
+    ///
+    /// # Errors
+    /// Those of [`Self::render`].
+    ///
+    /// # Panics
+    /// If there are not as many hierarchies for shadow rays as there are lights.
+    pub fn render_with(
+        &mut self,
+        scene: &Scene,
+        trees: &Trees,
+        settings: &RenderSettings,
+        picture: &mut Picture,
         mut progress: impl FnMut(f64),
     ) -> Result<RenderReport, ViewError> {
-        let stage = Stage::new(scene, bvh, settings)?;
+        assert_eq!(
+            trees.lights.len(),
+            scene.lights.len(),
+            "a tree for each light"
+        );
+        let stage = Stage::new(scene, trees, settings)?;
         let mut report = RenderReport::default();
         let [width, height] = settings.size;
         let pixel_count = width * height;
@@ -132,14 +158,13 @@ impl Renderer {
     fn trace_primary(&mut self, stage: &Stage, report: &mut RenderReport) {
         report
             .stages
-            .time("trace primary", || self.trace_paths(stage));
+            .time("trace primary", || self.trace_paths(&stage.trees.primary));
         let hits = self.hits.par_iter().filter(|hit| hit.is_hit()).count();
         report.primary_hit_count += hits as u64;
     }
 
     /// Finds what every living path meets.
-    fn trace_paths(&mut self, stage: &Stage) {
-        let (nodes, triangles) = (stage.bvh.node_source(), stage.bvh.triangle_source());
+    fn trace_paths(&mut self, tree: &Tree) {
         let blocks = self
             .hits
             .par_chunks_mut(BLOCK)
@@ -147,7 +172,7 @@ impl Renderer {
         blocks.for_each(|(hits, paths)| {
             for (hit, path) in hits.iter_mut().zip(paths) {
                 *hit = if path.is_alive() {
-                    trace::closest_hit(&nodes, &triangles, &path.ray, 0, path.skip)
+                    tree.closest_hit(&path.ray, path.skip)
                 } else {
                     Hit::MISS
                 };
@@ -158,25 +183,27 @@ impl Renderer {
     /// Gathers light, and follows mirrors to the given depth.
     fn shade(&mut self, stage: &Stage, mirror_depth: u32, report: &mut RenderReport) {
         for depth in 0..=mirror_depth {
-            for light in &stage.lights {
+            for (light, tree) in stage.lights.iter().zip(&stage.trees.lights) {
                 report.stages.time("trace shadow", || {
-                    report.shadow_ray_count += self.add_light(stage, light);
+                    report.shadow_ray_count += self.add_light(stage, light, tree);
                 });
             }
             let alive = report.stages.time("shade", || self.scatter(stage));
+            let Some(bvh) = stage.trees.mirrors else {
+                break;
+            };
             if alive == 0 || depth == mirror_depth {
                 break;
             }
             report.mirror_ray_count += alive;
             report
                 .stages
-                .time("trace mirror", || self.trace_paths(stage));
+                .time("trace mirror", || self.trace_paths(&Tree::all(bvh)));
         }
     }
 
     /// Adds one light to all hits that it reaches. Returns the number of shadow rays.
-    fn add_light(&mut self, stage: &Stage, light: &CoreLight) -> u64 {
-        let (nodes, triangles) = (stage.bvh.node_source(), stage.bvh.triangle_source());
+    fn add_light(&mut self, stage: &Stage, light: &CoreLight, tree: &Tree) -> u64 {
         let ray_count = AtomicU64::new(0);
         let blocks = self
             .paths
@@ -192,7 +219,7 @@ impl Renderer {
                 let shadow = direct_light(&surface, hit.primitive, &material, light);
                 if shadow.is_possible() {
                     rays += 1;
-                    if !trace::any_hit(&nodes, &triangles, &shadow.ray, 0, shadow.skip) {
+                    if !tree.any_hit(&shadow.ray, shadow.skip) {
                         *path = path.with_light(glam::Vec3::from_array(shadow.radiance));
                     }
                 }
@@ -254,7 +281,8 @@ impl Renderer {
 
     /// Counts the nodes that each sample visits.
     fn count_nodes(&mut self, stage: &Stage, report: &mut RenderReport) {
-        let (nodes, triangles) = (stage.bvh.node_source(), stage.bvh.triangle_source());
+        let bvh = stage.trees.primary.bvh;
+        let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
         let begin = self.heat.len();
         self.heat.resize(begin + self.paths.len(), 0);
         let blocks = self.heat[begin..]
@@ -267,7 +295,7 @@ impl Renderer {
                     for (count, path) in heat.iter_mut().zip(paths) {
                         let ray = PreparedRay::new(&path.ray, 0);
                         let mut collector = Counted::new(ClosestHit::new(ray.t_max));
-                        trace::traverse(&nodes, &triangles, &ray, path.skip, &mut collector);
+                        traverse(&nodes, &triangles, &ray, &Except(path.skip), &mut collector);
                         *count = collector.node_count;
                         hits += u64::from(collector.inner.hit.is_hit());
                     }
@@ -280,22 +308,38 @@ impl Renderer {
 }
 
 impl<'a> Stage<'a> {
-    fn new(scene: &'a Scene, bvh: &'a Bvh, settings: &RenderSettings) -> Result<Self, ViewError> {
+    fn new(
+        scene: &'a Scene,
+        trees: &Trees<'a>,
+        settings: &RenderSettings,
+    ) -> Result<Self, ViewError> {
         let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
-        if scene.mesh.indices.len() != bvh.triangle_count() {
-            return Err(ViewError::OtherMesh {
-                triangle_count: scene.mesh.indices.len(),
-                expected: bvh.triangle_count(),
-            });
+        let light_trees = trees.lights.iter().map(|tree| tree.bvh);
+        let all = light_trees.chain(trees.mirrors).chain([trees.primary.bvh]);
+        for bvh in all {
+            if scene.mesh.indices.len() != bvh.mesh_triangle_count() {
+                return Err(ViewError::OtherMesh {
+                    triangle_count: scene.mesh.indices.len(),
+                    expected: bvh.mesh_triangle_count(),
+                });
+            }
         }
-        let exponent = bvh.scene_exponent();
+        let exponent = trees.primary.bvh.scene_exponent();
         let scale = PowerOfTwo::new(exponent);
         let core_camera = camera.to_core(settings.size, settings.sample_count)?;
         camera.check_reach(exponent)?;
         let lights = scene.lights.iter().enumerate();
         Ok(Self {
             scene,
-            bvh,
+            trees: Trees {
+                primary: trees.primary.scaled(&scale),
+                lights: trees
+                    .lights
+                    .iter()
+                    .map(|tree| tree.scaled(&scale))
+                    .collect(),
+                mirrors: trees.mirrors,
+            },
             scale,
             camera: core_camera.scaled(&scale),
             lights: lights

@@ -2,6 +2,7 @@
 
 use super::buffer::{Range, Slot};
 use super::bvh::{self, Built};
+use super::facing::{Components, FacingRanges, Subset};
 use super::program::{Groups, Program, Recorder, Uniform, groups, threads};
 use super::scan::Scan;
 use super::sort::{Keys, Sort};
@@ -10,14 +11,21 @@ use super::{Bvh, Frame, Gpu, GpuError, Kernel, Mesh};
 use crate::{BuildConfig, CodeBits, RefitError};
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
-use slimbvh_core::launch::BLOCK;
-use slimbvh_core::node::LEAF_SIZE;
+use slimbvh_core::launch::{BLOCK, LANES, dispatch};
 use slimbvh_core::refit::{PyramidBox, group_count};
 use slimbvh_core::topology::depth_bound;
 use wgpu::BufferUsages;
 
-/// Programs kept: a double buffer of meshes, built and refitted.
-const KEPT_PROGRAMS: usize = 4;
+/// The stages of a build.
+pub const STAGES: [&str; 7] = [
+    "bounds", "morton", "sort", "classify", "snap", "topology", "refit",
+];
+
+/// Programs kept: some meshes in turn, and some targets for each.
+const KEPT_PROGRAMS: usize = 16;
+
+/// What to do about a mesh that is too large.
+const TOO_LARGE: &str = "take a smaller mesh, or the CPU";
 
 /// Builds hierarchies on the GPU, and keeps its buffers and programs from one to the next.
 #[derive(Debug)]
@@ -27,12 +35,26 @@ pub struct Builder {
     programs: Vec<(Key, Program)>,
 }
 
+/// What a program does.
+#[derive(Clone, Debug, PartialEq)]
+enum Task {
+    /// Puts triangles in the order of the curve.
+    Sort,
+    /// Builds over all of them.
+    Build,
+    /// Builds over those that face a target.
+    BuildFacing(Components, FacingRanges),
+    /// Moves boxes to where the triangles are now.
+    Refit,
+}
+
 /// What a program was made for.
 #[derive(Clone, Debug, PartialEq)]
 struct Key {
-    is_refit: bool,
+    task: Task,
     mesh: Mesh,
-    bvh: Built,
+    /// None for a sort.
+    bvh: Option<Built>,
     scratch_bytes: u64,
 }
 
@@ -41,8 +63,13 @@ struct Key {
 struct Scratch {
     blocks: Slot,
     frame: Slot,
+    exponent: Slot,
+    bounds: Slot,
     items: Slot,
     sort: Sort,
+    in_set: Slot,
+    in_set_before: Slot,
+    set: Slot,
     codes: Slot,
     kept: Slot,
     kept_before: Slot,
@@ -51,6 +78,7 @@ struct Scratch {
     pyramid: Slot,
     levels: [Slot; 2],
     node_groups: Slot,
+    item_groups: Slot,
 }
 
 impl Builder {
@@ -70,12 +98,49 @@ impl Builder {
     /// # Errors
     /// Where the mesh is larger than the GPU takes, before anything is allocated; the earlier hierarchy stays as it was.
     pub fn build(&mut self, frame: &mut Frame, mesh: &Mesh, bvh: &mut Bvh) -> Result<(), GpuError> {
+        self.sort(frame, mesh)?;
+        self.build_sorted(frame, mesh, Subset::All, bvh)
+    }
+
+    /// Records that a mesh's triangles be put in the order of the curve, once for all hierarchies over subsets of them.
+    ///
+    /// # Errors
+    /// Those of [`Self::build`].
+    pub fn sort(&mut self, frame: &mut Frame, mesh: &Mesh) -> Result<(), GpuError> {
+        let gpu = frame.gpu();
+        gpu.check_sizes(&self.sizes(mesh.triangle_count), TOO_LARGE)?;
+        if mesh.triangle_count == 0 {
+            return Ok(());
+        }
+        gpu.checked(|| self.encode(frame, Task::Sort, mesh, None))
+    }
+
+    /// Records the build of a hierarchy over the mesh that was sorted last, or over a subset of it, in place of an earlier
+    /// one.
+    ///
+    /// # Errors
+    /// Those of [`Self::build`], and for a target that was not set.
+    pub fn build_sorted(
+        &mut self,
+        frame: &mut Frame,
+        mesh: &Mesh,
+        subset: Subset,
+        bvh: &mut Bvh,
+    ) -> Result<(), GpuError> {
         let gpu = frame.gpu();
         let count = mesh.triangle_count;
-        gpu.check_sizes(&self.sizes(count), "take a smaller mesh, or the CPU")?;
+        gpu.check_sizes(&self.sizes(count), TOO_LARGE)?;
+        let (task, is_reduced) = match subset {
+            Subset::All => (Task::Build, false),
+            Subset::Facing { components, facing } => {
+                let ranges = facing.ranges()?.clone();
+                (Task::BuildFacing(components.clone(), ranges), count > 0)
+            }
+        };
         gpu.checked(|| {
-            let built = bvh.reserve(gpu, count, depth_bound(self.key_bits(), count));
-            self.encode(frame, mesh, &built, false)
+            let depth_bound = depth_bound(self.key_bits(), count);
+            let built = bvh.reserve(gpu, count, depth_bound, is_reduced);
+            self.encode(frame, task, mesh, Some(&built))
         })
     }
 
@@ -83,7 +148,7 @@ impl Builder {
     /// was built over.
     ///
     /// # Errors
-    /// For a mesh with another number of triangles, and a hierarchy that has not been built.
+    /// For a mesh with another number of triangles, and a hierarchy that has not been built, or is reduced.
     pub fn refit(&mut self, frame: &mut Frame, mesh: &Mesh, bvh: &mut Bvh) -> Result<(), GpuError> {
         let gpu = frame.gpu();
         let built = bvh.built()?.clone();
@@ -93,11 +158,11 @@ impl Builder {
                 expected: built.triangle_count as usize,
             }));
         }
-        gpu.check_sizes(
-            &self.sizes(mesh.triangle_count),
-            "take a smaller mesh, or the CPU",
-        )?;
-        gpu.checked(|| self.encode(frame, mesh, &built, true))
+        if built.is_reduced {
+            return Err(GpuError::Refit(RefitError::Reduced));
+        }
+        gpu.check_sizes(&self.sizes(mesh.triangle_count), TOO_LARGE)?;
+        gpu.checked(|| self.encode(frame, Task::Refit, mesh, Some(&built)))
     }
 
     /// Bytes of the buffers between the stages; they are kept for the next build.
@@ -106,12 +171,9 @@ impl Builder {
         self.scratch.bytes()
     }
 
-    /// What the latest program asks of the GPU, stage by stage.
-    #[must_use]
-    pub fn work(&self) -> &[Work] {
-        self.programs
-            .last()
-            .map_or(&[], |(_, program)| program.work())
+    /// What the programs of the latest frames ask of the GPU, stage by stage: a sort and a build, or a refit.
+    pub fn work(&self) -> impl Iterator<Item = &Work> {
+        self.programs.iter().flat_map(|(_, program)| program.work())
     }
 
     fn key_bits(&self) -> u32 {
@@ -142,18 +204,18 @@ impl Builder {
         }
     }
 
-    /// Encodes the program for these buffers, the last one where it fits.
+    /// Encodes the program for these buffers, an earlier one where it fits.
     fn encode(
         &mut self,
         frame: &mut Frame,
+        task: Task,
         mesh: &Mesh,
-        built: &Built,
-        is_refit: bool,
+        built: Option<&Built>,
     ) -> Result<(), GpuError> {
         let mut key = Key {
-            is_refit,
+            task,
             mesh: mesh.clone(),
-            bvh: built.clone(),
+            bvh: built.cloned(),
             scratch_bytes: self.scratch.bytes(),
         };
         let kept = self.programs.iter().position(|(other, _)| *other == key);
@@ -162,10 +224,22 @@ impl Builder {
             None => {
                 let gpu = frame.gpu();
                 let mut recorder = Recorder::default();
-                if is_refit {
-                    self.record_refit(gpu, &mut recorder, mesh, built);
-                } else {
-                    self.record_build(gpu, &mut recorder, mesh, built);
+                match (&key.task, built) {
+                    (_, Some(bvh)) if mesh.triangle_count == 0 => {
+                        self.record_empty(gpu, &mut recorder, bvh);
+                    }
+                    (Task::Build, Some(bvh)) => self.record_build(gpu, &mut recorder, mesh, bvh),
+                    (Task::BuildFacing(components, facing), Some(bvh)) => {
+                        self.record_build_facing(
+                            gpu,
+                            &mut recorder,
+                            mesh,
+                            bvh,
+                            (components, facing),
+                        );
+                    }
+                    (Task::Refit, Some(bvh)) => self.record_refit(gpu, &mut recorder, mesh, bvh),
+                    (Task::Sort, _) | (_, None) => self.record_sort(gpu, &mut recorder, mesh),
                 }
                 // Programs over buffers that were too small are of no more use.
                 let scratch_bytes = self.scratch.bytes();
@@ -186,82 +260,127 @@ impl Builder {
         Ok(())
     }
 
-    fn record_build(&mut self, gpu: &Gpu, recorder: &mut Recorder, mesh: &Mesh, bvh: &Built) {
-        let count = mesh.triangle_count;
-        if count == 0 {
-            self.record_empty(gpu, recorder, bvh);
-            return;
-        }
-        let is_30 = self.config.code_bits == CodeBits::Bits30;
-        let of_bits = |bits_30, bits_63| if is_30 { bits_30 } else { bits_63 };
-        let Mesh {
-            vertices, indices, ..
-        } = mesh;
-        let frame = &self.record_bounds(gpu, recorder, mesh, bvh);
-
+    /// Stages `bounds`, `morton` and `sort`.
+    fn record_sort(&mut self, gpu: &Gpu, recorder: &mut Recorder, mesh: &Mesh) {
+        let frame = &self.record_bounds(gpu, recorder, mesh);
         recorder.stage("morton");
-        let keys = self.keys();
-        let items = &self
-            .scratch
-            .items
-            .range(gpu, u64::from(count) * keys.item_bytes());
+        let (keys, items) = (self.keys(), self.items(gpu, mesh));
         recorder.dispatch(
-            of_bits(Kernel::morton_30, Kernel::morton_63),
+            self.of_bits(Kernel::morton_30, Kernel::morton_63),
             &[],
-            &[frame, vertices, indices],
-            &[items],
-            threads(count),
+            &[frame, &mesh.vertices, &mesh.indices],
+            &[&items],
+            threads(mesh.triangle_count),
         );
         recorder.stage("sort");
-        self.scratch.sort.record(gpu, recorder, keys, items);
+        self.scratch.sort.record(gpu, recorder, keys, &items);
+    }
 
+    fn record_build(&mut self, gpu: &Gpu, recorder: &mut Recorder, mesh: &Mesh, bvh: &Built) {
         recorder.stage("snap");
-        let exponent = Uniform::Stored(&bvh.exponent);
-        let code_bytes = keys.item_bytes() - 4;
+        self.copy_state(gpu, recorder, bvh);
+        let count = mesh.triangle_count;
+        let [x, y, z] = dispatch(count.div_ceil(LANES as u32));
+        recorder.write(&bvh.count, &[count, x, y, z]);
+        let items = self.items(gpu, mesh);
+        self.record_tree(gpu, recorder, mesh, bvh, &items);
+    }
+
+    /// Stages `classify`, `scan` and `compact`, and the tree over what these leave.
+    fn record_build_facing(
+        &mut self,
+        gpu: &Gpu,
+        recorder: &mut Recorder,
+        mesh: &Mesh,
+        bvh: &Built,
+        (components, facing): (&Components, &FacingRanges),
+    ) {
+        recorder.stage("classify");
+        self.copy_state(gpu, recorder, bvh);
+        let items = &self.items(gpu, mesh);
+        let word_bytes = 4 * u64::from(mesh.triangle_count.div_ceil(32));
+        let bits = &self.scratch.in_set.range(gpu, word_bytes);
+        let before = &self.scratch.in_set_before.range(gpu, word_bytes);
+        let set = &self.scratch.set.range(gpu, items.size);
+        let each = || threads(mesh.triangle_count);
+        recorder.dispatch(
+            self.of_bits(Kernel::classify_30, Kernel::classify_63),
+            &[Uniform::Stored(&bvh.exponent), facing.target()],
+            &[
+                items,
+                &mesh.vertices,
+                &mesh.indices,
+                &components.0,
+                &facing.sides,
+            ],
+            &[bits, before],
+            each(),
+        );
+        self.scratch.scan.record(gpu, recorder, before, &bvh.count);
+        recorder.dispatch(
+            self.of_bits(Kernel::classify_compact_30, Kernel::classify_compact_63),
+            &[],
+            &[items, bits, before],
+            &[set],
+            each(),
+        );
+        recorder.stage("snap");
+        self.record_tree(gpu, recorder, mesh, bvh, set);
+    }
+
+    /// Stages `snap`, `topology` and `refit`, over as many of the items as `bvh.count` says.
+    fn record_tree(
+        &mut self,
+        gpu: &Gpu,
+        recorder: &mut Recorder,
+        mesh: &Mesh,
+        bvh: &Built,
+        items: &Range,
+    ) {
+        let count = mesh.triangle_count;
+        let item_groups = self.scratch.item_groups.range(gpu, 12);
+        recorder.copy(&bvh.count.part(4, 12), &item_groups);
+        let each_item = || Groups::Indirect(item_groups.clone());
+        let code_bytes = self.keys().item_bytes() - 4;
         let codes = &self.scratch.codes.range(gpu, u64::from(count) * code_bytes);
         recorder.dispatch(
-            of_bits(Kernel::snap_30, Kernel::snap_63),
-            &[exponent],
-            &[vertices, indices, items],
+            self.of_bits(Kernel::snap_30, Kernel::snap_63),
+            &[Uniform::Stored(&bvh.exponent)],
+            &[&mesh.vertices, &mesh.indices, items],
             &[&bvh.triangles, codes],
-            threads(count),
+            each_item(),
         );
 
         recorder.stage("topology");
         let splits = &self.splits(gpu, bvh);
-        if count <= LEAF_SIZE {
-            record_single(recorder, bvh, splits);
-        } else {
-            let word_count = (count - 1).div_ceil(32);
-            let word_bytes = 4 * u64::from(word_count);
-            let kept = &self.scratch.kept.range(gpu, word_bytes);
-            let before = &self.scratch.kept_before.range(gpu, word_bytes);
-            recorder.dispatch(
-                of_bits(Kernel::topology_kept_30, Kernel::topology_kept_63),
-                &[],
-                &[codes],
-                &[kept, before],
-                threads(word_count),
-            );
-            self.scratch.scan.record(gpu, recorder, before, &bvh.total);
-            recorder.dispatch(
-                of_bits(Kernel::topology_nodes_30, Kernel::topology_nodes_63),
-                &[],
-                &[codes, kept, before],
-                &[&bvh.nodes, splits],
-                threads(count),
-            );
-        }
+        let word_count = (count - 1).div_ceil(32).max(1);
+        let word_bytes = 4 * u64::from(word_count);
+        let kept = &self.scratch.kept.range(gpu, word_bytes);
+        let before = &self.scratch.kept_before.range(gpu, word_bytes);
+        let total = Uniform::Stored(&bvh.count);
+        recorder.dispatch(
+            self.of_bits(Kernel::topology_kept_30, Kernel::topology_kept_63),
+            &[total],
+            &[codes],
+            &[kept, before],
+            threads(word_count),
+        );
+        self.scratch.scan.record(gpu, recorder, before, &bvh.total);
+        recorder.dispatch(
+            self.of_bits(Kernel::topology_nodes_30, Kernel::topology_nodes_63),
+            &[total],
+            &[codes, kept, before],
+            &[&bvh.nodes, splits],
+            // A tree over nothing has a node, too.
+            threads(count),
+        );
         self.record_boxes(gpu, recorder, bvh, false);
     }
 
     fn record_refit(&mut self, gpu: &Gpu, recorder: &mut Recorder, mesh: &Mesh, bvh: &Built) {
-        if mesh.triangle_count == 0 {
-            self.record_empty(gpu, recorder, bvh);
-            return;
-        }
-        self.record_bounds(gpu, recorder, mesh, bvh);
+        self.record_bounds(gpu, recorder, mesh);
         recorder.stage("snap");
+        self.copy_state(gpu, recorder, bvh);
         recorder.update(
             Kernel::snap_again,
             &[Uniform::Stored(&bvh.exponent)],
@@ -276,22 +395,49 @@ impl Builder {
     fn record_empty(&mut self, gpu: &Gpu, recorder: &mut Recorder, bvh: &Built) {
         recorder.stage("topology");
         recorder.clear(&bvh.triangles);
+        recorder.write(&bvh.count, &[0, 0, 0, 0]);
+        let kept = self.scratch.kept.range(gpu, 4);
+        let before = self.scratch.kept_before.range(gpu, 4);
+        let codes = self.scratch.codes.range(gpu, 8);
         let splits = self.splits(gpu, bvh);
-        record_single(recorder, bvh, &splits);
+        let total = Uniform::Stored(&bvh.count);
+        let kernel = self.of_bits(Kernel::topology_kept_30, Kernel::topology_kept_63);
+        recorder.dispatch(kernel, &[total], &[&codes], &[&kept, &before], threads(1));
+        self.scratch.scan.record(gpu, recorder, &before, &bvh.total);
+        recorder.dispatch(
+            self.of_bits(Kernel::topology_nodes_30, Kernel::topology_nodes_63),
+            &[total],
+            &[&codes, &kept, &before],
+            &[&bvh.nodes, &splits],
+            threads(1),
+        );
         let exponent = scene_exponent(&Aabb::EMPTY) as u32;
         recorder.write(&bvh.exponent, &[exponent, 0, 0, 0]);
         let [min, max] = [Aabb::EMPTY.min, Aabb::EMPTY.max].map(|corner| corner.to_array());
         recorder.write(&bvh.bounds, bytemuck::cast_slice(&[min, max]));
     }
 
+    /// What `bounds` found goes to the hierarchy.
+    fn copy_state(&mut self, gpu: &Gpu, recorder: &mut Recorder, bvh: &Built) {
+        recorder.copy(&self.scratch.exponent.range(gpu, 16), &bvh.exponent);
+        recorder.copy(&self.scratch.bounds.range(gpu, 24), &bvh.bounds);
+    }
+
+    /// The place of the items of the sort.
+    fn items(&mut self, gpu: &Gpu, mesh: &Mesh) -> Range {
+        let bytes = u64::from(mesh.triangle_count) * self.keys().item_bytes();
+        self.scratch.items.range(gpu, bytes)
+    }
+
+    const fn of_bits(&self, bits_30: Kernel, bits_63: Kernel) -> Kernel {
+        match self.config.code_bits {
+            CodeBits::Bits30 => bits_30,
+            CodeBits::Bits63 => bits_63,
+        }
+    }
+
     /// Stage `bounds`. Returns the frame of the codes.
-    fn record_bounds(
-        &mut self,
-        gpu: &Gpu,
-        recorder: &mut Recorder,
-        mesh: &Mesh,
-        bvh: &Built,
-    ) -> Range {
+    fn record_bounds(&mut self, gpu: &Gpu, recorder: &mut Recorder, mesh: &Mesh) -> Range {
         recorder.stage("bounds");
         let block_count = mesh.triangle_count.div_ceil(BLOCK);
         let blocks = &self.scratch.blocks.range(gpu, 24 * u64::from(block_count));
@@ -314,7 +460,11 @@ impl Builder {
             Kernel::frame,
             &[Uniform::Params([cell_bits, 0, 0, 0])],
             &[blocks],
-            &[&frame, &bvh.exponent, &bvh.bounds],
+            &[
+                &frame,
+                &self.scratch.exponent.range(gpu, 16),
+                &self.scratch.bounds.range(gpu, 24),
+            ],
             groups(1),
         );
         frame
@@ -389,17 +539,6 @@ impl Builder {
     }
 }
 
-/// The tree over so few triangles that they are a leaf.
-fn record_single(recorder: &mut Recorder, bvh: &Built, splits: &Range) {
-    recorder.dispatch(
-        Kernel::topology_single,
-        &[Uniform::Params([bvh.triangle_count, 0, 0, 0])],
-        &[],
-        &[&bvh.nodes, splits, &bvh.total],
-        groups(1),
-    );
-}
-
 /// Bytes of all levels.
 fn pyramid_bytes(triangle_count: u32) -> u64 {
     let mut level = group_count(triangle_count).max(1);
@@ -417,8 +556,13 @@ impl Scratch {
         Self {
             blocks: Slot::storage("slimbvh block bounds"),
             frame: Slot::storage("slimbvh code frame"),
+            exponent: Slot::storage("slimbvh bounds' exponent"),
+            bounds: Slot::storage("slimbvh bounds"),
             items: Slot::storage("slimbvh items"),
             sort: Sort::new(),
+            in_set: Slot::storage("slimbvh set bits"),
+            in_set_before: Slot::storage("slimbvh set counts"),
+            set: Slot::storage("slimbvh set items"),
             codes: Slot::storage("slimbvh codes"),
             kept: Slot::storage("slimbvh kept nodes"),
             kept_before: Slot::storage("slimbvh kept counts"),
@@ -430,6 +574,7 @@ impl Scratch {
                 Slot::storage("slimbvh odd levels"),
             ],
             node_groups: Slot::new("slimbvh node dispatch", state),
+            item_groups: Slot::new("slimbvh item dispatch", state),
         }
     }
 
@@ -446,6 +591,12 @@ impl Scratch {
             &self.levels[0],
             &self.levels[1],
             &self.node_groups,
+            &self.item_groups,
+            &self.exponent,
+            &self.bounds,
+            &self.in_set,
+            &self.in_set_before,
+            &self.set,
         ];
         let slots = slots.iter().map(|slot| slot.bytes()).sum::<u64>();
         slots + self.sort.bytes() + self.scan.bytes()

@@ -22,6 +22,7 @@ pub struct Bvh {
     exponent: Slot,
     bounds: Slot,
     total: Slot,
+    count: Slot,
     pub(super) built: Option<Built>,
 }
 
@@ -38,7 +39,12 @@ pub struct Built {
     pub bounds: Range,
     /// How many nodes there are, and the dispatch of a thread for each.
     pub total: Range,
+    /// How many triangles there are in it, and the dispatch of a thread for each.
+    pub count: Range,
+    /// Triangles of the mesh.
     pub triangle_count: u32,
+    /// Whether some of these are left out.
+    pub is_reduced: bool,
     pub depth_bound: u32,
 }
 
@@ -56,6 +62,7 @@ impl Default for Bvh {
             exponent: Slot::new("slimbvh scene exponent", state),
             bounds: Slot::new("slimbvh scene bounds", state),
             total: Slot::new("slimbvh node count", state),
+            count: Slot::new("slimbvh triangle count", state),
             built: None,
         }
     }
@@ -69,7 +76,13 @@ impl Bvh {
     }
 
     /// Makes room for so many triangles.
-    pub(super) fn reserve(&mut self, gpu: &Gpu, triangle_count: u32, depth_bound: u32) -> Built {
+    pub(super) fn reserve(
+        &mut self,
+        gpu: &Gpu,
+        triangle_count: u32,
+        depth_bound: u32,
+        is_reduced: bool,
+    ) -> Built {
         let nodes = self.nodes.range(gpu, node_bytes(triangle_count));
         let built = Built {
             nodes: nodes.touching_nodes(size_of::<Node>() as u64),
@@ -77,7 +90,9 @@ impl Bvh {
             exponent: self.exponent.range(gpu, STATE_BYTES),
             bounds: self.bounds.range(gpu, 24),
             total: self.total.range(gpu, STATE_BYTES),
+            count: self.count.range(gpu, STATE_BYTES),
             triangle_count,
+            is_reduced,
             depth_bound,
         };
         self.built = Some(built.clone());
@@ -92,9 +107,9 @@ impl Bvh {
         })
     }
 
-    /// How many triangles there are.
+    /// How many triangles the mesh has that it was built over. A reduced hierarchy leaves out some.
     #[must_use]
-    pub fn triangle_count(&self) -> u32 {
+    pub fn mesh_triangle_count(&self) -> u32 {
         self.built.as_ref().map_or(0, |built| built.triangle_count)
     }
 
@@ -107,6 +122,7 @@ impl Bvh {
             &self.exponent,
             &self.bounds,
             &self.total,
+            &self.count,
         ];
         slots.iter().map(|slot| slot.bytes()).sum()
     }
@@ -130,23 +146,22 @@ impl Bvh {
         )
     }
 
-    /// Bytes of the leaf triangles.
-    #[must_use]
-    pub fn triangle_bytes(&self) -> u64 {
-        u64::from(self.triangle_count()) * size_of::<LeafTriangle>() as u64
-    }
-
-    /// Reads how many inner nodes there are, and waits for it.
+    /// Reads how many inner nodes and triangles there are, and waits for it.
     ///
     /// # Errors
     /// If it has not been built yet, or the device was lost.
-    pub fn read_node_count(&self, gpu: &Gpu) -> Result<u32, GpuError> {
+    pub fn read_counts(&self, gpu: &Gpu) -> Result<[u32; 2], GpuError> {
         let built = self.built()?;
         let mut frame = gpu.frame();
-        let total = gpu.checked(|| Ok(frame.download(&built.total)))?;
+        let ranges = [&built.total, &built.count];
+        let downloads = gpu.checked(|| Ok(ranges.map(|range| frame.download(range))))?;
         frame.submit()?.wait()?;
-        let total: Vec<u32> = total.read(gpu)?;
-        Ok(total.first().copied().unwrap_or(0))
+        let mut counts = [0; 2];
+        for (count, download) in counts.iter_mut().zip(downloads) {
+            let words: Vec<u32> = download.read(gpu)?;
+            *count = words.first().copied().unwrap_or(0);
+        }
+        Ok(counts)
     }
 
     /// Copies the hierarchy from the GPU, and waits for it.
@@ -158,23 +173,26 @@ impl Bvh {
         let mut frame: Frame = gpu.frame();
         let ranges = [
             &built.total,
+            &built.count,
             &built.exponent,
             &built.bounds,
             &built.nodes,
             &built.triangles,
         ];
-        let [total, exponent, bounds, nodes, triangles] =
+        let [total, count, exponent, bounds, nodes, triangles] =
             gpu.checked(|| Ok(ranges.map(|range| frame.download(range))))?;
         frame.submit()?.wait()?;
         let total: Vec<u32> = total.read(gpu)?;
+        let count: Vec<u32> = count.read(gpu)?;
         let exponent: Vec<i32> = exponent.read(gpu)?;
         let corners: Vec<[f32; 3]> = bounds.read(gpu)?;
         let mut nodes: Vec<Node> = nodes.read(gpu)?;
         let mut triangles: Vec<LeafTriangle> = triangles.read(gpu)?;
         nodes.truncate(total.first().map_or(0, |&count| count as usize));
-        triangles.truncate(built.triangle_count as usize);
+        triangles.truncate(count.first().map_or(0, |&count| count as usize));
         let mut bvh = crate::Bvh {
             nodes,
+            mesh_triangle_count: built.triangle_count as usize,
             triangles,
             depth_bound: built.depth_bound,
             ..crate::Bvh::default()

@@ -5,9 +5,9 @@ mod target;
 mod wave;
 
 use super::buffer::{Download, Range, Slot};
-use super::bvh::Built;
 use super::program::{Program, Recorder, Uniform, groups, threads};
 use super::sort::{Keys, Sort};
+use super::trees::{Trees, TreesRanges};
 use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Kernel, Scene};
 use crate::Stages;
@@ -66,14 +66,14 @@ struct Key {
     light_count: usize,
     scene: [Range; 5],
     has_mirrors: bool,
-    bvh: Built,
+    trees: TreesRanges,
     scratch_bytes: u64,
 }
 
 /// All that the waves of one picture need.
 pub(super) struct Plan<'a> {
     scene: &'a Scene,
-    bvh: Built,
+    trees: TreesRanges,
     settings: RenderSettings,
     mirror_depth: u32,
     light_count: usize,
@@ -137,7 +137,27 @@ impl Renderer {
         lights: &[Light],
         settings: &RenderSettings,
     ) -> Result<(), GpuError> {
-        let plan = self.plan(frame, scene, bvh, camera, lights, settings)?;
+        let trees = Trees::all(bvh, lights.len());
+        let view = (camera, lights);
+        self.render_with(frame, scene, &trees, view, settings)
+    }
+
+    /// [`Self::render`], with a hierarchy for each kind of rays; the view is a camera and lights.
+    ///
+    /// # Errors
+    /// Those of [`Self::render`].
+    ///
+    /// # Panics
+    /// If there are not as many hierarchies for shadow rays as there are lights.
+    pub fn render_with(
+        &mut self,
+        frame: &mut Frame,
+        scene: &Scene,
+        trees: &Trees,
+        view: (&Camera, &[Light]),
+        settings: &RenderSettings,
+    ) -> Result<(), GpuError> {
+        let plan = self.plan(frame, scene, trees, view, settings)?;
         self.encode(frame, &plan, 0..plan.waves.len())
     }
 
@@ -146,18 +166,20 @@ impl Renderer {
         &mut self,
         frame: &mut Frame,
         scene: &'a Scene,
-        bvh: &Bvh,
-        camera: &Camera,
-        lights: &[Light],
+        trees: &Trees,
+        (camera, lights): (&Camera, &[Light]),
         settings: &RenderSettings,
     ) -> Result<Plan<'a>, GpuError> {
         let gpu = frame.gpu();
-        let built = bvh.built()?.clone();
-        if scene.mesh.triangle_count != built.triangle_count {
-            return Err(GpuError::View(ViewError::OtherMesh {
-                triangle_count: scene.mesh.triangle_count as usize,
-                expected: built.triangle_count as usize,
-            }));
+        assert_eq!(trees.lights.len(), lights.len(), "a tree for each light");
+        let trees = trees.ranges()?;
+        for built in trees.all() {
+            if scene.mesh.triangle_count != built.triangle_count {
+                return Err(GpuError::View(ViewError::OtherMesh {
+                    triangle_count: scene.mesh.triangle_count as usize,
+                    expected: built.triangle_count as usize,
+                }));
+            }
         }
         let core_camera = camera.to_core(settings.size, settings.sample_count)?;
         let core_lights = lights
@@ -167,7 +189,7 @@ impl Renderer {
             .collect::<Result<Vec<_>, _>>()?;
         let waves = waves(settings, gpu.limits().max_storage_buffer_binding_size);
         check(gpu, settings, &waves)?;
-        let mirror_depth = if scene.has_mirrors {
+        let mirror_depth = if scene.has_mirrors && trees.mirrors.is_some() {
             settings.mirror_depth
         } else {
             0
@@ -187,7 +209,7 @@ impl Renderer {
                 .clear_buffer(&buffers.counters.buffer, 0, None);
             Ok(Plan {
                 scene,
-                bvh: built,
+                trees,
                 settings: *settings,
                 mirror_depth,
                 light_count: core_lights.len(),
@@ -314,7 +336,7 @@ impl Renderer {
                 scene.materials.clone(),
             ],
             has_mirrors: scene.has_mirrors,
-            bvh: plan.bvh.clone(),
+            trees: plan.trees.clone(),
             scratch_bytes: self.scratch_bytes(),
         }
     }
@@ -448,7 +470,9 @@ pub fn render_image(
     // The build and the first wave are one submission.
     let mut frame = gpu.frame();
     builder.build(&mut frame, &uploaded.mesh, bvh)?;
-    let plan = renderer.plan(&mut frame, &uploaded, bvh, camera, &scene.lights, settings)?;
+    let trees = Trees::all(bvh, scene.lights.len());
+    let view = (camera, scene.lights.as_slice());
+    let plan = renderer.plan(&mut frame, &uploaded, &trees, view, settings)?;
     let wave_count = plan.waves.len();
     let mut stages = Stages::default();
     for wave in 0..wave_count {
@@ -473,7 +497,7 @@ pub fn render_image(
     }
     let mut build = Stages::default();
     for (stage, time) in stages.iter() {
-        let is_build = builder.work().iter().any(|work| work.stage == stage);
+        let is_build = super::build::STAGES.contains(&stage);
         let part = if is_build {
             &mut build
         } else {

@@ -5,8 +5,9 @@
 use core::panic::PanicInfo;
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent};
 use slimbvh_core::camera::Camera;
+use slimbvh_core::classify::{Except, Facing, Sides, is_in_set};
 use slimbvh_core::color::{pack_texel, srgb_bytes};
-use slimbvh_core::compact::{is_set, rank};
+use slimbvh_core::compact::{is_set, pack_lanes, rank};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
 use slimbvh_core::orientation::{Orientation, Target};
@@ -18,7 +19,7 @@ use slimbvh_core::shade::{
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::sort::{DigitCounts, count_digit, digit, place};
 use slimbvh_core::surface::Surface;
-use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes, single_node};
+use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes};
 use slimbvh_core::trace::{
     BruteForce, LeafTriangles, PlainNodes, any_hit, closest_hit, nearest_hits,
 };
@@ -87,7 +88,7 @@ pub fn connect(
     before: &[u32],
     to: Out<[(Node, u32); 2]>,
 ) -> u32 {
-    let (short, long) = (Codes30(codes_30), Codes63(codes_63));
+    let (short, long) = (Codes30::all(codes_30), Codes63::all(codes_63));
     *to = [
         internal_node(i, &short, bits, before),
         internal_node(i, &long, bits, before),
@@ -106,7 +107,7 @@ pub fn refit(
     *to = (
         group_bounds(i, triangles),
         parent_bounds(i, pyramid),
-        refit_node(single_node(i), i, triangles, pyramid),
+        refit_node(Node { last: i, ..Node::EMPTY }, i, triangles, pyramid),
     );
 }
 
@@ -115,15 +116,34 @@ pub fn trace(
     ray: &Ray,
     nodes: &[Node],
     triangles: &[LeafTriangle],
+    facing: (&[u32], &[i32], Target),
     to: Out<(Hit, bool, [Hit; 8], Hit)>,
 ) {
+    let (components, sides, target) = facing;
+    let rule = Facing {
+        skip: 4,
+        sides: Sides { components, sides },
+        target: target.scaled(&PowerOfTwo::new(3)),
+    };
     let (nodes, triangles) = (PlainNodes(nodes), LeafTriangles(triangles));
     *to = (
-        closest_hit(&nodes, &triangles, ray, 3, 4),
-        any_hit(&nodes, &triangles, ray, 3, 4),
+        closest_hit(&nodes, &triangles, ray, 3, &Except(4)),
+        any_hit(&nodes, &triangles, ray, 3, &rule),
         nearest_hits::<8, _, _>(&nodes, &triangles, ray, 3),
-        closest_hit(&BruteForce(9), &triangles, ray, 3, 4),
+        closest_hit(&BruteForce(9), &triangles, ray, 3, &Except(4)),
     );
+}
+
+#[unsafe(no_mangle)]
+pub fn classify(
+    primitive: u32,
+    mesh: &IndexedTriangles,
+    sides: &Sides,
+    target: &Target,
+    flags: &[u32; 64],
+) -> u32 {
+    let scale = PowerOfTwo::new(5);
+    u32::from(is_in_set(primitive, mesh, &scale, sides, target)) ^ pack_lanes(primitive, flags)
 }
 
 #[unsafe(no_mangle)]

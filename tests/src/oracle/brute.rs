@@ -1,9 +1,10 @@
 //! No tree at all: core's traversal over one leaf that holds everything. Every tree must agree with it bit for bit.
 
+use slimbvh_core::classify::Except;
 use slimbvh_core::trace::{
     self, BruteForce, LeafTriangles, NodeSource, PlainNodes, TriangleSource,
 };
-use slimbvh_core::{Hit, LeafTriangle, NO_PRIMITIVE, Node, Ray};
+use slimbvh_core::{Hit, LeafTriangle, Node, Ray};
 
 /// All that can be asked about a ray.
 #[derive(Clone, Copy, Debug)]
@@ -29,8 +30,8 @@ impl Answers {
         scene_exponent: i32,
     ) -> Self {
         Self {
-            closest: trace::closest_hit(nodes, triangles, ray, scene_exponent, NO_PRIMITIVE),
-            any: trace::any_hit(nodes, triangles, ray, scene_exponent, NO_PRIMITIVE),
+            closest: trace::closest_hit(nodes, triangles, ray, scene_exponent, &Except::NOTHING),
+            any: trace::any_hit(nodes, triangles, ray, scene_exponent, &Except::NOTHING),
             nearest_1: trace::nearest_hits(nodes, triangles, ray, scene_exponent),
             nearest_4: trace::nearest_hits(nodes, triangles, ray, scene_exponent),
             nearest_8: trace::nearest_hits(nodes, triangles, ray, scene_exponent),

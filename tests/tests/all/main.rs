@@ -8,6 +8,7 @@ mod gpu;
 mod meshes;
 mod negative_controls;
 mod odd_rays;
+mod reduced;
 mod refits;
 mod repeatable;
 mod trees;

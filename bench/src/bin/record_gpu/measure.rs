@@ -104,7 +104,7 @@ fn measured(
         trace(gpu, &bvh, Query::Closest, &rays.primary, rounds, &mut hits)?,
         trace(gpu, &bvh, Query::Any, &rays.shadow, rounds, &mut Vec::new())?,
     ];
-    let node_count = bvh.read_node_count(gpu)?.into();
+    let [node_count, _] = bvh.read_counts(gpu)?.map(u64::from);
     Ok((
         Measured {
             builds,
@@ -137,7 +137,7 @@ fn build(
             stages.push(times);
         }
     }
-    let work = builder.work().to_vec();
+    let work: Vec<Work> = builder.work().copied().collect();
     let times = work.iter().map(|work| {
         let of_stage = |stages: &slimbvh::Stages| {
             let time = stages.iter().find(|(stage, _)| *stage == work.stage);

@@ -56,9 +56,10 @@ impl Plan<'_> {
         let paths = &all.paths.part(0, samples * size_of::<Path>() as u64);
         let hits = &all.hits.part(0, samples * size_of::<Hit>() as u64);
         let camera = &all.view.part(0, size_of::<Camera>() as u64);
-        let (nodes, triangles) = (&self.bvh.nodes, &self.bvh.triangles);
+        let tree = &self.trees.primary;
+        let (nodes, triangles) = (&tree.built.nodes, &tree.built.triangles);
         let primary = &all.counters.part(counters::PRIMARY, counters::SLOT_BYTES);
-        let exponent = Uniform::Stored(&self.bvh.exponent);
+        let exponent = Uniform::Stored(&self.trees.primary.built.exponent);
         let each = || threads(wave.sample_count);
 
         recorder.stage("camera");
@@ -78,6 +79,14 @@ impl Plan<'_> {
                 &[],
                 &[nodes, triangles, paths],
                 &[hits, &values(wave.first_sample), primary],
+                each(),
+            );
+        } else if let Some((components, facing)) = &tree.rule {
+            recorder.dispatch(
+                Kernel::trace_paths_facing,
+                &[exponent, facing.target()],
+                &[nodes, triangles, &components.0, &facing.sides, paths],
+                &[hits, primary],
                 each(),
             );
         } else {
@@ -134,9 +143,8 @@ impl Plan<'_> {
         let environment = &all.view.part(ENVIRONMENT, size_of::<Environment>() as u64);
         let counter = |slot| all.counters.part(slot, counters::SLOT_BYTES);
         let (shadow_rays, mirror_rays) = (&counter(counters::SHADOW), &counter(counters::MIRROR));
-        let (nodes, triangles) = (&self.bvh.nodes, &self.bvh.triangles);
         let scene = self.scene;
-        let exponent = Uniform::Stored(&self.bvh.exponent);
+        let exponent = Uniform::Stored(&self.trees.primary.built.exponent);
         let each = || threads(wave.sample_count);
         for depth in 0..=self.mirror_depth {
             for i in 0..self.light_count as u64 {
@@ -160,13 +168,25 @@ impl Plan<'_> {
                     each(),
                 );
                 recorder.stage("trace shadow");
-                recorder.update(
-                    Kernel::trace_shadows,
-                    &[],
-                    &[nodes, triangles, shadows],
-                    &[paths, shadow_rays],
-                    each(),
-                );
+                let tree = &self.trees.lights[i as usize];
+                let (nodes, triangles) = (&tree.built.nodes, &tree.built.triangles);
+                if let Some((components, facing)) = &tree.rule {
+                    recorder.update(
+                        Kernel::trace_shadows_facing,
+                        &[exponent, facing.target()],
+                        &[nodes, triangles, &components.0, &facing.sides, shadows],
+                        &[paths, shadow_rays],
+                        each(),
+                    );
+                } else {
+                    recorder.update(
+                        Kernel::trace_shadows,
+                        &[],
+                        &[nodes, triangles, shadows],
+                        &[paths, shadow_rays],
+                        each(),
+                    );
+                }
             }
             recorder.stage("shade");
             recorder.update(
@@ -184,12 +204,17 @@ impl Plan<'_> {
                 &[paths],
                 each(),
             );
-            if depth < self.mirror_depth {
+            if let Some(bvh) = self
+                .trees
+                .mirrors
+                .as_ref()
+                .filter(|_| depth < self.mirror_depth)
+            {
                 recorder.stage("trace mirror");
                 recorder.dispatch(
                     Kernel::trace_paths,
                     &[],
-                    &[nodes, triangles, paths],
+                    &[&bvh.nodes, &bvh.triangles, paths],
                     &[hits, mirror_rays],
                     each(),
                 );

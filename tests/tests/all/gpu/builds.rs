@@ -146,11 +146,12 @@ fn what_was_built_before_changes_no_bit() {
             done(builder.refit(&mut frame, &uploaded, &mut bvh));
             done(frame.submit());
             done(same_tree(&done(bvh.download(gpu)), &expected));
+            let counts = [expected.node_count(), mesh.indices.len()];
             assert_eq!(
-                done(bvh.read_node_count(gpu)) as usize,
-                expected.node_count()
+                done(bvh.read_counts(gpu)).map(|count| count as usize),
+                counts
             );
-            assert_eq!(bvh.triangle_count() as usize, mesh.indices.len());
+            assert_eq!(bvh.mesh_triangle_count() as usize, mesh.indices.len());
         }
     }
 }
@@ -183,7 +184,7 @@ fn only_the_mesh_that_was_built_over_is_refitted() {
         matches!(unbuilt, Err(GpuError::Buffer { .. })),
         "{unbuilt:?}"
     );
-    assert!(bvh.download(gpu).is_err() && bvh.read_node_count(gpu).is_err());
+    assert!(bvh.download(gpu).is_err() && bvh.read_counts(gpu).is_err());
     done(builder.build(&mut frame, &uploads[0], &mut bvh));
     let refused = builder.refit(&mut frame, &uploads[1], &mut bvh);
     let fault = RefitError::TriangleCount {

@@ -89,8 +89,8 @@ impl Chain {
         };
         let codes = chain.codes.clone();
         match code_bits {
-            CodeBits::Bits30 => chain.connect(&Codes30(&codes)),
-            CodeBits::Bits63 => chain.connect(&Codes63(bytemuck::cast_slice(&codes))),
+            CodeBits::Bits30 => chain.connect(&Codes30::all(&codes)),
+            CodeBits::Bits63 => chain.connect(&Codes63::all(bytemuck::cast_slice(&codes))),
         }
         chain.fit();
         Some(chain)

@@ -13,11 +13,7 @@ use std::path::Path;
 mod source_hash;
 
 /// Kernels that find one thing for all.
-const SINGLE_THREADS: [Kernel; 3] = [
-    Kernel::topology_single,
-    Kernel::view_depth_range,
-    Kernel::view_heat_range,
-];
+const SINGLE_THREADS: [Kernel; 2] = [Kernel::view_depth_range, Kernel::view_heat_range];
 
 /// The workspace.
 fn root() -> &'static Path {

@@ -7,8 +7,8 @@ use slimbvh::CodeBits;
 use slimbvh::gpu::{Gpu, Kernel};
 use slimbvh_core::Node;
 use slimbvh_core::node::LEAF_SIZE;
-use slimbvh_core::refit::{PyramidBox, split_of};
-use slimbvh_core::topology::single_node;
+use slimbvh_core::refit::PyramidBox;
+use slimbvh_core::topology::{Codes30, internal_node};
 use slimbvh_tests::gpu::{Dispatch, answers, done, gpu};
 use slimbvh_tests::parity::same_bits;
 use slimbvh_tests::strategies::large_mesh;
@@ -27,10 +27,11 @@ fn check_topology(gpu: &Gpu, chain: &Chain, code_bits: CodeBits) -> Result<(), S
     };
     let codes: &[u8] = cast_slice(&chain.codes);
     let words = vec![!0u32; chain.kept.len()];
+    let total = [chain.triangles.len() as u32, 0, 0, 0];
     let stored = Dispatch {
         kernel: kept,
         group_count: groups(words.len()),
-        uniforms: &[],
+        uniforms: &[&total],
         reads: &[codes],
         outputs: &[cast_slice(&words), cast_slice(&words)],
     }
@@ -57,7 +58,7 @@ fn check_topology(gpu: &Gpu, chain: &Chain, code_bits: CodeBits) -> Result<(), S
     let stored = Dispatch {
         kernel: nodes,
         group_count: groups(count),
-        uniforms: &[],
+        uniforms: &[&total],
         reads: &[codes, cast_slice(&chain.kept), cast_slice(&chain.before)],
         outputs: &[&before[0], &before[1]],
     }
@@ -154,21 +155,38 @@ fn one_flipped_bit_of_what_a_kernel_reads_is_found() {
     assert!(check_refit(gpu, &spoilt).is_err());
 }
 
+/// So few triangles that they are a leaf, and none: a root all the same.
 #[test]
 fn single_nodes_are_those_of_core() {
     let Some(gpu) = gpu() else { return };
     for count in 0..=LEAF_SIZE {
+        let codes = [5u32, 6, 7, 8];
+        let total = [count, 0, 0, 0];
         let stored = Dispatch {
-            kernel: Kernel::topology_single,
+            kernel: Kernel::topology_kept_30,
             group_count: 1,
-            uniforms: &[&[count, 0, 0, 0]],
-            reads: &[],
-            outputs: &[&[9; 128], &[9; 8], &[9; 16]],
+            uniforms: &[&total],
+            reads: &[cast_slice(&codes)],
+            outputs: &[&[9; 4], &[9; 4]],
         }
         .run(gpu);
-        let node = single_node(count);
+        assert_eq!(answers::<u32>(&stored[0]), [1]);
+        assert_eq!(answers::<u32>(&stored[1]), [1]);
+        let stored = Dispatch {
+            kernel: Kernel::topology_nodes_30,
+            group_count: 1,
+            uniforms: &[&total],
+            reads: &[cast_slice(&codes), cast_slice(&[1u32]), cast_slice(&[0u32])],
+            outputs: &[&[9; 128], &[9; 8]],
+        }
+        .run(gpu);
+        let codes = Codes30 {
+            codes: &codes,
+            count,
+        };
+        let (node, split) = internal_node(0, &codes, &[1], &[0]);
+        assert_eq!((node.left.count(), node.right.count()), (count, 0));
         assert_eq!(stored[0], [bytes_of(&node), &[9; 64]].concat());
-        assert_eq!(stored[1], [bytes_of(&split_of(&node, 0)), &[9; 4]].concat());
-        assert_eq!(answers::<u32>(&stored[2]), [1, 1, 1, 1]);
+        assert_eq!(stored[1], [bytes_of(&split), &[9; 4]].concat());
     }
 }

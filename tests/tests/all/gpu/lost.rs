@@ -56,7 +56,7 @@ fn errors_after_destruction(gpu: &Gpu) -> Vec<(&'static str, Result<(), GpuError
         ("submit", submitted),
         ("build", built),
         ("download", bvh.download(gpu).map(|_| ())),
-        ("count", bvh.read_node_count(gpu).map(|_| ())),
+        ("count", bvh.read_counts(gpu).map(|_| ())),
         ("upload", gpu::Mesh::upload(gpu, &scene.mesh).map(|_| ())),
     ]
 }

@@ -7,6 +7,7 @@ use bytemuck::{bytes_of, cast_slice};
 use slimbvh::gpu::{Gpu, Kernel};
 use slimbvh::{Bvh, CodeBits, Scene, View};
 use slimbvh_core::camera::Camera;
+use slimbvh_core::classify::Except;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::shade::{
     Environment, Light, Material, Path, Shadow, ambient_light, direct_light,
@@ -44,7 +45,8 @@ impl Lit {
             .map(|sample| Path::new(scaled.ray(sample)))
             .collect();
         let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
-        let hit = |path: &Path| trace::closest_hit(&nodes, &triangles, &path.ray, 0, path.skip);
+        let hit =
+            |path: &Path| trace::closest_hit(&nodes, &triangles, &path.ray, 0, &Except(path.skip));
         let hits = paths.iter().map(hit).collect();
         let lights = scene.lights.iter().enumerate();
         Self {
@@ -206,7 +208,7 @@ fn shadow_rays_let_light_through_as_in_core() {
                     }
                     ray_count += 1;
                     let ray = &shadow.ray;
-                    if trace::any_hit(&nodes, &triangles, ray, 0, shadow.skip) {
+                    if trace::any_hit(&nodes, &triangles, ray, 0, &Except(shadow.skip)) {
                         blocked_count += 1;
                         return *path;
                     }

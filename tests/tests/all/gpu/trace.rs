@@ -4,10 +4,11 @@ use proptest::prelude::*;
 use slimbvh::generate::soup;
 use slimbvh::gpu::{self, Gpu, GpuError, Query, wgpu};
 use slimbvh::{BuildConfig, Bvh, CodeBits, Mesh};
+use slimbvh_core::classify::Except;
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{ClosestHit, Counted, traverse};
-use slimbvh_core::{Hit, NO_PRIMITIVE, Ray};
+use slimbvh_core::{Hit, Ray};
 use slimbvh_tests::gpu::{contents, done, gpu, is_software, storage};
 use slimbvh_tests::parity::{GRAZING, close_hits, same_bits};
 use slimbvh_tests::random::Random;
@@ -54,7 +55,7 @@ impl Answers {
             let ray = PreparedRay::new(ray, bvh.scene_exponent());
             let mut counted = Counted::new(ClosestHit::new(ray.t_max));
             let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
-            traverse(&nodes, &triangles, &ray, NO_PRIMITIVE, &mut counted);
+            traverse(&nodes, &triangles, &ray, &Except::NOTHING, &mut counted);
             [counted.node_count, counted.triangle_count]
         };
         Self {

@@ -1,0 +1,91 @@
+//! Which hierarchy rays of each kind are traced through.
+
+use crate::Bvh;
+use slimbvh_core::classify::{Except, Facing, Sides};
+use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::orientation::Target;
+use slimbvh_core::ray::{Hit, Ray};
+use slimbvh_core::trace;
+
+/// A hierarchy for rays of one kind.
+#[derive(Clone, Copy, Debug)]
+pub struct Tree<'a> {
+    /// The hierarchy, whole or reduced.
+    pub bvh: &'a Bvh,
+    /// In a whole hierarchy: only triangles that face the target count, which is in the mesh's unit. None where all count
+    /// that are in it.
+    pub rule: Option<(Sides<'a>, Target)>,
+}
+
+/// The hierarchies of a picture, all over the same mesh.
+#[derive(Clone, Debug)]
+pub struct Trees<'a> {
+    /// For rays from the camera.
+    pub primary: Tree<'a>,
+    /// For shadow rays, one for each light.
+    pub lights: Vec<Tree<'a>>,
+    /// For rays from mirrors: all triangles count. None where the scene has none.
+    pub mirrors: Option<&'a Bvh>,
+}
+
+impl<'a> Tree<'a> {
+    /// All triangles of a hierarchy.
+    #[must_use]
+    pub const fn all(bvh: &'a Bvh) -> Self {
+        Self { bvh, rule: None }
+    }
+
+    /// With the target in the scene's magnitude.
+    pub(super) fn scaled(self, scale: &PowerOfTwo) -> Self {
+        Self {
+            rule: self
+                .rule
+                .map(|(sides, target)| (sides, target.scaled(scale))),
+            ..self
+        }
+    }
+
+    /// The closest hit of a ray in the scene's magnitude.
+    pub(super) fn closest_hit(&self, ray: &Ray, skip: u32) -> Hit {
+        let (nodes, triangles) = (self.bvh.node_source(), self.bvh.triangle_source());
+        match self.rule {
+            None => trace::closest_hit(&nodes, &triangles, ray, 0, &Except(skip)),
+            Some((sides, target)) => {
+                let rule = Facing {
+                    skip,
+                    sides,
+                    target,
+                };
+                trace::closest_hit(&nodes, &triangles, ray, 0, &rule)
+            }
+        }
+    }
+
+    /// Whether a ray in the scene's magnitude meets anything.
+    pub(super) fn any_hit(&self, ray: &Ray, skip: u32) -> bool {
+        let (nodes, triangles) = (self.bvh.node_source(), self.bvh.triangle_source());
+        match self.rule {
+            None => trace::any_hit(&nodes, &triangles, ray, 0, &Except(skip)),
+            Some((sides, target)) => {
+                let rule = Facing {
+                    skip,
+                    sides,
+                    target,
+                };
+                trace::any_hit(&nodes, &triangles, ray, 0, &rule)
+            }
+        }
+    }
+}
+
+impl<'a> Trees<'a> {
+    /// One hierarchy for everything.
+    #[must_use]
+    pub fn all(bvh: &'a Bvh, light_count: usize) -> Self {
+        Self {
+            primary: Tree::all(bvh),
+            lights: vec![Tree::all(bvh); light_count],
+            mirrors: Some(bvh),
+        }
+    }
+}

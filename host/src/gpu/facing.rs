@@ -1,0 +1,125 @@
+//! What rays of one origin may hit, in buffers.
+
+use super::buffer::{Range, Slot, upload};
+use super::program::Uniform;
+use super::{Frame, Gpu, GpuError};
+use slimbvh_core::orientation::Target;
+use wgpu::BufferUsages;
+
+/// Which component each triangle of a mesh belongs to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Components(pub(super) Range);
+
+impl Components {
+    /// Copies the component of each triangle to the GPU.
+    ///
+    /// # Errors
+    /// For more triangles than the GPU takes.
+    pub fn upload(gpu: &Gpu, components: &[u32]) -> Result<Self, GpuError> {
+        let bytes = size_of_val(components) as u64;
+        gpu.check_sizes(
+            &[("the components", bytes)],
+            "take a smaller mesh, or the CPU",
+        )?;
+        gpu.checked(|| {
+            let usage = BufferUsages::STORAGE;
+            let buffer = upload(gpu, "slimbvh components", usage, components);
+            Ok(Self(Range::whole(&buffer)))
+        })
+    }
+}
+
+/// A target of rays, and the outer side of each component as it matters to that. Filled by [`Self::set`], which can fill it
+/// again without allocating.
+#[derive(Debug)]
+pub struct Facing {
+    target: Slot,
+    sides: Slot,
+    pub(super) ranges: Option<FacingRanges>,
+}
+
+/// Where the kernels find it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FacingRanges {
+    pub target: Range,
+    pub sides: Range,
+}
+
+impl FacingRanges {
+    pub const fn target(&self) -> Uniform<'_> {
+        Uniform::Stored(&self.target)
+    }
+}
+
+impl Default for Facing {
+    fn default() -> Self {
+        let copied = BufferUsages::COPY_DST;
+        Self {
+            target: Slot::new("slimbvh target", BufferUsages::UNIFORM.union(copied)),
+            sides: Slot::new("slimbvh sides", BufferUsages::STORAGE.union(copied)),
+            ranges: None,
+        }
+    }
+}
+
+impl Facing {
+    /// Nothing yet.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Records that later commands of the frame find this target, in the mesh's unit, and these sides of the components: 1
+    /// where the front faces out, −1 where the back does, 0 where all of a component counts.
+    ///
+    /// # Errors
+    /// If memory is exhausted.
+    pub fn set(
+        &mut self,
+        frame: &mut Frame,
+        target: &Target,
+        sides: &[i32],
+    ) -> Result<(), GpuError> {
+        let gpu = frame.gpu();
+        let sides: &[i32] = if sides.is_empty() { &[0] } else { sides };
+        gpu.checked(|| {
+            let ranges = FacingRanges {
+                target: self.target.range(gpu, size_of::<Target>() as u64),
+                sides: self.sides.range(gpu, size_of_val(sides) as u64),
+            };
+            let parts: [(&[u8], &Range); 2] = [
+                (bytemuck::bytes_of(target), &ranges.target),
+                (bytemuck::cast_slice(sides), &ranges.sides),
+            ];
+            for (bytes, range) in parts {
+                let usage = BufferUsages::COPY_SRC;
+                let from = upload(gpu, "slimbvh facing to upload", usage, bytes);
+                let encoder = frame.encoder();
+                encoder.copy_buffer_to_buffer(&from, 0, &range.buffer, range.offset, range.size);
+            }
+            self.ranges = Some(ranges);
+            Ok(())
+        })
+    }
+
+    pub(super) fn ranges(&self) -> Result<&FacingRanges, GpuError> {
+        self.ranges.as_ref().ok_or_else(|| GpuError::Buffer {
+            what: "the target",
+            fault: "is empty; set it first".into(),
+        })
+    }
+}
+
+/// Which triangles a hierarchy is built over.
+#[derive(Clone, Copy, Debug)]
+pub enum Subset<'a> {
+    /// All of the mesh.
+    All,
+    /// Those that rays from or to a target may hit.
+    Facing {
+        /// The component of each triangle.
+        components: &'a Components,
+        /// The target, and which sides of which components face out.
+        facing: &'a Facing,
+    },
+}
