@@ -13,6 +13,7 @@ mod picture;
 pub mod scene;
 mod stages;
 mod text;
+pub mod topology;
 mod wide;
 
 pub use bvh::Bvh;

@@ -2,7 +2,7 @@
 
 /// Values grouped by key, sorted within each group. A counting sort by key and a small sort for each group take a
 /// fraction of the time of one large sort.
-pub(super) struct Buckets {
+pub(crate) struct Buckets {
     /// Bucket `key` is `values[starts[key]..starts[key + 1]]`.
     starts: Vec<u32>,
     values: Vec<u64>,
@@ -10,7 +10,7 @@ pub(super) struct Buckets {
 
 impl Buckets {
     /// Groups fewer than 2^32 pairs `(key, value)` with `key < key_count`.
-    pub(super) fn new(key_count: usize, pairs: impl Iterator<Item = (u32, u64)> + Clone) -> Self {
+    pub(crate) fn new(key_count: usize, pairs: impl Iterator<Item = (u32, u64)> + Clone) -> Self {
         // Count each key, then sum up: `starts[key]` is the end of the bucket.
         let mut starts = vec![0_u32; key_count + 1];
         for (key, _) in pairs.clone() {
@@ -36,7 +36,7 @@ impl Buckets {
     }
 
     /// Every key with its sorted values, by key; many are empty.
-    pub(super) fn iter(&self) -> impl Iterator<Item = (u32, &[u64])> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, &[u64])> {
         (0_u32..)
             .zip(self.starts.windows(2))
             .map(|(key, range)| (key, &self.values[range[0] as usize..range[1] as usize]))

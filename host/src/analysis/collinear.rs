@@ -1,53 +1,15 @@
 //! Triangles without area, decided exactly.
 
+use super::predicates::area_sign;
+
 /// Whether three finite points lie on one line, or two of them on one point. Exact: no rounding changes the answer, nor
 /// does the order of the points.
-pub(super) fn are_collinear([a, b, c]: [[f32; 3]; 3]) -> bool {
+pub(crate) fn are_collinear([a, b, c]: [[f32; 3]; 3]) -> bool {
     // Points lie on one line if their shadows along all three axes do.
     [(0, 1), (1, 2), (2, 0)].into_iter().all(|(x, y)| {
         let project = |p: [f32; 3]| [f64::from(p[x]), f64::from(p[y])];
-        area_is_zero(project(a), project(b), project(c))
+        area_sign(project(a), project(b), project(c)) == 0
     })
-}
-
-/// Whether `a × b + b × c + c × a = 0`, for coordinates that are `f32` values.
-fn area_is_zero(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> bool {
-    // Products of two 24-bit numbers are exact.
-    let terms = [
-        a[0] * b[1],
-        -a[1] * b[0],
-        b[0] * c[1],
-        -b[1] * c[0],
-        c[0] * a[1],
-        -c[1] * a[0],
-    ];
-    let magnitude: f64 = terms.iter().map(|term| term.abs()).sum();
-    let sum: f64 = terms.iter().sum();
-    // Five roundings of half an epsilon cannot make up so large a sum.
-    let certainly_not = sum.abs() > 4.0 * f64::EPSILON * magnitude;
-    !certainly_not && sum_is_zero(terms)
-}
-
-/// Whether the sum is zero, without rounding: GROW-EXPANSION of Shewchuk, "Adaptive Precision Floating-Point Arithmetic
-/// and Fast Robust Geometric Predicates" (1997), section 2.4. The parts it yields do not overlap, so they cannot cancel.
-fn sum_is_zero(terms: [f64; 6]) -> bool {
-    let mut expansion = [0.0; 6];
-    for (count, term) in terms.into_iter().enumerate() {
-        let mut carry = term;
-        for part in &mut expansion[..count] {
-            (carry, *part) = two_sum(carry, *part);
-        }
-        expansion[count] = carry;
-    }
-    expansion == [0.0; 6]
-}
-
-/// `a + b` rounded, and what the rounding left out (Knuth).
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
-    let sum = a + b;
-    let b_share = sum - a;
-    let a_share = sum - b_share;
-    (sum, (a - a_share) + (b - b_share))
 }
 
 #[cfg(test)]

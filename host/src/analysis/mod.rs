@@ -3,17 +3,28 @@
 mod buckets;
 mod collinear;
 mod components;
+mod edges;
+mod expansion;
+mod labels;
+mod predicates;
 mod union_find;
+mod volume;
 mod weld;
 
 #[cfg(test)]
 mod tests;
 
 use crate::Mesh;
-use buckets::Buckets;
 use glam::Vec3;
 use slimbvh_core::Aabb;
 
+pub(crate) use buckets::Buckets;
+pub(crate) use collinear::are_collinear;
+pub(crate) use edges::{Edges, Side, excess};
+pub(crate) use labels::{Labels, NONE};
+pub(crate) use predicates::{area_sign, volume_sign};
+pub(crate) use union_find::UnionFind;
+pub(crate) use volume::{Volume, middle, seen_from};
 pub(crate) use weld::weld;
 
 /// The facts of one mesh. See [`analyze`].
@@ -94,7 +105,7 @@ pub fn analyze(mesh: &Mesh) -> Analysis {
         degenerate_triangle_count: mesh
             .indices
             .iter()
-            .filter(|triangle| collinear::are_collinear(corners(triangle)))
+            .filter(|triangle| are_collinear(corners(triangle)))
             .count(),
         duplicate_triangle_count: count_duplicates(&triangles, mesh.vertices.len()),
     }

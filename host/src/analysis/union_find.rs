@@ -1,20 +1,20 @@
 //! Disjoint sets.
 
 /// Sets of numbers that can be joined. The smallest member stands for its set.
-pub(super) struct UnionFind {
+pub(crate) struct UnionFind {
     parents: Vec<u32>,
 }
 
 impl UnionFind {
     /// `count` sets of one number each.
-    pub(super) fn new(count: usize) -> Self {
+    pub(crate) fn new(count: usize) -> Self {
         Self {
             parents: (0..count as u32).collect(),
         }
     }
 
     /// The smallest member of the set that holds `item`.
-    pub(super) fn find(&mut self, mut item: u32) -> u32 {
+    pub(crate) fn find(&mut self, mut item: u32) -> u32 {
         while self.parents[item as usize] != item {
             // Halve the path on the way.
             let parent = self.parents[item as usize];
@@ -25,7 +25,7 @@ impl UnionFind {
     }
 
     /// Makes one set of two.
-    pub(super) fn join(&mut self, a: u32, b: u32) {
+    pub(crate) fn join(&mut self, a: u32, b: u32) {
         let (a, b) = (self.find(a), self.find(b));
         self.parents[a.max(b) as usize] = a.min(b);
     }

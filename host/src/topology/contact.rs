@@ -1,0 +1,125 @@
+//! Whether two triangles meet where they should not, decided exactly.
+
+use crate::analysis::{area_sign, volume_sign};
+
+/// A triangle of positive area.
+#[derive(Clone, Copy)]
+pub(super) struct Face {
+    /// Positions.
+    pub(super) corners: [[f32; 3]; 3],
+    /// Numbers that are equal where positions are.
+    pub(super) ids: [u32; 3],
+}
+
+/// Whether two triangles of positive area have a point in common that is not on the corners and side that they share.
+/// Triangles with all corners in common do.
+pub(super) fn collide(t: &Face, u: &Face) -> bool {
+    let shared_t = t.ids.map(|id| u.ids.contains(&id));
+    let shared_u = u.ids.map(|id| t.ids.contains(&id));
+    if shared_t == [true; 3] {
+        return true;
+    }
+
+    // On which side of the other's plane each corner lies. Without its shared corners, a triangle that lies strictly on
+    // one side does not meet the other.
+    let signs_t = signs(t, shared_t, u);
+    if are_on_one_side(signs_t, shared_t) {
+        return false;
+    }
+    let signs_u = signs(u, shared_u, t);
+    if are_on_one_side(signs_u, shared_u) {
+        return false;
+    }
+
+    let shared_count = shared_t.iter().filter(|&&shared| shared).count();
+    if shared_count == 2 {
+        // In one plane, hinged along a side.
+        return lie_on_one_side_of_hinge(t, shared_t, u);
+    }
+    // The corners of what two triangles have in common lie on sides that share no corner with the other triangle, but
+    // for the shared corner itself.
+    any_side_meets(t, shared_t, signs_t, u) || any_side_meets(u, shared_u, signs_u, t)
+}
+
+/// The side of `other`'s plane on which each corner lies; 0 for shared ones.
+fn signs(face: &Face, shared: [bool; 3], other: &Face) -> [i32; 3] {
+    [0, 1, 2].map(|i| {
+        if shared[i] {
+            0
+        } else {
+            volume_sign(other.corners, face.corners[i])
+        }
+    })
+}
+
+/// Whether all corners that are not shared lie strictly on the same side.
+fn are_on_one_side(signs: [i32; 3], shared: [bool; 3]) -> bool {
+    let all = |side| (0..3).all(|i| shared[i] || signs[i] == side);
+    all(1) || all(-1)
+}
+
+/// For two triangles in one plane with two corners in common: whether they lie on the same side of those.
+fn lie_on_one_side_of_hinge(t: &Face, shared_t: [bool; 3], u: &Face) -> bool {
+    let (x, y) = shadow_axes(t.corners);
+    let flat = |p: [f32; 3]| [f64::from(p[x]), f64::from(p[y])];
+    let free_t = (0..3).find(|&i| !shared_t[i]).unwrap_or(0);
+    let free_u = (0..3).find(|&i| !t.ids.contains(&u.ids[i])).unwrap_or(0);
+    let (a, b) = (
+        flat(t.corners[(free_t + 1) % 3]),
+        flat(t.corners[(free_t + 2) % 3]),
+    );
+    area_sign(a, b, flat(t.corners[free_t])) == area_sign(a, b, flat(u.corners[free_u]))
+}
+
+/// Whether a side without shared corners meets the other triangle. `signs` tell where the corners lie.
+fn any_side_meets(face: &Face, shared: [bool; 3], signs: [i32; 3], other: &Face) -> bool {
+    [(0, 1), (1, 2), (2, 0)].into_iter().any(|(i, j)| {
+        if shared[i] || shared[j] || signs[i] * signs[j] > 0 {
+            return false;
+        }
+        let segment = [face.corners[i], face.corners[j]];
+        if signs[i] == 0 && signs[j] == 0 {
+            meets_in_plane(segment, other.corners)
+        } else {
+            line_passes(segment, other.corners)
+        }
+    })
+}
+
+/// Whether a line that crosses a triangle's plane does so inside or on the border.
+fn line_passes([p, q]: [[f32; 3]; 2], [a, b, c]: [[f32; 3]; 3]) -> bool {
+    let first = volume_sign([p, q, a], b);
+    let second = volume_sign([p, q, b], c);
+    if first * second < 0 {
+        return false;
+    }
+    let third = volume_sign([p, q, c], a);
+    first * third >= 0 && second * third >= 0
+}
+
+/// Whether a segment in a triangle's plane meets it.
+fn meets_in_plane(segment: [[f32; 3]; 2], triangle: [[f32; 3]; 3]) -> bool {
+    let (x, y) = shadow_axes(triangle);
+    let flat = |p: [f32; 3]| [f64::from(p[x]), f64::from(p[y])];
+    let ([p, q], corners) = (segment.map(flat), triangle.map(flat));
+    let [a, b, c] = corners;
+    let turn = area_sign(a, b, c);
+    let sides = [[a, b], [b, c], [c, a]];
+    // An end inside, or a side that is crossed.
+    sides.iter().all(|&[a, b]| area_sign(a, b, p) * turn >= 0)
+        || sides.iter().any(|&[a, b]| {
+            let ends = [area_sign(a, b, p), area_sign(a, b, q)];
+            let others = [area_sign(p, q, a), area_sign(p, q, b)];
+            ends[0] * ends[1] <= 0 && others[0] * others[1] <= 0 && ends != [0, 0]
+        })
+}
+
+/// Two axes along which a triangle of positive area has a shadow of positive area.
+fn shadow_axes(corners: [[f32; 3]; 3]) -> (usize, usize) {
+    let has_area = |&(x, y): &(usize, usize)| {
+        let [a, b, c] = corners.map(|p| [f64::from(p[x]), f64::from(p[y])]);
+        area_sign(a, b, c) != 0
+    };
+    let axes = [(0, 1), (1, 2), (2, 0)];
+    axes.into_iter().find(has_area).unwrap_or(axes[0])
+}

@@ -1,0 +1,79 @@
+//! Vertices that must stay together.
+
+use crate::Mesh;
+use crate::analysis::{Edges, Side};
+use rayon::prelude::*;
+
+/// Two vertices of a closed component that are one after welding. As long as all its links hold, every directed edge of
+/// the component meets its reverse; where an edge has two triangles, as in most meshes, only as long.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Link {
+    component: u32,
+    vertices: [u32; 2],
+}
+
+/// The links of all closed components. `triangles` are those of the mesh over welded vertices; `closed` tells the closed
+/// component that a triangle belongs to, if any.
+pub(super) fn links(
+    mesh: &Mesh,
+    triangles: &[[u32; 3]],
+    edges: &Edges,
+    closed: impl Fn(u32) -> Option<u32>,
+) -> Vec<Link> {
+    let mut links = Vec::new();
+    let mut join = |component, a: u32, b: u32| {
+        if a != b {
+            let vertices = [a.min(b), a.max(b)];
+            links.push(Link {
+                component,
+                vertices,
+            });
+        }
+    };
+
+    // All sides of an edge lead between the same two places.
+    edges.for_each(|sides| {
+        let Some(component) = closed(sides[0].triangle()) else {
+            return;
+        };
+        let [first, others @ ..] = sides else {
+            return;
+        };
+        let ends = |side: &Side| {
+            let number = side.triangle() as usize;
+            let corners = side.corners(triangles[number]);
+            corners.map(|corner| mesh.indices[number][corner])
+        };
+        let [a, b] = ends(first);
+        for side in others {
+            let [c, d] = ends(side);
+            join(component, a, c);
+            join(component, b, d);
+        }
+    });
+
+    // A side from a place to itself is no edge, as long as it is one.
+    for (number, (welded, own)) in (0_u32..).zip(triangles.iter().zip(&mesh.indices)) {
+        for (from, to) in [(0, 1), (1, 2), (2, 0)] {
+            if welded[from] == welded[to]
+                && let Some(component) = closed(number)
+            {
+                join(component, own[from], own[to]);
+            }
+        }
+    }
+    links.par_sort_unstable();
+    links.dedup();
+    links.shrink_to_fit();
+    links
+}
+
+/// The components with a link that does not hold, some more than once.
+pub(super) fn broken(links: &[Link], vertices: &[[f32; 3]]) -> Vec<u32> {
+    let is_broken = |link: &&Link| {
+        let [a, b] = link.vertices.map(|vertex| vertices[vertex as usize]);
+        a != b
+    };
+    let broken = links.par_iter().filter(is_broken);
+    broken.map(|link| link.component).collect()
+}

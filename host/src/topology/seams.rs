@@ -1,0 +1,267 @@
+//! Triangles that a ray from outside may meet from behind.
+
+use super::contact::{Face, collide};
+use super::crossing::Probe;
+use super::within::for_each_within;
+use super::{Topology, welded_triangles};
+use crate::analysis::{Buckets, Edges, UnionFind, are_collinear};
+use crate::{Bvh, Mesh};
+use glam::Vec3;
+use rayon::prelude::*;
+use slimbvh_core::Aabb;
+use slimbvh_core::float::{next_down, next_up};
+use std::ops::ControlFlow::{Break, Continue};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
+impl Topology {
+    /// Finds the triangles that stay in every set though their component may be reduced, and takes them out of their
+    /// components. A triangle is a seam if
+    /// - it meets another triangle of its component anywhere but in the corners and the side that they share,
+    /// - its component winds a negative number of times around points just outside of it (an inverted lobe, as of a
+    ///   figure-eight tube), or that is not certain, or
+    /// - it has no area.
+    ///
+    /// `mesh` is the one last seen, `bvh` a hierarchy over all of it. Components that cannot be reduced now have no
+    /// seams, and will not be reduced before they are looked for again. Takes O(n log n) for surfaces that meet few
+    /// others.
+    ///
+    /// # Panics
+    /// If the hierarchy or the mesh is of another number of triangles.
+    pub fn find_seams(&mut self, mesh: &Mesh, bvh: &Bvh) {
+        let counts = [bvh.triangle_count(), mesh.indices.len()];
+        assert_eq!(
+            counts,
+            [self.components.len(); 2],
+            "triangles of another mesh"
+        );
+        for (triangle, component) in self.seams.drain(..) {
+            self.components[triangle as usize] = component;
+        }
+        for shape in &mut self.shapes {
+            shape.barred = shape.outward.is_none();
+        }
+
+        let search = Search::new(self, mesh, bvh);
+        search.mark_collisions();
+        search.mark_inverted();
+        let seams = (0_u32..).zip(&search.is_seam);
+        let seams: Vec<u32> = seams
+            .filter(|(_, is_seam)| is_seam.load(Relaxed))
+            .map(|(triangle, _)| triangle)
+            .collect();
+
+        let kept = self.component_count();
+        for shape in &mut self.shapes {
+            shape.seam_count = 0;
+        }
+        for triangle in seams {
+            let component = std::mem::replace(&mut self.components[triangle as usize], kept);
+            self.shapes[component as usize].seam_count += 1;
+            self.seams.push((triangle, component));
+        }
+    }
+}
+
+/// A search under way.
+struct Search<'a> {
+    mesh: &'a Mesh,
+    bvh: &'a Bvh,
+    components: &'a [u32],
+    /// By component: the side that faces out, 0 where seams are of no interest; one more 0.
+    sides: Vec<i32>,
+    /// The triangles over welded vertices.
+    welded: Vec<[u32; 3]>,
+    /// Of components of interest.
+    has_area: Vec<bool>,
+    /// The result.
+    is_seam: Vec<AtomicBool>,
+}
+
+impl<'a> Search<'a> {
+    /// Marks triangles without area.
+    fn new(topology: &'a Topology, mesh: &'a Mesh, bvh: &'a Bvh) -> Self {
+        let shapes = topology.shapes.iter();
+        let mut sides: Vec<i32> = shapes.map(|shape| shape.side().unwrap_or(0)).collect();
+        sides.push(0);
+        let components = topology.components.as_slice();
+        let of_interest = |triangle: usize| sides[components[triangle] as usize] != 0;
+        let has_area: Vec<bool> = (0..components.len())
+            .into_par_iter()
+            .map(|triangle| of_interest(triangle) && !are_collinear(corners(mesh, triangle as u32)))
+            .collect();
+        let is_seam = (0..components.len())
+            .map(|triangle| AtomicBool::new(of_interest(triangle) && !has_area[triangle]))
+            .collect();
+        Self {
+            mesh,
+            bvh,
+            components,
+            sides,
+            welded: welded_triangles(mesh),
+            has_area,
+            is_seam,
+        }
+    }
+
+    /// Marks triangles that meet others of their component where they should not. Triangles without area do not count:
+    /// no ray can tell that they are there.
+    fn mark_collisions(&self) {
+        self.bvh.leaf_triangles().par_iter().for_each(|own| {
+            let first = own.primitive;
+            if !self.has_area[first as usize] {
+                return;
+            }
+            let face = self.face(first);
+            // It never breaks off.
+            let _ = for_each_within(self.bvh, &own.triangle().bounds(), |other| {
+                let second = other.primitive;
+                let is_pair = first < second
+                    && self.component(first) == self.component(second)
+                    && self.has_area[second as usize];
+                let is_known = is_pair && self.is_seam(first) && self.is_seam(second);
+                if is_pair && !is_known && collide(&face, &self.face(second)) {
+                    self.mark(first);
+                    self.mark(second);
+                }
+                Continue(())
+            });
+        });
+    }
+
+    /// Marks triangles around whose outer side their component winds a negative number of times. Where exactly two
+    /// triangles share an edge, and no third is in the way, the number is the same beside both: one look is enough for
+    /// all triangles that hang together so.
+    fn mark_inverted(&self) {
+        let mut patches = UnionFind::new(self.welded.len());
+        let is_sound = |triangle: u32| self.has_area[triangle as usize] && !self.is_seam(triangle);
+        Edges::new(&self.welded, self.mesh.vertices.len()).for_each(|sides| {
+            if let [a, b] = sides
+                && a.is_forward() != b.is_forward()
+                && is_sound(a.triangle())
+                && is_sound(b.triangle())
+            {
+                patches.join(a.triangle(), b.triangle());
+            }
+        });
+        let sound: Vec<(u32, u64)> = (0..self.welded.len() as u32)
+            .filter(|&triangle| is_sound(triangle))
+            .map(|triangle| (patches.find(triangle), u64::from(triangle)))
+            .collect();
+        let patches = Buckets::new(self.welded.len(), sound.iter().copied());
+        let patches: Vec<&[u64]> = patches
+            .iter()
+            .filter(|(_, patch)| !patch.is_empty())
+            .map(|(_, patch)| patch)
+            .collect();
+        patches.par_iter().for_each(|patch| {
+            if self.outer_winding(patch).is_none_or(|number| number < 0) {
+                for &triangle in *patch {
+                    self.mark(triangle as u32);
+                }
+            }
+        });
+    }
+
+    /// How often the component winds around points just outside of a patch, positive for a solid; `None` where no look is
+    /// certain.
+    fn outer_winding(&self, patch: &[u64]) -> Option<i32> {
+        const LOOK_COUNT: usize = 24;
+        (0..LOOK_COUNT).find_map(|look| {
+            let triangle = patch[look % patch.len()] as u32;
+            let side = self.sides[self.component(triangle) as usize];
+            let corners = corners(self.mesh, triangle);
+            let axis = (widest_axis(corners) + look / 8) % 3;
+            let probe = Probe::new(corners, WEIGHTS[look % WEIGHTS.len()], axis, side)?;
+            Some(side * self.winding(triangle, &probe)?)
+        })
+    }
+
+    /// The winding number at a probe on a triangle; `None` where it is not certain.
+    fn winding(&self, triangle: u32, probe: &Probe) -> Option<i32> {
+        let mut number = 0;
+        let flow = for_each_within(self.bvh, &self.line_of_sight(probe), |other| {
+            let other = other.primitive;
+            if other == triangle || self.component(other) != self.component(triangle) {
+                return Continue(());
+            }
+            match probe.fall(corners(self.mesh, other)) {
+                Some(fall) => {
+                    number += fall;
+                    Continue(())
+                }
+                None => Break(()),
+            }
+        });
+        flow.is_continue().then_some(number)
+    }
+
+    /// The part of the tree's space that a probe looks along.
+    fn line_of_sight(&self, probe: &Probe) -> Aabb {
+        let scale = 2_f64.powi(self.bvh.scene_exponent());
+        let point = Vec3::from(probe.point.map(|x| (x * scale) as f32));
+        // Rounded once here and once in the tree: a step to both sides holds the point.
+        let step = |p: Vec3, by: fn(f32) -> f32| Vec3::new(by(p.x), by(p.y), by(p.z));
+        let mut region = Aabb {
+            min: step(point, next_down),
+            max: step(point, next_up),
+        };
+        if probe.is_upward {
+            region.max[probe.axis] = f32::MAX;
+        } else {
+            region.min[probe.axis] = -f32::MAX;
+        }
+        region
+    }
+
+    fn component(&self, triangle: u32) -> u32 {
+        self.components[triangle as usize]
+    }
+
+    fn face(&self, triangle: u32) -> Face {
+        Face {
+            corners: corners(self.mesh, triangle),
+            ids: self.welded[triangle as usize],
+        }
+    }
+
+    fn is_seam(&self, triangle: u32) -> bool {
+        self.is_seam[triangle as usize].load(Relaxed)
+    }
+
+    fn mark(&self, triangle: u32) {
+        self.is_seam[triangle as usize].store(true, Relaxed);
+    }
+}
+
+/// Where in a triangle to look from: in no simple proportion, so that lines of sight seldom meet edges of regular meshes.
+const WEIGHTS: [[f64; 3]; 8] = [
+    [0.381_966, 0.311_310, 0.306_724],
+    [0.234_131, 0.414_214, 0.351_655],
+    [0.577_350, 0.207_107, 0.215_543],
+    [0.171_573, 0.267_949, 0.560_478],
+    [0.145_898, 0.720_759, 0.133_343],
+    [0.854_102, 0.070_711, 0.075_187],
+    [0.057_191, 0.486_833, 0.455_976],
+    [0.436_790, 0.090_169, 0.473_041],
+];
+
+/// The axis along which a triangle has the largest shadow.
+fn widest_axis(corners: [[f32; 3]; 3]) -> usize {
+    let [a, b, c] = corners.map(|p| p.map(f64::from));
+    let area = |axis: &usize| {
+        let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
+        ((b[x] - a[x]) * (c[y] - a[y]) - (b[y] - a[y]) * (c[x] - a[x])).abs()
+    };
+    let larger = |best: usize, axis: usize| {
+        if area(&axis) > area(&best) {
+            axis
+        } else {
+            best
+        }
+    };
+    (0..3).fold(0, larger)
+}
+
+fn corners(mesh: &Mesh, triangle: u32) -> [[f32; 3]; 3] {
+    mesh.indices[triangle as usize].map(|vertex| mesh.vertices[vertex as usize])
+}

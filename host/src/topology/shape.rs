@@ -1,0 +1,170 @@
+//! What depends on positions: each component's box, and the sign of its volume.
+
+use super::Facts;
+use crate::Mesh;
+use crate::analysis::{NONE, Volume, middle, seen_from};
+use glam::Vec3;
+use rayon::prelude::*;
+use slimbvh_core::Aabb;
+use std::ops::Range;
+
+/// One component.
+#[derive(Clone, Debug)]
+pub(super) struct Shape {
+    /// Its spans.
+    pub(super) spans: Range<u32>,
+    triangle_count: u32,
+    /// How many of its triangles are seams.
+    pub(super) seam_count: u32,
+    was_closed: bool,
+    /// Whether every directed edge meets its reverse.
+    pub(super) closed: bool,
+    /// Whether the front sides face out; `None` when not closed or not certain.
+    pub(super) outward: Option<bool>,
+    /// Whether seams were looked for when `outward` was not known. Then nobody knows them.
+    pub(super) barred: bool,
+    /// The box around it.
+    pub(super) bounds: Aabb,
+}
+
+impl Shape {
+    /// What a caller may know.
+    pub(super) fn facts(&self) -> Facts {
+        Facts {
+            triangle_count: self.triangle_count as usize,
+            closed: self.closed,
+            outward: self.outward,
+            reducible: self.outward.is_some() && !self.barred,
+            seam_count: self.seam_count as usize,
+        }
+    }
+
+    /// Takes note that an edge has come apart.
+    pub(super) fn open(&mut self) {
+        self.closed = false;
+        self.outward = None;
+    }
+
+    /// 1 or −1 for the side that faces out, front being 1.
+    pub(super) fn side(&self) -> Option<i32> {
+        self.outward.map(|is_front| if is_front { 1 } else { -1 })
+    }
+}
+
+/// A run of faces of one component: work for one thread, summed up in the same order on any number of threads.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    component: u32,
+    first: u32,
+    count: u32,
+}
+
+impl Span {
+    const LONGEST: usize = 4096;
+
+    /// Its part of all faces.
+    pub(super) fn faces<'a>(&self, faces: &'a [[u32; 3]]) -> &'a [[u32; 3]] {
+        &faces[self.first as usize..(self.first + self.count) as usize]
+    }
+}
+
+/// Sorts a mesh's triangles by component, unmeasured.
+pub(super) fn group(
+    mesh: &Mesh,
+    labels: &[u32],
+    closed: &[bool],
+) -> (Vec<Shape>, Vec<Span>, Vec<[u32; 3]>) {
+    let mut starts = vec![0_u32; closed.len() + 1];
+    let labelled = || {
+        let all = labels.iter().zip(&mesh.indices);
+        all.filter(|(label, _)| **label != NONE)
+    };
+
+    // A counting sort by label, from the front: `starts[label + 1]` comes to be the end.
+    for (&label, _) in labelled() {
+        starts[label as usize + 1] += 1;
+    }
+    let mut total = 0;
+    for start in &mut starts {
+        total += *start;
+        *start = total;
+    }
+    let mut next = starts.clone();
+    let mut faces = vec![[0; 3]; total as usize];
+    for (&label, &triangle) in labelled() {
+        let place = &mut next[label as usize];
+        faces[*place as usize] = triangle;
+        *place += 1;
+    }
+
+    let mut spans = Vec::new();
+    let mut shapes = Vec::with_capacity(closed.len());
+    for (component, (range, &closed)) in (0_u32..).zip(starts.windows(2).zip(closed)) {
+        let first_span = spans.len() as u32;
+        for first in (range[0]..range[1]).step_by(Span::LONGEST) {
+            spans.push(Span {
+                component,
+                first,
+                count: (range[1] - first).min(Span::LONGEST as u32),
+            });
+        }
+        shapes.push(Shape {
+            spans: first_span..spans.len() as u32,
+            triangle_count: range[1] - range[0],
+            seam_count: 0,
+            was_closed: closed,
+            closed,
+            outward: None,
+            barred: false,
+            bounds: Aabb::EMPTY,
+        });
+    }
+    (shapes, spans, faces)
+}
+
+/// Measures all components, taking those to be closed that were so at first.
+pub(super) fn measure(
+    shapes: &mut [Shape],
+    spans: &[Span],
+    faces: &[[u32; 3]],
+    vertices: &[[f32; 3]],
+) {
+    // Boxes first: volumes are taken from the middle.
+    let boxes: Vec<Aabb> = spans
+        .par_iter()
+        .map(|span| {
+            let corners = span.faces(faces).as_flattened().iter();
+            let points = corners.map(|&vertex| Vec3::from_array(vertices[vertex as usize]));
+            points.fold(Aabb::EMPTY, Aabb::union_point)
+        })
+        .collect();
+    for shape in &mut *shapes {
+        let range = shape.spans.start as usize..shape.spans.end as usize;
+        shape.bounds = boxes[range].iter().copied().fold(Aabb::EMPTY, Aabb::union);
+        shape.closed = shape.was_closed;
+    }
+
+    // Sum up the tetrahedra between the middle and each triangle.
+    let volumes: Vec<Volume> = spans
+        .par_iter()
+        .map(|span| {
+            let mut volume = Volume::default();
+            let shape = &shapes[span.component as usize];
+            if shape.closed {
+                let center = middle(&shape.bounds);
+                for triangle in span.faces(faces) {
+                    let corners = triangle.map(|vertex| vertices[vertex as usize]);
+                    let [a, b, c] = seen_from(center, corners);
+                    volume += Volume::tetrahedron(a, b, c);
+                }
+            }
+            volume
+        })
+        .collect();
+    for shape in shapes {
+        let mut sum = Volume::default();
+        let range = shape.spans.start as usize..shape.spans.end as usize;
+        volumes[range].iter().for_each(|&volume| sum += volume);
+        shape.outward = sum.outward();
+    }
+}

@@ -1,0 +1,101 @@
+//! Which side of each component faces out, for a target outside of it.
+
+use super::Topology;
+use super::distance::is_clear;
+use super::shape::{Shape, Span};
+use super::solid_angle::SolidAngle;
+use rayon::prelude::*;
+
+/// Where rays come from, or lead to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Target {
+    /// An eye or a light.
+    Point([f32; 3]),
+    /// The direction to a light infinitely far away: outside of everything.
+    Direction([f32; 3]),
+    /// A lens, or a group of lights. Outside only where the whole ball is.
+    Ball {
+        /// The middle.
+        center: [f32; 3],
+        /// Not below 0.
+        radius: f32,
+    },
+}
+
+impl Topology {
+    /// For each component the side that faces out, 1 for the front (counter-clockwise) and −1 for the back; 0 where the
+    /// component must stay whole: it is not closed, its volume has no certain sign, its seams are not known, or the target
+    /// is not certainly outside. One more entry, 0, stands at [`Self::component_count`].
+    ///
+    /// Takes O(1) for a component whose box the target does not touch, else O(n).
+    #[must_use]
+    pub fn sides(&self, target: &Target) -> Vec<i32> {
+        let side = |shape: &Shape| match shape.side() {
+            Some(side) if !shape.barred && self.is_outside(shape, target) => side,
+            _ => 0,
+        };
+        let mut sides: Vec<i32> = self.shapes.par_iter().map(side).collect();
+        sides.push(0);
+        sides
+    }
+
+    /// Whether the target is certainly outside of every closed component, reducible or not.
+    #[must_use]
+    pub fn is_outside_all(&self, target: &Target) -> bool {
+        let closed = self.shapes.par_iter().filter(|shape| shape.closed);
+        closed.all(|shape| self.is_outside(shape, target))
+    }
+
+    /// Whether the target is certainly outside of a closed component.
+    fn is_outside(&self, shape: &Shape, target: &Target) -> bool {
+        let (center, radius) = match *target {
+            Target::Direction(direction) => return direction.iter().all(|x| x.is_finite()),
+            Target::Point(point) => (point, 0.0),
+            Target::Ball { center, radius } => (center, radius),
+        };
+        if !center.iter().all(|x| x.is_finite()) || !radius.is_finite() || radius < 0.0 {
+            return false;
+        }
+        let (center, radius) = (center.map(f64::from), f64::from(radius));
+        if is_clear_of_box(shape, center, radius) {
+            return true;
+        }
+
+        // A ball that meets no triangle is outside where its middle is. A point on a triangle has no winding number.
+        let spans = &self.spans[shape.spans.start as usize..shape.spans.end as usize];
+        if radius > 0.0 {
+            let clear = |span: &Span| {
+                self.corners(span)
+                    .all(|face| is_clear(center, radius, face))
+            };
+            if !spans.par_iter().all(clear) {
+                return false;
+            }
+        }
+        let angles: Vec<SolidAngle> = spans
+            .par_iter()
+            .map(|span| SolidAngle::of(self.corners(span), center))
+            .collect();
+        let sum = angles
+            .into_iter()
+            .fold(SolidAngle::default(), SolidAngle::plus);
+        sum.winding_number() == Some(0)
+    }
+
+    /// The corners of a span's triangles.
+    fn corners(&self, span: &Span) -> impl Iterator<Item = [[f32; 3]; 3]> {
+        let faces = span.faces(&self.faces).iter();
+        faces.map(|face| face.map(|vertex| self.vertices[vertex as usize]))
+    }
+}
+
+/// Whether a ball certainly does not touch a component's box.
+fn is_clear_of_box(shape: &Shape, center: [f64; 3], radius: f64) -> bool {
+    let gap = |axis: usize| {
+        let low = f64::from(shape.bounds.min[axis]) - center[axis];
+        let high = center[axis] - f64::from(shape.bounds.max[axis]);
+        low.max(high).max(0.0)
+    };
+    let squared: f64 = (0..3).map(|axis| gap(axis) * gap(axis)).sum();
+    squared > radius * radius * (1.0 + 1e-12)
+}

@@ -1,0 +1,50 @@
+//! Triangles near a box, by the tree.
+
+use crate::Bvh;
+use glam::Vec3;
+use slimbvh_core::trace::STACK_SIZE;
+use slimbvh_core::{Aabb, LeafTriangle, NodeRef};
+use std::ops::ControlFlow;
+
+/// Shows every triangle whose box touches a region, in the tree's magnitude, until told to stop.
+pub(super) fn for_each_within(
+    bvh: &Bvh,
+    region: &Aabb,
+    mut visit: impl FnMut(&LeafTriangle) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    let (nodes, triangles) = (bvh.nodes(), bvh.leaf_triangles());
+    if nodes.is_empty() {
+        return ControlFlow::Continue(());
+    }
+    let mut stack = [NodeRef::NOTHING; STACK_SIZE + 1];
+    stack[0] = NodeRef::inner(0);
+    let mut count = 1;
+    while count > 0 {
+        count -= 1;
+        let cursor = stack[count];
+        if cursor.is_leaf() {
+            let first = cursor.first() as usize;
+            for triangle in &triangles[first..first + cursor.count() as usize] {
+                if touch(&triangle.triangle().bounds(), region) {
+                    visit(triangle)?;
+                }
+            }
+        } else {
+            // Both may wait: one entry a level, and one more.
+            let node = &nodes[cursor.index() as usize];
+            for (child, bounds) in [(node.left, node.left_box()), (node.right, node.right_box())] {
+                if touch(&bounds, region) {
+                    stack[count] = child;
+                    count += 1;
+                }
+            }
+        }
+    }
+    ControlFlow::Continue(())
+}
+
+/// Whether two boxes have a point in common.
+fn touch(a: &Aabb, b: &Aabb) -> bool {
+    let gap = |a: Vec3, b: Vec3| a.x > b.x || a.y > b.y || a.z > b.z;
+    !gap(a.min, b.max) && !gap(b.min, a.max)
+}
