@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 pub mod analysis;
+pub mod animate;
 mod bvh;
 mod cpu;
 #[cfg(feature = "scenes")]

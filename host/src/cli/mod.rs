@@ -2,10 +2,12 @@
 
 #[cfg(feature = "gpu")]
 mod adapters;
+mod animate;
 mod backend;
 mod info;
 mod options;
 mod output;
+mod picture;
 mod render;
 
 use anyhow::{Context, Result};
@@ -31,6 +33,8 @@ pub struct Arguments {
 enum Command {
     /// Render a scene to a PNG picture
     Render(render::RenderArguments),
+    /// Render a scene that moves, frame by frame, to pictures or a looping GIF
+    Animate(animate::AnimateArguments),
     /// Tell what is in a scene: counts, extents, which parts are closed
     Info(info::InfoArguments),
 }
@@ -92,6 +96,7 @@ impl ThreadArguments {
 pub fn run(arguments: Arguments) -> Result<()> {
     match arguments.command {
         Command::Render(arguments) => render::run(&arguments),
+        Command::Animate(arguments) => animate::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
     }
 }

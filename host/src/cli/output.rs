@@ -103,7 +103,7 @@ pub fn write_png(path: &Path, picture: &Picture) -> Result<()> {
 }
 
 /// Writes a file so that it is there whole or not at all: beside its place first, then moved.
-fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
+pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     if is_special(path) {
         return std::fs::write(path, bytes)
             .with_context(|| format!("cannot write {:?}", path.display().to_string()));

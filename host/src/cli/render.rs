@@ -1,15 +1,14 @@
 //! `slimbvh render`.
 
 use super::backend::{BackendArguments, Chosen, choose};
-use super::options::{self, CameraOption};
 use super::output::{self, bytes, count, things};
+use super::picture::PictureArguments;
 use super::{SceneArguments, ThreadArguments};
-use anyhow::{Context, Result, bail};
-use clap::{Args, ValueEnum};
+use anyhow::{Result, bail};
+use clap::Args;
 use serde::Serialize;
 use slimbvh::{
-    BuildConfig, Builder, Bvh, CodeBits, Light, Picture, RenderReport, RenderSettings, Renderer,
-    Scene, Stages, View,
+    BuildConfig, Builder, Bvh, Picture, RenderReport, RenderSettings, Renderer, Scene, Stages, View,
 };
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -31,13 +30,8 @@ pub struct RenderArguments {
     #[arg(short, long, value_name = "FILE.png", default_value = "slimbvh.png")]
     output: PathBuf,
 
-    /// Size of the picture in pixels
-    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = options::size)]
-    size: [u32; 2],
-
-    /// Samples a pixel: 1, 4, 16 … form a grid, any number works
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = |text: &str| options::whole(text, 1..=65536))]
-    spp: u32,
+    #[command(flatten)]
+    picture: PictureArguments,
 
     #[command(flatten)]
     threads: ThreadArguments,
@@ -45,38 +39,9 @@ pub struct RenderArguments {
     #[command(flatten)]
     backend: BackendArguments,
 
-    /// What to show
-    #[arg(long, value_enum, default_value_t = View::Color)]
-    view: View,
-
-    /// Camera, parts as needed: "eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES", or height=H for parallel rays
-    #[arg(long, value_name = "PARTS")]
-    camera: Option<CameraOption>,
-
-    /// Light instead of the scene's, may be repeated: "sun=X,Y,Z color=R,G,B", where the light goes, or
-    /// "point=X,Y,Z color=R,G,B range=D"
-    #[arg(long, value_name = "PARTS", value_parser = options::light)]
-    light: Vec<Light>,
-
-    /// How many mirrors a ray may meet
-    #[arg(long, value_name = "N", default_value_t = 4, value_parser = |text: &str| options::whole(text, 0..=64))]
-    mirror_depth: u32,
-
-    /// Bits of the codes that order triangles: 30, or 63 for scenes with small details
-    #[arg(long, value_enum, default_value_t = Codes::Bits30)]
-    codes: Codes,
-
     /// Write what was done as JSON, to standard output for "-"
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Codes {
-    #[value(name = "30")]
-    Bits30,
-    #[value(name = "63")]
-    Bits63,
 }
 
 /// What was done.
@@ -163,29 +128,9 @@ fn render(
     chosen: &Chosen,
     scene: &mut Scene,
 ) -> Result<(Summary, String, Picture)> {
-    if !arguments.light.is_empty() {
-        scene.lights.clone_from(&arguments.light);
-    }
-    let settings = RenderSettings {
-        size: arguments.size,
-        sample_count: arguments.spp,
-        view: arguments.view,
-        mirror_depth: arguments.mirror_depth,
-    };
-    scene
-        .mesh
-        .validate()
-        .with_context(|| arguments.scene.name())?;
-    scene.complete(scene.mesh.bounds(), settings.size);
-    if let Some(camera) = &arguments.camera {
-        camera.apply(&mut scene.cameras[0]);
-    }
-    let config = BuildConfig {
-        code_bits: match arguments.codes {
-            Codes::Bits30 => CodeBits::Bits30,
-            Codes::Bits63 => CodeBits::Bits63,
-        },
-    };
+    let settings = arguments.picture.settings();
+    let config = arguments.picture.build_config();
+    arguments.picture.prepare(scene, &arguments.scene.name())?;
     let mut picture = Picture::default();
     let outcome = match chosen {
         Chosen::Cpu => render_on_cpu(scene, config, &settings, &mut picture)?,
@@ -276,7 +221,7 @@ fn summarize(arguments: &RenderArguments, scene: &Scene, outcome: &Outcome) -> S
             .map(|(stage, time)| (stage, time.as_secs_f64() * 1e3))
             .collect()
     };
-    let [width, height] = arguments.size;
+    let [width, height] = arguments.picture.size;
     let mesh = &scene.mesh;
     let report = &outcome.report;
     Summary {
@@ -284,7 +229,7 @@ fn summarize(arguments: &RenderArguments, scene: &Scene, outcome: &Outcome) -> S
         picture: arguments.output.display().to_string(),
         width,
         height,
-        samples_per_pixel: arguments.spp,
+        samples_per_pixel: arguments.picture.spp,
         backend: outcome.backend,
         adapter: outcome.adapter.clone(),
         threads: rayon::current_num_threads(),
@@ -298,7 +243,7 @@ fn summarize(arguments: &RenderArguments, scene: &Scene, outcome: &Outcome) -> S
         shadow_rays: report.shadow_ray_count,
         mirror_rays: report.mirror_ray_count,
         mrays_per_second: report.ray_count() as f64 / report.stages.total().as_secs_f64() / 1e6,
-        node_visits: (arguments.view == View::Heatmap).then_some(report.node_visit_count),
+        node_visits: (arguments.picture.view == View::Heatmap).then_some(report.node_visit_count),
         node_bytes: outcome.node_bytes,
         triangle_bytes: outcome.triangle_bytes,
         mesh_bytes: size_of_val(mesh.vertices.as_slice())

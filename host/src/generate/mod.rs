@@ -1,4 +1,4 @@
-//! Generated meshes and the scene that needs no file.
+//! Generated meshes, scenes made of them, and the one among these that needs no file.
 //!
 //! +y is up. Solids are exactly closed, with shared vertices, and their front sides face out; equal arguments give equal
 //! meshes. Sizes are in the caller's unit.
@@ -6,12 +6,16 @@
 mod compose;
 mod cuboid;
 mod default_scene;
+mod doll;
 mod grid_of_objects;
 mod ground;
 mod huge_and_tiny;
 mod icosphere;
 mod midpoints;
 mod random;
+mod rings;
+mod round_cone;
+mod rounded_box;
 mod slivers;
 mod smooth_normals;
 mod soup;
@@ -19,15 +23,20 @@ mod sphere_flake;
 mod subdivide;
 mod teapot;
 mod terrain;
+mod toasters;
 mod torus_knot;
+mod twenty_four_cell;
 
 pub use compose::{append, transformed};
 pub use cuboid::cuboid;
 pub use default_scene::default_scene;
+pub use doll::doll;
 pub use grid_of_objects::grid_of_objects;
 pub use ground::ground;
 pub use huge_and_tiny::huge_and_tiny;
 pub use icosphere::icosphere;
+pub use round_cone::{RoundCone, round_cone};
+pub use rounded_box::{RoundedBox, Sides, rounded_box};
 pub use slivers::slivers;
 pub use smooth_normals::smooth_normals;
 pub use soup::soup;
@@ -35,17 +44,19 @@ pub use sphere_flake::sphere_flake;
 pub use subdivide::{subdivide, subdivide_curved};
 pub use teapot::teapot;
 pub use terrain::terrain;
+pub use toasters::toasters;
 pub use torus_knot::{TorusKnot, torus_knot};
+pub use twenty_four_cell::{TwentyFourCell, twenty_four_cell};
 
 /// What the tests of all solids ask for.
 #[cfg(test)]
-mod checks {
+pub(crate) mod checks {
     use crate::Mesh;
     use crate::analysis::{Component, analyze};
 
     /// Asserts that a mesh is sound and without faults, and that each of its components is closed and faces out.
     /// Returns the components, largest first.
-    pub(super) fn assert_solid(mesh: &Mesh) -> Vec<Component> {
+    pub(crate) fn assert_solid(mesh: &Mesh) -> Vec<Component> {
         assert_eq!(mesh.validate(), Ok(()));
         let analysis = analyze(mesh);
         assert_eq!(analysis.degenerate_triangle_count, 0);
@@ -59,7 +70,7 @@ mod checks {
     }
 
     /// Asserts that there is one unit normal a vertex.
-    pub(super) fn assert_unit_normals(mesh: &Mesh) {
+    pub(crate) fn assert_unit_normals(mesh: &Mesh) {
         assert_eq!(mesh.normals.len(), mesh.vertices.len());
         for &normal in &mesh.normals {
             assert!((glam::Vec3::from(normal).length() - 1.0).abs() < 1e-6);

@@ -1,5 +1,6 @@
 //! Tests of the `slimbvh` binary and of whole pictures, from outside.
 
+mod animate;
 mod bad_input;
 mod files;
 mod golden;

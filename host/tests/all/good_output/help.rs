@@ -56,6 +56,22 @@ fn help_has_every_option() {
     ] {
         assert!(render.contains(word), "{word} is not in {render}");
     }
+    let animate = folder.succeed(["animate", "--help"]);
+    let mut expected_too = vec![
+        "--deform",
+        "--fps",
+        "--frames",
+        "--orbit",
+        "--orbit-light",
+        "--out",
+        "--update",
+    ];
+    expected_too.extend(expected.iter().filter(|&&option| option != "--output"));
+    expected_too.sort_unstable();
+    assert_eq!(options_in(&animate), expected_too, "{animate}");
+    for word in ["wave", "twist", "rebuild", "refit", "auto", "FILE.gif"] {
+        assert!(animate.contains(word), "{word} is not in {animate}");
+    }
     let info = folder.succeed(["info", "--help"]);
     assert_eq!(
         options_in(&info),

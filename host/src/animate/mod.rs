@@ -1,0 +1,34 @@
+//! Scenes that move: cameras and lights on a circle, meshes that bend, and trees that are kept up with them.
+//!
+//! All motions come round: frame `n + frame_count` is frame `n`, and the last frame leads on to the first as any frame
+//! leads on to the next.
+//!
+//! ```
+//! use slimbvh::animate::{Animation, Deform, Motion};
+//! # let mut scene = slimbvh::generate::default_scene();
+//! let motion = Motion {
+//!     frame_count: 48,
+//!     orbit: true,
+//!     deform: Some(Deform::Wave),
+//!     ..Motion::default()
+//! };
+//! let animation = Animation::new(&scene, motion);
+//! for frame in 0..48 {
+//!     let vertices_moved = animation.pose(frame, &mut scene);
+//!     assert!(vertices_moved);
+//!     // Rebuild or refit, and render.
+//! #   break;
+//! }
+//! ```
+
+mod anchor;
+mod deform;
+mod motion;
+mod quality;
+mod turn;
+mod upkeep;
+
+pub use deform::Deform;
+pub use motion::{Animation, Motion};
+pub use quality::sah_cost;
+pub use upkeep::{Action, MOST_COST, MOST_REFITS, Update, Upkeep};

@@ -1,0 +1,182 @@
+//! `slimbvh animate`.
+
+mod machine;
+mod place;
+mod record;
+mod report;
+
+use super::backend::{BackendArguments, Chosen, choose};
+use super::picture::PictureArguments;
+use super::{SceneArguments, ThreadArguments, options, output};
+use anyhow::Result;
+use clap::Args;
+use machine::{Cpu, Machine};
+use place::Place;
+use record::Record;
+use report::Run;
+use slimbvh::animate::{Animation, Deform, Motion, Update, Upkeep};
+use slimbvh::{Picture, Scene};
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Pictures are numbered with four digits.
+const MOST_FRAMES: u32 = 9999;
+
+const EXAMPLES: &str = "\
+Examples:
+  slimbvh animate --frames 48 --orbit --out turn.gif --size 480x270
+  slimbvh animate model.ply --frames 100 --deform wave --out frames
+  slimbvh animate model.glb --frames 24 --deform twist --update rebuild --json -";
+
+const NOTES: &str = "\
+The vertical is the axis nearest to the camera's up. What lies on the scene's floor is not deformed. The picture does not
+depend on --update; the heat map aside.";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{NOTES}\n\n{EXAMPLES}"))]
+pub struct AnimateArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+
+    /// Frames of one round, after which all is where it was in the first
+    #[arg(long, value_name = "N", value_parser = |text: &str| options::whole(text, 1..=MOST_FRAMES))]
+    frames: u32,
+
+    /// The camera goes once round the scene's middle, and a light that the scene does not have itself goes with it
+    #[arg(long)]
+    orbit: bool,
+
+    /// All lights go once round the scene's middle
+    #[arg(long)]
+    orbit_light: bool,
+
+    /// The scene bends
+    #[arg(long, value_enum)]
+    deform: Option<Deform>,
+
+    /// What is done to the tree from frame to frame
+    #[arg(long, value_enum, default_value_t = Update::Auto)]
+    update: Update,
+
+    /// Where pictures go: a folder for frame-0000.png and so on, or one looping GIF. Without it none are kept
+    #[arg(long, value_name = "FOLDER|FILE.gif")]
+    out: Option<PathBuf>,
+
+    /// Frames a second that the GIF shows, as nearly as its hundredths of a second allow
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = |text: &str| options::whole(text, 1..=50))]
+    fps: u32,
+
+    #[command(flatten)]
+    picture: PictureArguments,
+
+    #[command(flatten)]
+    threads: ThreadArguments,
+
+    #[command(flatten)]
+    backend: BackendArguments,
+
+    /// Write what was done in each frame as JSON, to standard output for "-"
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+pub fn run(arguments: &AnimateArguments) -> Result<()> {
+    let place = Place::check(arguments)?;
+    let chosen = choose(&arguments.backend)?;
+    let mut scene = arguments.scene.load()?;
+    let work = || animate(arguments, &chosen, &mut scene, &place);
+    let run = arguments.threads.run(work)??;
+    if !output::is_stdout(arguments.json.as_deref()) {
+        output::print(&report::describe(arguments, &scene, &run))?;
+    }
+    if let Some(path) = &arguments.json {
+        output::write_json(path, &report::summarize(arguments, &scene, &run))?;
+    }
+    Ok(())
+}
+
+/// Makes all frames on what was chosen.
+fn animate(
+    arguments: &AnimateArguments,
+    chosen: &Chosen,
+    scene: &mut Scene,
+    place: &Place,
+) -> Result<Run> {
+    let needs_light = arguments.picture.needs_light(scene);
+    arguments.picture.prepare(scene, &arguments.scene.name())?;
+    let motion = Motion {
+        frame_count: arguments.frames,
+        orbit: arguments.orbit,
+        orbit_light: arguments.orbit_light || (arguments.orbit && needs_light),
+        deform: arguments.deform,
+    };
+    let animation = Animation::new(scene, motion);
+    animation.check(&arguments.picture.settings())?;
+    let config = arguments.picture.build_config();
+    match chosen {
+        Chosen::Cpu => frames(arguments, &mut Cpu::new(config), scene, &animation, place),
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu(gpu) => {
+            let mut machine = machine::OnGpu::new(gpu, scene, config)?;
+            frames(arguments, &mut machine, scene, &animation, place)
+        }
+        #[cfg(feature = "gpu")]
+        Chosen::GpuIfItFits(gpu) => {
+            let done = machine::OnGpu::new(gpu, scene, config)
+                .and_then(|mut machine| frames(arguments, &mut machine, scene, &animation, place));
+            match done {
+                Err(error) if super::backend::is_the_gpus_fault(&error) => {
+                    output::warn(&format!("{error:#}; the CPU does it"));
+                    frames(arguments, &mut Cpu::new(config), scene, &animation, place)
+                }
+                done => done,
+            }
+        }
+    }
+}
+
+/// Makes all frames on one machine.
+fn frames(
+    arguments: &AnimateArguments,
+    machine: &mut impl Machine,
+    scene: &mut Scene,
+    animation: &Animation,
+    place: &Place,
+) -> Result<Run> {
+    let settings = arguments.picture.settings();
+    let mut sink = place.open(settings.size, arguments.fps)?;
+    let mut upkeep = Upkeep::new(arguments.update);
+    let mut picture = Picture::default();
+    let mut records = Vec::with_capacity(arguments.frames as usize);
+    let progress = output::bar("animating");
+    for frame in 0..arguments.frames {
+        let begin = Instant::now();
+        let vertices_moved = animation.pose(frame, scene);
+        let pose = begin.elapsed();
+        let action = upkeep.next(vertices_moved);
+        let done = machine.frame(scene, vertices_moved, action, &settings, &mut picture)?;
+        if let Some(cost) = done.cost {
+            upkeep.measured(cost);
+        }
+        let total = begin.elapsed();
+
+        let begin = Instant::now();
+        sink.add(frame, &picture)?;
+        records.push(Record {
+            action,
+            pose,
+            done,
+            total,
+            write: begin.elapsed(),
+        });
+        progress.set(f64::from(frame + 1) / f64::from(arguments.frames));
+    }
+    sink.finish()?;
+    let (backend, adapter) = machine.name();
+    Ok(Run {
+        backend,
+        adapter,
+        threads: rayon::current_num_threads(),
+        records,
+    })
+}

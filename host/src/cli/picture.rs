@@ -1,0 +1,87 @@
+//! What a picture is to be like, and the scene made ready for it.
+
+use super::options::{self, CameraOption};
+use anyhow::{Context, Result};
+use clap::{Args, ValueEnum};
+use slimbvh::{BuildConfig, CodeBits, Light, RenderSettings, Scene, View};
+
+/// How pictures are made.
+#[derive(Debug, Args)]
+pub struct PictureArguments {
+    /// Size of the picture in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = options::size)]
+    pub size: [u32; 2],
+
+    /// Samples a pixel: 1, 4, 16 … form a grid, any number works
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = |text: &str| options::whole(text, 1..=65536))]
+    pub spp: u32,
+
+    /// What to show
+    #[arg(long, value_enum, default_value_t = View::Color)]
+    pub view: View,
+
+    /// Camera, parts as needed: "eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES", or height=H for parallel rays
+    #[arg(long, value_name = "PARTS")]
+    camera: Option<CameraOption>,
+
+    /// Light instead of the scene's, may be repeated: "sun=X,Y,Z color=R,G,B", where the light goes, or
+    /// "point=X,Y,Z color=R,G,B range=D"
+    #[arg(long, value_name = "PARTS", value_parser = options::light)]
+    light: Vec<Light>,
+
+    /// How many mirrors a ray may meet
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = |text: &str| options::whole(text, 0..=64))]
+    mirror_depth: u32,
+
+    /// Bits of the codes that order triangles: 30, or 63 for scenes with small details
+    #[arg(long, value_enum, default_value_t = Codes::Bits30)]
+    codes: Codes,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Codes {
+    #[value(name = "30")]
+    Bits30,
+    #[value(name = "63")]
+    Bits63,
+}
+
+impl PictureArguments {
+    /// How to render.
+    pub fn settings(&self) -> RenderSettings {
+        RenderSettings {
+            size: self.size,
+            sample_count: self.spp,
+            view: self.view,
+            mirror_depth: self.mirror_depth,
+        }
+    }
+
+    /// How to build.
+    pub fn build_config(&self) -> BuildConfig {
+        BuildConfig {
+            code_bits: match self.codes {
+                Codes::Bits30 => CodeBits::Bits30,
+                Codes::Bits63 => CodeBits::Bits63,
+            },
+        }
+    }
+
+    /// Whether the scene gets the light that stands beside the camera, as neither it nor the arguments have any.
+    pub fn needs_light(&self, scene: &Scene) -> bool {
+        self.light.is_empty() && scene.lights.is_empty()
+    }
+
+    /// Checks a scene and gives it the camera and the lights that are asked for, and what is missing.
+    pub fn prepare(&self, scene: &mut Scene, name: &str) -> Result<()> {
+        if !self.light.is_empty() {
+            scene.lights.clone_from(&self.light);
+        }
+        scene.mesh.validate().with_context(|| name.to_owned())?;
+        scene.complete(scene.mesh.bounds(), self.size);
+        if let Some(camera) = &self.camera {
+            camera.apply(&mut scene.cameras[0]);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,66 @@
+//! Animations on a GPU, be it one that computes in software.
+
+use super::{actions, decode, folder, frames};
+use crate::process::Folder;
+
+/// An animation on the preferred adapter: its report, or nothing where there is no adapter.
+fn run(folder: &Folder, adapter: &str, options: &[&str]) -> serde_json::Value {
+    let common = ["animate", "--size=64x36", "--json=-", "--adapter", adapter];
+    let outcome = folder.run_with_gpu([&common[..], options].concat());
+    assert_eq!((outcome.code, outcome.stderr.as_str()), (Some(0), ""));
+    serde_json::from_str(&outcome.stdout).expect("it is JSON")
+}
+
+#[test]
+fn a_gpu_makes_the_same_frames() {
+    let adapters = slimbvh::gpu::adapters();
+    let Some(adapter) = adapters.first().map(|adapter| adapter.name.as_str()) else {
+        let is_required = std::env::var_os("REQUIRE_GPU").is_some_and(|value| value != "0");
+        assert!(!is_required, "REQUIRE_GPU, but there is none");
+        eprintln!("THE TESTS OF ANIMATIONS ON A GPU ARE SKIPPED: there is none");
+        return;
+    };
+    let folder = folder(&["cpu", "refit", "rebuild", "auto"]);
+    let common = ["--frames=10", "--orbit", "--deform=twist"];
+    let options = ["animate", "--size=64x36", "--out=cpu"];
+    folder.succeed([&options[..], &common].concat());
+    let cpu = frames(&folder, "cpu", 10);
+    let pictures = ["refit", "rebuild", "auto"].map(|update| {
+        let options = ["--update", update, "--out", update];
+        let report = run(&folder, adapter, &[&common[..], &options].concat());
+        assert_eq!(report["backend"], "gpu");
+        // The cost is not known there, so refits are counted.
+        let rebuilt = actions(&report).iter().filter(|&&a| a == "rebuilt").count();
+        let expected = match update {
+            "refit" => 1,
+            "rebuild" => 10,
+            _ => 2,
+        };
+        assert_eq!(rebuilt, expected, "{report}");
+        frames(&folder, update, 10)
+    });
+    assert_eq!(pictures[0], pictures[1]);
+    assert_eq!(pictures[0], pictures[2]);
+
+    // Rounding may move a byte by one; a ray that grazes an edge may see what is behind.
+    for (cpu, gpu) in cpu.iter().zip(&pictures[0]) {
+        let (cpu, gpu) = (decode(cpu), decode(gpu));
+        let far = cpu.iter().zip(&gpu).filter(|(a, b)| a.abs_diff(**b) > 1);
+        assert!(far.count() <= cpu.len() / 200);
+    }
+    // And the comparison tells frames apart.
+    let (first, next) = (decode(&cpu[0]), decode(&pictures[0][1]));
+    let far = first.iter().zip(&next).filter(|(a, b)| a.abs_diff(**b) > 1);
+    assert!(far.count() > first.len() / 20);
+}
+
+#[test]
+fn a_static_scene_is_built_once() {
+    let adapters = slimbvh::gpu::adapters();
+    let Some(adapter) = adapters.first() else {
+        return;
+    };
+    let folder = Folder::new();
+    let report = run(&folder, &adapter.name, &["--frames=3", "--orbit"]);
+    assert_eq!(actions(&report), ["rebuilt", "kept", "kept"]);
+}
