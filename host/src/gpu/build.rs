@@ -16,11 +16,6 @@ use slimbvh_core::refit::{PyramidBox, group_count};
 use slimbvh_core::topology::depth_bound;
 use wgpu::BufferUsages;
 
-/// The stages of a build.
-pub const STAGES: [&str; 7] = [
-    "bounds", "morton", "sort", "classify", "snap", "topology", "refit",
-];
-
 /// Programs kept: some meshes in turn, and some targets for each.
 const KEPT_PROGRAMS: usize = 16;
 
@@ -82,6 +77,11 @@ struct Scratch {
 }
 
 impl Builder {
+    /// The stages that a build may have.
+    pub const STAGES: [&str; 7] = [
+        "bounds", "morton", "sort", "classify", "snap", "topology", "refit",
+    ];
+
     /// A builder without buffers yet.
     #[must_use]
     pub fn new(config: BuildConfig) -> Self {

@@ -497,7 +497,7 @@ pub fn render_image(
     }
     let mut build = Stages::default();
     for (stage, time) in stages.iter() {
-        let is_build = super::build::STAGES.contains(&stage);
+        let is_build = super::Builder::STAGES.contains(&stage);
         let part = if is_build {
             &mut build
         } else {

@@ -105,7 +105,7 @@ impl Machine for OnGpu<'_> {
         }
         let mut build = Stages::default();
         for (stage, time) in stages.iter() {
-            let is_build = self.builder.work().iter().any(|work| work.stage == stage);
+            let is_build = gpu::Builder::STAGES.contains(&stage);
             let part = if is_build && action != Action::Kept {
                 &mut build
             } else {
