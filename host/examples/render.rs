@@ -1,6 +1,6 @@
 //! A picture of a scene, on the GPU where there is a real one, else on the CPU: `cargo run --example render -- FILE.png`
 
-use slimbvh::gpu::{self, AdapterChoice, Gpu, Tools};
+use slimbvh::gpu::{AdapterChoice, Gpu, ImageRenderer};
 use slimbvh::{BuildConfig, Builder, Bvh, Picture, RenderSettings, Renderer, generate};
 use std::error::Error;
 
@@ -17,13 +17,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let report = match Gpu::open(&AdapterChoice::Hardware) {
         Ok(gpu) => {
             println!("on {}", gpu.name());
-            let tools = Tools {
-                builder: &mut gpu::Builder::new(config),
-                bvh: &mut gpu::Bvh::new(),
-                renderer: &mut gpu::Renderer::new(),
-            };
-            let (_, report) =
-                gpu::render_image(&gpu, tools, &scene, &settings, &mut picture, |_| {})?;
+            let mut renderer = ImageRenderer::new(config);
+            let (_, report) = renderer.render(&gpu, &scene, &settings, &mut picture, |_| {})?;
             report
         }
         Err(reason) => {

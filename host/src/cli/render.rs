@@ -185,23 +185,14 @@ fn render_on_gpu(
     settings: &RenderSettings,
     picture: &mut Picture,
 ) -> Result<Outcome> {
-    let mut builder = slimbvh::gpu::Builder::new(config);
-    let mut renderer = slimbvh::gpu::Renderer::new();
-    let mut bvh = slimbvh::gpu::Bvh::new();
+    let mut renderer = slimbvh::gpu::ImageRenderer::new(config);
     let progress = output::bar("rendering");
-    let (build, report) = slimbvh::gpu::render_image(
-        gpu,
-        slimbvh::gpu::Tools {
-            builder: &mut builder,
-            bvh: &mut bvh,
-            renderer: &mut renderer,
-        },
-        scene,
-        settings,
-        picture,
-        |share| progress.set(share),
-    )?;
-    let [node_count, triangle_count] = bvh.read_counts(gpu)?.map(|count| count as usize);
+    let (build, report) = renderer.render(gpu, scene, settings, picture, |share| {
+        progress.set(share);
+    })?;
+    let counts = renderer.bvh.read_counts(gpu)?;
+    let [node_count, triangle_count] = counts.map(|count| count as usize);
+    let scratch = renderer.builder.scratch_bytes() + renderer.renderer.scratch_bytes();
     Ok(Outcome {
         backend: "gpu",
         adapter: Some(gpu.name().into()),
@@ -210,7 +201,7 @@ fn render_on_gpu(
         node_count,
         node_bytes: node_count * size_of::<slimbvh::Node>(),
         triangle_bytes: triangle_count * size_of::<slimbvh::LeafTriangle>(),
-        scratch_bytes: (builder.scratch_bytes() + renderer.scratch_bytes()) as usize,
+        scratch_bytes: scratch as usize,
     })
 }
 

@@ -3,14 +3,15 @@
 use super::work::Traffic;
 use super::{Gpu, GpuError};
 use bytemuck::AnyBitPattern;
+use std::sync::mpsc::RecvTimeoutError;
 use std::time::Duration;
 use wgpu::BufferUsages;
 
 /// Ranges begin at multiples of this, which every adapter takes.
 pub const ALIGNMENT: u64 = 256;
 
-/// How long a callback may be on its way after the GPU is done.
-const PATIENCE: Duration = Duration::from_secs(10);
+/// How often is asked whether the GPU is done.
+const PAUSE: Duration = Duration::from_micros(50);
 
 /// A part of a buffer, and how much of it a kernel that sees it touches.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -201,11 +202,16 @@ pub fn read_mapped<T: AnyBitPattern + bytemuck::NoUninit>(
             // Nobody waits for it after an error.
             let _ = sender.send(result);
         });
-        gpu.wait(None)?;
-        // Another thread that polls may have taken the callback, and be about to call it.
-        match mapped.recv_timeout(PATIENCE) {
-            Ok(Ok(())) => {}
-            _ => return Err(gpu.lost("its memory cannot be read")),
+        // Not `wait`: that would be for all that was submitted later, too. Another thread that polls may call the callback.
+        let result = loop {
+            gpu.progress()?;
+            match mapped.recv_timeout(PAUSE) {
+                Err(RecvTimeoutError::Timeout) => {}
+                result => break result,
+            }
+        };
+        if !matches!(result, Ok(Ok(()))) {
+            return Err(gpu.lost("its memory cannot be read"));
         }
         let view = buffer
             .get_mapped_range(..)

@@ -26,6 +26,8 @@ const TOO_LARGE: &str = "take a smaller mesh, or the CPU";
 #[derive(Debug)]
 pub struct Builder {
     config: BuildConfig,
+    /// The most triangles so far.
+    largest: u32,
     scratch: Scratch,
     programs: Vec<(Key, Program)>,
 }
@@ -87,6 +89,7 @@ impl Builder {
     pub fn new(config: BuildConfig) -> Self {
         Self {
             config,
+            largest: 0,
             scratch: Scratch::new(),
             programs: Vec::new(),
         }
@@ -107,12 +110,14 @@ impl Builder {
     /// # Errors
     /// Those of [`Self::build`].
     pub fn sort(&mut self, frame: &mut Frame, mesh: &Mesh) -> Result<(), GpuError> {
-        let gpu = frame.gpu();
-        gpu.check_sizes(&self.sizes(mesh.triangle_count), TOO_LARGE)?;
-        if mesh.triangle_count == 0 {
+        let (gpu, count) = (frame.gpu(), mesh.triangle_count);
+        gpu.check_sizes(&self.sizes(count), TOO_LARGE)?;
+        if count == 0 {
             return Ok(());
         }
-        gpu.checked(|| self.encode(frame, Task::Sort, mesh, None))
+        self.make_room(count);
+        let sorted = gpu.checked(|| self.encode(frame, Task::Sort, mesh, None));
+        sorted.inspect_err(|_| self.forget())
     }
 
     /// Records the build of a hierarchy over the mesh that was sorted last, or over a subset of it, in place of an earlier
@@ -137,11 +142,36 @@ impl Builder {
                 (Task::BuildFacing(components.clone(), ranges), count > 0)
             }
         };
-        gpu.checked(|| {
+        self.make_room(count);
+        let recorded = gpu.checked(|| {
             let depth_bound = depth_bound(self.key_bits(), count);
             let built = bvh.reserve(gpu, count, depth_bound, is_reduced);
             self.encode(frame, task, mesh, Some(&built))
+        });
+        recorded.inspect_err(|_| {
+            self.forget();
+            *bvh = Bvh::new();
         })
+    }
+
+    /// Refuses a mesh that is larger than the GPU takes, before anything is allocated.
+    pub(super) fn check(&self, gpu: &Gpu, triangle_count: u32) -> Result<(), GpuError> {
+        gpu.check_sizes(&self.sizes(triangle_count), TOO_LARGE)
+    }
+
+    /// Lets go of programs over buffers that will be too small, so that old and new ones need not fit at once.
+    fn make_room(&mut self, triangle_count: u32) {
+        if triangle_count > self.largest {
+            self.programs.clear();
+            self.largest = triangle_count;
+        }
+    }
+
+    /// Lets go of everything: some of it may not have been made.
+    fn forget(&mut self) {
+        self.largest = 0;
+        self.programs.clear();
+        self.scratch = Scratch::new();
     }
 
     /// Records that a hierarchy's boxes be moved to where the mesh's vertices are now; the triangles must be those that it
@@ -162,7 +192,8 @@ impl Builder {
             return Err(GpuError::Refit(RefitError::Reduced));
         }
         gpu.check_sizes(&self.sizes(mesh.triangle_count), TOO_LARGE)?;
-        gpu.checked(|| self.encode(frame, Task::Refit, mesh, Some(&built)))
+        let recorded = gpu.checked(|| self.encode(frame, Task::Refit, mesh, Some(&built)));
+        recorded.inspect_err(|_| self.forget())
     }
 
     /// Bytes of the buffers between the stages; they are kept for the next build.

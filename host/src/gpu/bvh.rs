@@ -83,6 +83,7 @@ impl Bvh {
         depth_bound: u32,
         is_reduced: bool,
     ) -> Built {
+        self.built = None;
         let nodes = self.nodes.range(gpu, node_bytes(triangle_count));
         let built = Built {
             nodes: nodes.touching_nodes(size_of::<Node>() as u64),
@@ -101,7 +102,7 @@ impl Bvh {
 
     /// What was built.
     pub(super) fn built(&self) -> Result<&Built, GpuError> {
-        self.built.as_ref().ok_or_else(|| GpuError::Buffer {
+        self.built.as_ref().ok_or_else(|| GpuError::Unfit {
             what: "the hierarchy",
             fault: "is empty; build it first".into(),
         })

@@ -6,6 +6,9 @@ use super::program::{Recorder, threads};
 use super::scan::{Scan, TOTAL_BYTES};
 use super::{Frame, Gpu, GpuError, Kernel};
 
+/// Items are numbered by a `u32`, a bit each.
+const MOST_BIT_BYTES: u64 = 1 << 29;
+
 /// Lists the items whose bit is set, and keeps its buffers.
 #[derive(Debug)]
 pub struct Compact {
@@ -45,6 +48,15 @@ impl Compact {
         let gpu = frame.gpu();
         let [bits, indices, total] = [bits, indices, total].map(Range::of_slice);
         check_storage(gpu, "the bits", &bits, 4)?;
+        if bits.size >= MOST_BIT_BYTES {
+            return Err(GpuError::Unfit {
+                what: "the bits",
+                fault: format!(
+                    "take {} bytes; fewer than {MOST_BIT_BYTES} can be numbered",
+                    bits.size
+                ),
+            });
+        }
         check_storage(gpu, "the indices", &indices, 4)?;
         check_storage(gpu, "the total", &total, TOTAL_BYTES)?;
         gpu.checked(|| {

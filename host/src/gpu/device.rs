@@ -1,10 +1,11 @@
 //! A device with its compiled kernels, and the errors that it reports.
 
-use super::kernel::{Kernel, Pipelines};
+use super::kernel::{Kernel, Pipelines, compile};
 use super::timer::TimerPool;
 use super::{AdapterChoice, Frame, GpuError, adapter};
 use pollster::block_on;
-use std::sync::{Arc, OnceLock};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// A GPU ready to work: its own, or one that the caller has opened already.
 ///
@@ -19,6 +20,7 @@ pub struct Gpu {
     pipelines: Pipelines,
     pub(super) timers: TimerPool,
     lost: Arc<OnceLock<String>>,
+    late: Arc<Mutex<Option<String>>>,
 }
 
 impl Gpu {
@@ -49,15 +51,17 @@ impl Gpu {
             // Only the first reason counts.
             let _ = lost.set(one_line(&message));
         });
-        let late = Arc::clone(&gpu.lost);
+        let late = Arc::clone(&gpu.late);
         gpu.device.on_uncaptured_error(Arc::new(move |error| {
-            let _ = late.set(one_line(&error.to_string()));
+            *late.lock().unwrap_or_else(PoisonError::into_inner) =
+                Some(one_line(&error.to_string()));
         }));
         Ok(gpu)
     }
 
     /// Works on a device that the caller has opened; its limits hold. With the feature `TIMESTAMP_QUERY` stages are
-    /// timed. The caller's own handlers of errors and of device loss stay in place.
+    /// timed. The caller's own handlers of errors and of device loss stay in place; that a device was lost shows here when
+    /// something is waited for.
     ///
     /// # Errors
     /// Where the device is too small for the kernels.
@@ -103,6 +107,7 @@ impl Gpu {
             limits,
             pipelines: Pipelines::default(),
             lost: Arc::default(),
+            late: Arc::default(),
         })
     }
 
@@ -141,7 +146,13 @@ impl Gpu {
     /// # Errors
     /// Those of the driver's compiler.
     pub fn pipeline(&self, kernel: Kernel) -> Result<wgpu::ComputePipeline, GpuError> {
-        self.checked(|| Ok(self.pipelines.pipeline(&self.device, kernel)))
+        if let Some(pipeline) = self.pipelines.compiled(kernel) {
+            return Ok(pipeline);
+        }
+        // Kept only if nothing was found fault with.
+        let pipeline = self.checked(|| Ok(compile(&self.device, kernel)))?;
+        self.pipelines.keep(kernel, &pipeline);
+        Ok(pipeline)
     }
 
     /// Runs commands, and turns what the driver objects to into an error.
@@ -150,6 +161,17 @@ impl Gpu {
         work: impl FnOnce() -> Result<R, GpuError>,
     ) -> Result<R, GpuError> {
         self.check_alive()?;
+        let late = self
+            .late
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take();
+        if let Some(reason) = late {
+            return Err(GpuError::Invalid {
+                adapter: self.name.clone(),
+                reason,
+            });
+        }
         let filters = [
             wgpu::ErrorFilter::OutOfMemory,
             wgpu::ErrorFilter::Internal,
@@ -166,7 +188,7 @@ impl Gpu {
         let error = memory.or(internal).or(validation);
         if error.is_some() {
             // A loss is told of when the device is polled, and after what it made invalid.
-            let _ = self.device.poll(wgpu::PollType::Poll);
+            let _ = self.poll(wgpu::PollType::Poll);
         }
         self.check_alive()?;
         match error {
@@ -192,14 +214,28 @@ impl Gpu {
 
     /// Waits for a submission, or for all.
     pub(super) fn wait(&self, submission: Option<wgpu::SubmissionIndex>) -> Result<(), GpuError> {
-        let waited = self.device.poll(wgpu::PollType::Wait {
+        let waited = self.poll(wgpu::PollType::Wait {
             submission_index: submission,
             timeout: None,
         });
         self.check_alive()?;
-        match waited {
-            Ok(_) => Ok(()),
-            Err(error) => Err(self.lost(&one_line(&error.to_string()))),
+        waited.map_err(|reason| self.lost(&reason))
+    }
+
+    /// Lets callbacks be called of what is done.
+    pub(super) fn progress(&self) -> Result<(), GpuError> {
+        let polled = self.poll(wgpu::PollType::Poll);
+        self.check_alive()?;
+        polled.map_err(|reason| self.lost(&reason))
+    }
+
+    /// Tells what is done. wgpu 30 panics where the driver says while it waits that the device is lost, after it has let go
+    /// of all its locks.
+    fn poll(&self, how: wgpu::PollType) -> Result<(), String> {
+        match catch_unwind(AssertUnwindSafe(|| self.device.poll(how))) {
+            Ok(Ok(_)) => Ok(()),
+            Ok(Err(error)) => Err(one_line(&error.to_string())),
+            Err(_) => Err("its driver failed".into()),
         }
     }
 

@@ -47,10 +47,10 @@ pub enum GpuError {
         /// What is needed.
         needs: u64,
     },
-    /// A buffer of the caller does not fit its use.
-    #[error("the buffer of {what} {fault}")]
-    Buffer {
-        /// What the buffer holds.
+    /// Something of the caller's does not fit its use.
+    #[error("{what} {fault}")]
+    Unfit {
+        /// What it is.
         what: &'static str,
         /// What is wrong with it.
         fault: String,

@@ -103,7 +103,7 @@ impl Facing {
     }
 
     pub(super) fn ranges(&self) -> Result<&FacingRanges, GpuError> {
-        self.ranges.as_ref().ok_or_else(|| GpuError::Buffer {
+        self.ranges.as_ref().ok_or_else(|| GpuError::Unfit {
             what: "the target",
             fault: "is empty; set it first".into(),
         })

@@ -11,6 +11,7 @@ pub struct Frame<'g> {
     gpu: &'g Gpu,
     encoder: wgpu::CommandEncoder,
     timer: Option<Timer>,
+    fault: Option<GpuError>,
 }
 
 impl<'g> Frame<'g> {
@@ -18,10 +19,20 @@ impl<'g> Frame<'g> {
         let descriptor = wgpu::CommandEncoderDescriptor {
             label: Some("slimbvh frame"),
         };
+        // What goes wrong here is told when the frame is submitted.
+        let (mut timer, mut fault) = (None, None);
+        let made = gpu.checked(|| {
+            timer = gpu.timers.take(gpu.device());
+            Ok(())
+        });
+        if let Err(error) = made {
+            (timer, fault) = (None, Some(error));
+        }
         Self {
             gpu,
             encoder: gpu.device().create_command_encoder(&descriptor),
-            timer: gpu.timers.take(gpu.device()),
+            timer,
+            fault,
         }
     }
 
@@ -56,10 +67,25 @@ impl<'g> Frame<'g> {
     /// Copies what a buffer holds at this point of the frame, to be read when the frame is done.
     ///
     /// # Errors
-    /// If the buffer cannot be copied from.
+    /// For a buffer without the usage `COPY_SRC`, and a slice that does not begin and end at multiples of 4 bytes.
     pub fn read_later(&mut self, slice: wgpu::BufferSlice) -> Result<Download, GpuError> {
-        let gpu = self.gpu;
-        gpu.checked(|| Ok(self.download(&Range::of_slice(slice))))
+        let (gpu, range) = (self.gpu, Range::of_slice(slice));
+        let fault = |fault: String| {
+            Err(GpuError::Unfit {
+                what: "the buffer to read",
+                fault,
+            })
+        };
+        if !range.buffer.usage().contains(wgpu::BufferUsages::COPY_SRC) {
+            return fault("was made without the usage COPY_SRC".into());
+        }
+        if !(range.offset.is_multiple_of(4) && range.size.is_multiple_of(4)) {
+            return fault(format!(
+                "is to be read from byte {} for {} bytes, which are not multiples of 4",
+                range.offset, range.size
+            ));
+        }
+        gpu.checked(|| Ok(self.download(&range)))
     }
 
     /// Sends all that was recorded.
@@ -68,6 +94,9 @@ impl<'g> Frame<'g> {
     /// If a command is refused, memory is exhausted, or the device was lost.
     pub fn submit(mut self) -> Result<Submission<'g>, GpuError> {
         let gpu = self.gpu;
+        if let Some(fault) = self.fault {
+            return Err(fault);
+        }
         if let Some(timer) = &self.timer {
             timer.resolve(&mut self.encoder);
         }
@@ -89,15 +118,25 @@ pub struct Submission<'g> {
 }
 
 impl Submission<'_> {
-    /// Waits until it is done. Returns the time of each stage, or none where the adapter has no timestamps.
+    /// Waits until it is done. Returns the time of each stage, or none where the adapter has no timestamps; passes after
+    /// the first 1024 of a frame are not timed.
     ///
     /// # Errors
     /// If the device was lost.
-    pub fn wait(self) -> Result<Stages, GpuError> {
-        self.gpu.wait(Some(self.index))?;
-        match self.timer {
+    pub fn wait(mut self) -> Result<Stages, GpuError> {
+        self.gpu.wait(Some(self.index.clone()))?;
+        match self.timer.take() {
             Some(timer) => timer.read(self.gpu),
             None => Ok(Stages::default()),
+        }
+    }
+}
+
+impl Drop for Submission<'_> {
+    /// Nobody asked for the times: the next frame may have the timer, whose commands come after these.
+    fn drop(&mut self) {
+        if let Some(timer) = self.timer.take() {
+            self.gpu.timers.give_back(timer);
         }
     }
 }

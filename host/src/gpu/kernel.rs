@@ -1,7 +1,7 @@
 //! The compiled entry points of `gpu-shaders`.
 
 use std::collections::HashMap;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 macro_rules! kernels {
     ($($name:ident),* $(,)?) => {
@@ -56,16 +56,23 @@ kernels! {
 pub struct Pipelines(Mutex<HashMap<Kernel, wgpu::ComputePipeline>>);
 
 impl Pipelines {
-    pub fn pipeline(&self, device: &wgpu::Device, kernel: Kernel) -> wgpu::ComputePipeline {
-        let mut pipelines = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let compiled = pipelines
-            .entry(kernel)
-            .or_insert_with(|| compile(device, kernel));
-        compiled.clone()
+    /// The pipeline, if it has been compiled.
+    pub fn compiled(&self, kernel: Kernel) -> Option<wgpu::ComputePipeline> {
+        self.all().get(&kernel).cloned()
+    }
+
+    /// Keeps a pipeline for the next time.
+    pub fn keep(&self, kernel: Kernel, pipeline: &wgpu::ComputePipeline) {
+        self.all().insert(kernel, pipeline.clone());
+    }
+
+    fn all(&self) -> MutexGuard<'_, HashMap<Kernel, wgpu::ComputePipeline>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-fn compile(device: &wgpu::Device, kernel: Kernel) -> wgpu::ComputePipeline {
+/// Compiles a kernel for a device.
+pub fn compile(device: &wgpu::Device, kernel: Kernel) -> wgpu::ComputePipeline {
     let label = Some(kernel.name());
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label,

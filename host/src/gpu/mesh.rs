@@ -58,16 +58,12 @@ impl Mesh {
         indices: wgpu::BufferSlice,
     ) -> Result<Self, GpuError> {
         let (vertices, indices) = (Range::of_slice(vertices), Range::of_slice(indices));
-        for (what, range) in [("vertices", &vertices), ("indices", &indices)] {
+        for (what, range) in [
+            ("the buffer of vertices", &vertices),
+            ("the buffer of indices", &indices),
+        ] {
             check_storage(gpu, what, range, ELEMENT_BYTES)?;
         }
-        gpu.check_sizes(
-            &[
-                ("the vertices", vertices.size),
-                ("the indices", indices.size),
-            ],
-            "take a smaller mesh",
-        )?;
         let triangle_count = indices.size / ELEMENT_BYTES;
         if triangle_count > u64::from(MAX_TRIANGLES) {
             return Err(GpuError::Mesh(MeshError::TooManyTriangles {
@@ -101,14 +97,25 @@ impl Mesh {
     }
 }
 
-/// Refuses a range of the caller's that no kernel can read.
+/// Refuses a range of the caller's that no kernel can see.
 pub fn check_storage(
     gpu: &Gpu,
     what: &'static str,
     range: &Range,
     element_bytes: u64,
 ) -> Result<(), GpuError> {
-    let fault = |fault: String| Err(GpuError::Buffer { what, fault });
+    check_parts(gpu, what, range, element_bytes)?;
+    gpu.check_sizes(&[(what, range.size)], "take a part of it")
+}
+
+/// Refuses a range of the caller's that no kernel can see, not even in parts.
+pub fn check_parts(
+    gpu: &Gpu,
+    what: &'static str,
+    range: &Range,
+    element_bytes: u64,
+) -> Result<(), GpuError> {
+    let fault = |fault: String| Err(GpuError::Unfit { what, fault });
     if !range.buffer.usage().contains(BufferUsages::STORAGE) {
         return fault("was made without the usage STORAGE".into());
     }

@@ -1,8 +1,8 @@
 //! The GPU backend: core's kernels, compiled to SPIR-V, driven by wgpu.
 //!
 //! Everything of a frame stays on the GPU. What is recorded into one [`Frame`] is one submission: no stage waits for the
-//! host, sizes that the GPU decides drive indirect dispatches, and buffers, bindings and kernels are used again from one
-//! frame to the next.
+//! host, sizes that the GPU decides drive indirect dispatches, and the buffers, bindings and kernels of builds and pictures
+//! are used again from one frame to the next.
 //!
 //! ```no_run
 //! use slimbvh::gpu::{AdapterChoice, Builder, Bvh, Gpu, Mesh, Query};
@@ -21,7 +21,8 @@
 //! # }
 //! ```
 //!
-//! Devices must be true to IEEE 754 in what Vulkan leaves open: subtract, multiply and compare round to nearest.
+//! Devices must be true to IEEE 754 in what Vulkan leaves open: subtract, multiply and compare round to nearest, and numbers
+//! below 2^-126 count where all of a scene is as small as that. What was made with one [`Gpu`] belongs to it alone.
 
 mod adapter;
 mod buffer;
@@ -56,7 +57,7 @@ pub use facing::{Components, Facing, Subset};
 pub use frame::{Frame, Submission};
 pub use kernel::Kernel;
 pub use mesh::Mesh;
-pub use render::{Counters, PictureDownload, Renderer, Tools, render_image};
+pub use render::{Counters, ImageRenderer, PictureDownload, Renderer};
 pub use scan::Scan;
 pub use scene::Scene;
 pub use sort::{Keys, Sort};

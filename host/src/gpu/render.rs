@@ -1,6 +1,7 @@
 //! Pictures on the GPU, in waves of samples.
 
 mod counters;
+mod image;
 mod target;
 mod wave;
 
@@ -10,13 +11,12 @@ use super::sort::{Keys, Sort};
 use super::trees::{Trees, TreesRanges};
 use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Kernel, Scene};
-use crate::Stages;
-use crate::picture::{Picture, RenderReport, RenderSettings, View};
+use crate::picture::{Picture, RenderSettings, View};
 use crate::scene::{Camera, Light, ViewError};
 pub use counters::Counters;
+pub use image::ImageRenderer;
 use slimbvh_core::shade::{Environment, Light as CoreLight, Path};
 use slimbvh_core::{Hit, camera::Camera as CoreCamera};
-use std::time::Instant;
 use wave::{Wave, waves};
 use wgpu::BufferUsages;
 
@@ -194,7 +194,7 @@ impl Renderer {
         } else {
             0
         };
-        gpu.checked(|| {
+        let planned = gpu.checked(|| {
             let buffers = self.reserve(gpu, settings, core_lights.len(), &waves);
             let environment = crate::Scene::environment(camera.up);
             upload_view(
@@ -216,7 +216,8 @@ impl Renderer {
                 buffers,
                 waves,
             })
-        })
+        });
+        planned.inspect_err(|_| *self = Self::new())
     }
 
     /// Encodes some of a picture's waves, and what comes after the last one.
@@ -227,7 +228,10 @@ impl Renderer {
         which: std::ops::Range<usize>,
     ) -> Result<(), GpuError> {
         let gpu = frame.gpu();
-        gpu.checked(|| {
+        if which.start == 0 {
+            self.work.clear();
+        }
+        let encoded = gpu.checked(|| {
             let last = plan.waves.len();
             if last > KEPT_WAVES {
                 self.kept = None;
@@ -252,14 +256,15 @@ impl Renderer {
             }
             if let Some((_, programs)) = &self.kept {
                 let end = which.end + usize::from(which.end == last);
-                self.work.clear();
                 for program in &programs[which.start..end] {
                     program.encode(frame);
                     self.work.extend_from_slice(program.work());
                 }
             }
             Ok(())
-        })
+        });
+        // What could not be made is not kept.
+        encoded.inspect_err(|_| *self = Self::new())
     }
 
     /// Copies the picture for the caller to read when the frame is done.
@@ -284,8 +289,10 @@ impl Renderer {
     /// If memory is exhausted.
     pub fn count_later(&mut self, frame: &mut Frame) -> Result<Counters, GpuError> {
         let gpu = frame.gpu();
-        let counters = self.counters.range(gpu, counters::BYTES);
-        gpu.checked(|| Ok(Counters(frame.download(&counters))))
+        gpu.checked(|| {
+            let counters = self.counters.range(gpu, counters::BYTES);
+            Ok(Counters(frame.download(&counters)))
+        })
     }
 
     /// Bytes of the buffers that the last picture used; they are kept for the next.
@@ -315,7 +322,7 @@ impl Renderer {
     /// The picture's range.
     fn picture(&mut self, gpu: &Gpu) -> Result<Range, GpuError> {
         if self.size == [0, 0] {
-            return Err(GpuError::Buffer {
+            return Err(GpuError::Unfit {
                 what: "the picture",
                 fault: "is empty; render first".into(),
             });
@@ -430,82 +437,6 @@ impl PictureDownload {
         }
         Ok(())
     }
-}
-
-/// What [`render_image`] works with, and leaves for the next picture.
-#[derive(Debug)]
-pub struct Tools<'a> {
-    /// Builds the hierarchy.
-    pub builder: &'a mut super::Builder,
-    /// Where the hierarchy goes.
-    pub bvh: &'a mut Bvh,
-    /// Makes the picture.
-    pub renderer: &'a mut Renderer,
-}
-
-/// Renders a whole picture: uploads the scene, builds its hierarchy, and waits for the result. `progress` is told the share
-/// done, 0 to 1. Returns the times of the build and what the render did.
-///
-/// # Errors
-/// Those of [`Scene::upload`], [`super::Builder::build`] and [`Renderer::render`].
-pub fn render_image(
-    gpu: &Gpu,
-    tools: Tools,
-    scene: &crate::Scene,
-    settings: &RenderSettings,
-    picture: &mut Picture,
-    mut progress: impl FnMut(f64),
-) -> Result<(Stages, RenderReport), GpuError> {
-    let begin = Instant::now();
-    let Tools {
-        builder,
-        bvh,
-        renderer,
-    } = tools;
-    let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
-    let bounds = scene.mesh.bounds().unwrap_or(slimbvh_core::Aabb::EMPTY);
-    camera.check_reach(slimbvh_core::bounds::scene_exponent(&bounds))?;
-    let uploaded = Scene::upload(gpu, scene)?;
-
-    // The build and the first wave are one submission.
-    let mut frame = gpu.frame();
-    builder.build(&mut frame, &uploaded.mesh, bvh)?;
-    let trees = Trees::all(bvh, scene.lights.len());
-    let view = (camera, scene.lights.as_slice());
-    let plan = renderer.plan(&mut frame, &uploaded, &trees, view, settings)?;
-    let wave_count = plan.waves.len();
-    let mut stages = Stages::default();
-    for wave in 0..wave_count {
-        renderer.encode(&mut frame, &plan, wave..wave + 1)?;
-        if wave + 1 == wave_count {
-            break;
-        }
-        stages.merge(&frame.submit()?.wait()?);
-        progress((wave + 1) as f64 / wave_count as f64);
-        frame = gpu.frame();
-    }
-    let texels = renderer.read_later(&mut frame)?;
-    let counters = renderer.count_later(&mut frame)?;
-    stages.merge(&frame.submit()?.wait()?);
-    texels.read(gpu, picture)?;
-    progress(1.0);
-    let mut report = counters.read(gpu)?;
-
-    // Without timestamps, all that is known is how long it took.
-    if stages.iter().next().is_none() {
-        stages.add("all", begin.elapsed());
-    }
-    let mut build = Stages::default();
-    for (stage, time) in stages.iter() {
-        let is_build = super::Builder::STAGES.contains(&stage);
-        let part = if is_build {
-            &mut build
-        } else {
-            &mut report.stages
-        };
-        part.add(stage, time);
-    }
-    Ok((build, report))
 }
 
 /// Refuses a picture that is larger than the GPU takes.

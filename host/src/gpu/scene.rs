@@ -26,10 +26,6 @@ impl Scene {
     pub fn upload(gpu: &Gpu, scene: &crate::Scene) -> Result<Self, GpuError> {
         let mesh = Mesh::upload(gpu, &scene.mesh)?;
         let (normals, indices) = (&scene.mesh.normals, &scene.mesh.materials);
-        gpu.check_sizes(
-            &[("the normals", size_of_val(normals.as_slice()) as u64)],
-            "take a smaller mesh, or the CPU",
-        )?;
         let materials = scene.core_materials();
         gpu.checked(|| {
             let usage = BufferUsages::STORAGE;
@@ -61,10 +57,10 @@ impl Scene {
         let normals = normals.map(Range::of_slice);
         let material_indices = material_indices.map(Range::of_slice);
         if let Some(normals) = &normals {
-            check_storage(gpu, "normals", normals, 12)?;
+            check_storage(gpu, "the buffer of normals", normals, 12)?;
         }
         if let Some(indices) = &material_indices {
-            check_storage(gpu, "material indices", indices, 4)?;
+            check_storage(gpu, "the buffer of material indices", indices, 4)?;
         }
         let scene = crate::Scene {
             materials: materials.to_vec(),

@@ -42,6 +42,12 @@ impl TimerPool {
         Some(free.unwrap_or_else(|| Timer::new(device)))
     }
 
+    /// Keeps a timer for another frame.
+    pub fn give_back(&self, mut timer: Timer) {
+        timer.stages.clear();
+        self.free().push(timer);
+    }
+
     fn free(&self) -> std::sync::MutexGuard<'_, Vec<Timer>> {
         self.free.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -100,7 +106,7 @@ impl Timer {
     }
 
     /// The times of a frame that is done. The timer goes back to its pool.
-    pub fn read(mut self, gpu: &Gpu) -> Result<Stages, GpuError> {
+    pub fn read(self, gpu: &Gpu) -> Result<Stages, GpuError> {
         let mut stages = Stages::default();
         if !self.stages.is_empty() {
             let ticks: Vec<u64> = read_mapped(gpu, &self.readable)?;
@@ -109,9 +115,8 @@ impl Timer {
                 let nanoseconds = pass[1].saturating_sub(pass[0]) as f64 * period;
                 stages.add(stage, Duration::from_nanos(nanoseconds as u64));
             }
-            self.stages.clear();
         }
-        gpu.timers.free().push(self);
+        gpu.timers.give_back(self);
         Ok(stages)
     }
 }

@@ -1,7 +1,7 @@
 //! Rays in a buffer, answers in a buffer.
 
 use super::buffer::{ALIGNMENT, Range};
-use super::mesh::check_storage;
+use super::mesh::check_parts;
 use super::program::{Recorder, Uniform, threads};
 use super::{Bvh, Frame, GpuError, Kernel};
 use slimbvh_core::launch::NEAREST_COUNT;
@@ -62,12 +62,12 @@ impl Bvh {
         let gpu = frame.gpu();
         let (rays, answers) = (Range::of_slice(rays), Range::of_slice(answers));
         let answer_bytes = query.answer_bytes();
-        check_storage(gpu, "rays", &rays, RAY_BYTES)?;
-        check_storage(gpu, "answers", &answers, answer_bytes)?;
+        check_parts(gpu, "the buffer of rays", &rays, RAY_BYTES)?;
+        check_parts(gpu, "the buffer of answers", &answers, answer_bytes)?;
         let ray_count = rays.size / RAY_BYTES;
         if answers.size < ray_count * answer_bytes {
-            return Err(GpuError::Buffer {
-                what: "answers",
+            return Err(GpuError::Unfit {
+                what: "the buffer of answers",
                 fault: format!(
                     "has {} bytes, but {ray_count} rays have answers of {answer_bytes} bytes each",
                     answers.size

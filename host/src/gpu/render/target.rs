@@ -20,7 +20,7 @@ impl Renderer {
         let gpu = frame.gpu();
         let [width, height] = self.size;
         let picture = self.picture(gpu)?;
-        let fault = |fault: String| GpuError::Buffer {
+        let fault = |fault: String| GpuError::Unfit {
             what: "the texture",
             fault,
         };

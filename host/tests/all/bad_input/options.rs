@@ -202,6 +202,7 @@ fn words_that_mean_nothing() {
     assert!(help.contains("Usage: slimbvh <COMMAND>"), "{help}");
 }
 
+#[cfg(feature = "gpu")]
 #[test]
 fn a_gpu_on_a_machine_without_one() {
     let folder = folder();
@@ -213,6 +214,7 @@ fn a_gpu_on_a_machine_without_one() {
     }
 }
 
+#[cfg(feature = "gpu")]
 #[test]
 fn a_gpu_for_the_cpu() {
     let folder = folder();
@@ -224,6 +226,7 @@ fn a_gpu_for_the_cpu() {
     );
 }
 
+#[cfg(feature = "gpu")]
 #[test]
 fn adapters_of_a_scene() {
     let folder = folder();

@@ -166,7 +166,7 @@ fn unfit_buffers_are_refused_by_name() {
         mapped_at_creation: false,
     });
     let refusal = |vertices, indices| match gpu::Mesh::from_buffers(gpu, vertices, indices) {
-        Err(error @ GpuError::Buffer { .. }) => error.to_string(),
+        Err(error @ GpuError::Unfit { .. }) => error.to_string(),
         other => panic!("{other:?}"),
     };
     let usage = "was made without the usage STORAGE";

@@ -181,7 +181,7 @@ fn only_the_mesh_that_was_built_over_is_refitted() {
     let mut frame = gpu.frame();
     let unbuilt = builder.refit(&mut frame, &uploads[0], &mut bvh);
     assert!(
-        matches!(unbuilt, Err(GpuError::Buffer { .. })),
+        matches!(unbuilt, Err(GpuError::Unfit { .. })),
         "{unbuilt:?}"
     );
     assert!(bvh.download(gpu).is_err() && bvh.read_counts(gpu).is_err());

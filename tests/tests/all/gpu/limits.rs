@@ -3,9 +3,9 @@
 use super::builds::same_tree;
 use super::trace::{Answers, rays_at};
 use slimbvh::generate::{default_scene, soup};
-use slimbvh::gpu::{self, AdapterChoice, AdapterError, Gpu, GpuError, adapters};
+use slimbvh::gpu::{self, AdapterChoice, AdapterError, Gpu, GpuError, adapters, wgpu};
 use slimbvh::{BuildConfig, CodeBits, RenderSettings};
-use slimbvh_tests::gpu::{done, gpu, gpu_with_limits};
+use slimbvh_tests::gpu::{done, gpu, gpu_with_limits, own_gpu};
 use slimbvh_tests::{CODE_BITS, build};
 
 const MIB: u64 = 1 << 20;
@@ -130,20 +130,17 @@ fn more_rays_than_a_kernel_sees_are_answered_in_parts() {
 #[test]
 fn devices_too_small_for_the_kernels_are_refused() {
     let Some(gpu) = gpu() else { return };
-    let instance =
-        gpu::wgpu::Instance::new(gpu::wgpu::InstanceDescriptor::new_without_display_handle());
-    let backends = gpu::wgpu::Backends::PRIMARY;
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+    let backends = wgpu::Backends::PRIMARY;
     let adapters = pollster::block_on(instance.enumerate_adapters(backends));
     let mut of_name = adapters.into_iter();
     let adapter = of_name.find(|adapter| adapter.get_info().name == gpu.name());
     let mut required_limits = gpu.limits().clone();
     required_limits.max_storage_buffers_per_shader_stage = 7;
-    let opened = adapter
-        .unwrap()
-        .request_device(&gpu::wgpu::DeviceDescriptor {
-            required_limits,
-            ..Default::default()
-        });
+    let opened = adapter.unwrap().request_device(&wgpu::DeviceDescriptor {
+        required_limits,
+        ..Default::default()
+    });
     let (device, queue) = pollster::block_on(opened).unwrap();
     let refused = Gpu::from_device(device, queue).map(|_| ());
     let expected = GpuError::TooSmall {
@@ -177,4 +174,50 @@ fn an_adapter_that_is_not_there_is_answered_with_those_that_are() {
         );
         assert!(only, "{refused:?}");
     }
+}
+
+/// Bits that a `u32` cannot number, frames whose reads cannot be, and what comes after: everything works again.
+#[test]
+fn reads_that_cannot_be_are_refused_before_the_frame_is_spoilt() {
+    let Some(gpu) = gpu() else { return };
+    let buffer = |usage| {
+        gpu.device().create_buffer(&wgpu::BufferDescriptor {
+            label: Some("a buffer"),
+            size: 64,
+            usage,
+            mapped_at_creation: false,
+        })
+    };
+    let unreadable = buffer(wgpu::BufferUsages::STORAGE);
+    let readable = buffer(wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC);
+    let mut frame = gpu.frame();
+    let refused = frame.read_later(unreadable.slice(..)).map(|_| ());
+    let said = refused.map_or_else(|error| error.to_string(), |()| String::new());
+    assert_eq!(
+        said,
+        "the buffer to read was made without the usage COPY_SRC"
+    );
+    let refused = frame.read_later(readable.slice(..6)).map(|_| ());
+    let said = refused.map_or_else(|error| error.to_string(), |()| String::new());
+    assert!(said.contains("6 bytes"), "{said}");
+    let read = done(frame.read_later(readable.slice(..)));
+    done(frame.submit());
+    assert_eq!(done(read.read::<u32>(gpu)), [0; 16]);
+}
+
+/// A kernel's error, and an error of the caller's own, spoil nothing of ours for good.
+#[test]
+fn an_error_of_the_caller_is_told_once_and_is_no_loss() {
+    let Some(gpu) = own_gpu() else { return };
+    // Not within our calls: a shader that does not compile.
+    let _ = gpu
+        .device()
+        .create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("wrong"),
+            source: wgpu::ShaderSource::Wgsl("fn wrong( {".into()),
+        });
+    let mesh = slimbvh::generate::icosphere(glam::Vec3::ZERO, 1.0, 2);
+    let first = gpu::Mesh::upload(&gpu, &mesh);
+    assert!(matches!(first, Err(GpuError::Invalid { .. })), "{first:?}");
+    assert!(gpu::Mesh::upload(&gpu, &mesh).is_ok());
 }

@@ -91,11 +91,7 @@ fn a_picture_cut_short_by_the_loss_of_the_device_is_an_error() {
             ..default_scene()
         };
         let mut picture = slimbvh::Picture::default();
-        let tools = gpu::Tools {
-            builder: &mut gpu::Builder::new(BuildConfig::default()),
-            bvh: &mut gpu::Bvh::new(),
-            renderer: &mut gpu::Renderer::new(),
-        };
+        let mut renderer = gpu::ImageRenderer::new(BuildConfig::default());
         // Several waves; the first one's end destroys the device.
         let settings = RenderSettings {
             size: [64, 64],
@@ -103,7 +99,8 @@ fn a_picture_cut_short_by_the_loss_of_the_device_is_an_error() {
             ..RenderSettings::default()
         };
         let destroy = |_| gpu.device().destroy();
-        gpu::render_image(&gpu, tools, &scene, &settings, &mut picture, destroy).map(|_| ())
+        let rendered = renderer.render(&gpu, &scene, &settings, &mut picture, destroy);
+        rendered.map(|_| ())
     });
     assert!(matches!(result, Err(GpuError::Lost { .. })), "{result:?}");
 }

@@ -36,12 +36,8 @@ pub fn settings(view: View) -> RenderSettings {
 /// By the GPU, with what it counted.
 pub fn of_gpu(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> (Picture, RenderReport) {
     let mut picture = Picture::default();
-    let tools = gpu::Tools {
-        builder: &mut gpu::Builder::new(BuildConfig::default()),
-        bvh: &mut gpu::Bvh::new(),
-        renderer: &mut gpu::Renderer::new(),
-    };
-    let rendered = gpu::render_image(gpu, tools, scene, settings, &mut picture, |_| {});
+    let mut renderer = gpu::ImageRenderer::new(BuildConfig::default());
+    let rendered = renderer.render(gpu, scene, settings, &mut picture, |_| {});
     (picture, done(rendered).1)
 }
 

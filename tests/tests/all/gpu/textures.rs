@@ -140,7 +140,7 @@ fn unfit_textures_are_refused() {
     let mut refusal = |renderer: &mut gpu::Renderer, texture: &wgpu::Texture| match renderer
         .copy_to_texture(&mut frame, texture)
     {
-        Err(error @ GpuError::Buffer { .. }) => error.to_string(),
+        Err(error @ GpuError::Unfit { .. }) => error.to_string(),
         other => panic!("{other:?}"),
     };
     let small = texture(gpu, TextureFormat::Rgba32Float, [160, 89]);

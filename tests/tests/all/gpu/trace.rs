@@ -263,7 +263,7 @@ fn rays_without_room_for_their_answers_are_refused() {
     let mut trace = |bvh: &gpu::Bvh, rays: wgpu::BufferSlice, room: wgpu::BufferSlice| {
         bvh.trace(&mut frame, Query::Closest, rays, room)
     };
-    let refused = |result: Result<(), GpuError>| matches!(result, Err(GpuError::Buffer { .. }));
+    let refused = |result: Result<(), GpuError>| matches!(result, Err(GpuError::Unfit { .. }));
     assert!(refused(trace(&bvh, rays.slice(..), room.slice(..))));
     let mut build = gpu.frame();
     done(gpu::Builder::new(BuildConfig::default()).build(&mut build, &mesh, &mut bvh));

@@ -1,0 +1,99 @@
+//! From a scene to a picture, all in one.
+
+use super::{Renderer, check, waves};
+use crate::gpu::{Builder, Bvh, Gpu, GpuError, Scene, Trees};
+use crate::scene::ViewError;
+use crate::{BuildConfig, Picture, RenderReport, RenderSettings, Stages};
+use slimbvh_core::Aabb;
+use slimbvh_core::bounds::scene_exponent;
+use std::time::Instant;
+
+/// Renders whole pictures of scenes, and keeps its buffers from one to the next.
+#[derive(Debug)]
+pub struct ImageRenderer {
+    /// Builds the hierarchy.
+    pub builder: Builder,
+    /// The hierarchy of the latest picture.
+    pub bvh: Bvh,
+    /// Makes the picture.
+    pub renderer: Renderer,
+}
+
+impl ImageRenderer {
+    /// One without buffers yet.
+    #[must_use]
+    pub fn new(config: BuildConfig) -> Self {
+        Self {
+            builder: Builder::new(config),
+            bvh: Bvh::new(),
+            renderer: Renderer::new(),
+        }
+    }
+
+    /// Uploads a scene, builds its hierarchy, renders it through its first camera, and waits for the picture. `progress` is
+    /// told the share done, 0 to 1. Returns the times of the build and what the render did.
+    ///
+    /// # Errors
+    /// Those of [`Scene::upload`], [`Builder::build`] and [`Renderer::render`]; what is too large is refused before
+    /// anything is allocated.
+    pub fn render(
+        &mut self,
+        gpu: &Gpu,
+        scene: &crate::Scene,
+        settings: &RenderSettings,
+        picture: &mut Picture,
+        mut progress: impl FnMut(f64),
+    ) -> Result<(Stages, RenderReport), GpuError> {
+        let begin = Instant::now();
+        let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
+        scene.mesh.validate()?;
+        let bounds = scene.mesh.bounds().unwrap_or(Aabb::EMPTY);
+        camera.check_reach(scene_exponent(&bounds))?;
+        camera.to_core(settings.size, settings.sample_count)?;
+        self.builder.check(gpu, scene.mesh.indices.len() as u32)?;
+        let limit = gpu.limits().max_storage_buffer_binding_size;
+        check(gpu, settings, &waves(settings, limit))?;
+        let uploaded = Scene::upload(gpu, scene)?;
+
+        // The build and the first wave are one submission.
+        let mut frame = gpu.frame();
+        let (builder, bvh, renderer) = (&mut self.builder, &mut self.bvh, &mut self.renderer);
+        builder.build(&mut frame, &uploaded.mesh, bvh)?;
+        let trees = Trees::all(bvh, scene.lights.len());
+        let view = (camera, scene.lights.as_slice());
+        let plan = renderer.plan(&mut frame, &uploaded, &trees, view, settings)?;
+        let wave_count = plan.waves.len();
+        let mut stages = Stages::default();
+        for wave in 0..wave_count {
+            renderer.encode(&mut frame, &plan, wave..wave + 1)?;
+            if wave + 1 == wave_count {
+                break;
+            }
+            stages.merge(&frame.submit()?.wait()?);
+            progress((wave + 1) as f64 / wave_count as f64);
+            frame = gpu.frame();
+        }
+        let texels = renderer.read_later(&mut frame)?;
+        let counters = renderer.count_later(&mut frame)?;
+        stages.merge(&frame.submit()?.wait()?);
+        texels.read(gpu, picture)?;
+        progress(1.0);
+        let mut report = counters.read(gpu)?;
+
+        // Without timestamps, all that is known is how long it took.
+        if stages.iter().next().is_none() {
+            stages.add("all", begin.elapsed());
+        }
+        let mut build = Stages::default();
+        for (stage, time) in stages.iter() {
+            let is_build = Builder::STAGES.contains(&stage);
+            let part = if is_build {
+                &mut build
+            } else {
+                &mut report.stages
+            };
+            part.add(stage, time);
+        }
+        Ok((build, report))
+    }
+}
