@@ -86,7 +86,7 @@ impl Orientation {
     /// products and three sums: `gamma(8)` of the sum of magnitudes. That sum is itself rounded, and products may
     /// underflow: both are covered twice over. A ball adds its radius times the length of the normal.
     ///
-    /// No product that feeds a sum is ever fused with it ([`product`]): the same triangle and target give the same bits in
+    /// No product that feeds a sum is ever fused with it: the same triangle and target give the same bits in
     /// every kernel of a device, so that what one leaves out, no other counts.
     #[inline]
     #[must_use]

@@ -4,8 +4,8 @@
 use arbitrary::Arbitrary;
 use libfuzzer_sys::fuzz_target;
 use slimbvh::{BuildConfig, Builder, CodeBits, Mesh};
-use slimbvh_core::trace::{BruteForce, any_hit, closest_hit, nearest_hits};
 use slimbvh_core::classify::Except;
+use slimbvh_core::trace::{BruteForce, any_hit, closest_hit, nearest_hits};
 use slimbvh_core::{Hit, Ray};
 
 #[derive(Arbitrary, Debug)]

@@ -107,7 +107,15 @@ pub fn refit(
     *to = (
         group_bounds(i, triangles),
         parent_bounds(i, pyramid),
-        refit_node(Node { last: i, ..Node::EMPTY }, i, triangles, pyramid),
+        refit_node(
+            Node {
+                last: i,
+                ..Node::EMPTY
+            },
+            i,
+            triangles,
+            pyramid,
+        ),
     );
 }
 
