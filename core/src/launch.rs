@@ -44,9 +44,17 @@ pub const fn group_index(x: u32, y: u32) -> u32 {
     x + y * GROUPS_PER_ROW
 }
 
+/// Whether one is to be added to the high word of a sum of 64 bits, where its low word was `old` and `amount` is added.
+#[inline(always)]
+#[must_use]
+pub const fn carries(old: u32, amount: u32) -> bool {
+    old.wrapping_add(amount) < old
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     #[test]
     fn rows_hold_every_group_once() {
@@ -56,5 +64,22 @@ mod tests {
         assert_eq!(dispatch(GROUPS_PER_ROW + 1), [GROUPS_PER_ROW, 2, 1]);
         assert_eq!(group_index(3, 1), GROUPS_PER_ROW + 3);
         assert_eq!(thread_index(7, 1), GROUPS_PER_ROW * LANES as u32 + 7);
+    }
+
+    #[test]
+    fn a_full_word_carries() {
+        assert!(!carries(u32::MAX, 0));
+        assert!(!carries(u32::MAX - 5, 5));
+        assert!(carries(u32::MAX - 5, 6));
+        assert!(carries(u32::MAX, u32::MAX));
+    }
+
+    proptest! {
+        #[test]
+        fn two_words_add_like_one_of_64_bits(old: u32, amount: u32) {
+            let sum = u64::from(old) + u64::from(amount);
+            let words = [old.wrapping_add(amount), u32::from(carries(old, amount))];
+            prop_assert_eq!(words, [sum as u32, (sum >> 32) as u32]);
+        }
     }
 }

@@ -81,7 +81,7 @@ fn count(counters: &mut [u32], pair: u32, amount: u32) {
     if amount > 0 && low + 1 < counters.len() {
         // SAFETY: all accesses to counters within a dispatch are atomic.
         let old = unsafe { atomic_add(&mut counters[low], amount) };
-        if old.wrapping_add(amount) < old {
+        if launch::carries(old, amount) {
             // SAFETY: as above.
             unsafe { atomic_add(&mut counters[low + 1], 1) };
         }

@@ -4,7 +4,9 @@ use crate::{LANE_STEPS, group_index, run_begin, run_length};
 use glam::{UVec3, UVec4};
 use slimbvh_core::launch::{BLOCK, DIGITS, LANES};
 use slimbvh_core::scan::doubling_step;
-use slimbvh_core::sort::{DigitCounts, count_digit, digit, place};
+use slimbvh_core::sort::{
+    DigitCounts, count_digit, digit, digit_total, lane_begin, place, total_place,
+};
 use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;
 use spirv_std::spirv;
 
@@ -111,7 +113,7 @@ fn count<I: Item>(
     barrier();
 }
 
-/// The end of phase 1: one lane per digit adds up the counts of all lanes.
+/// Phase 2 over tiles: one lane per digit stores its total.
 #[inline(always)]
 fn store_totals(
     group: UVec3,
@@ -122,17 +124,13 @@ fn store_totals(
 ) {
     let tile_count = item_count.div_ceil(BLOCK);
     let tile = group_index(group);
-    let to = (lane * tile_count + tile) as usize;
+    let to = total_place(lane, tile, tile_count) as usize;
     if lane < DIGITS as u32 && tile < tile_count && to < totals.len() {
-        let mut sum = 0;
-        for other in 0..LANES {
-            sum += counts[lane as usize % DIGITS][other];
-        }
-        totals[to] = sum;
+        totals[to] = digit_total(lane, counts);
     }
 }
 
-/// Phase 2: turns the lanes' counts into the places of their next items.
+/// Phase 2 over lanes: turns the lanes' counts into the places of their next items.
 #[inline(always)]
 fn place_lanes(
     group: UVec3,
@@ -162,10 +160,9 @@ fn place_lanes(
     }
     // From here on a lane touches only its own column.
     for digit in 0..DIGITS {
-        let from = digit * tile_count as usize + tile as usize;
-        let base = if from < before.len() { before[from] } else { 0 };
-        let lanes_before = sums[digit].wrapping_sub(own[digit]);
-        counts[digit][lane as usize % LANES] = base.wrapping_add(lanes_before);
+        let from = total_place(digit as u32, tile, tile_count) as usize;
+        let tile_begin = if from < before.len() { before[from] } else { 0 };
+        counts[digit][lane as usize % LANES] = lane_begin(tile_begin, sums[digit], own[digit]);
     }
 }
 

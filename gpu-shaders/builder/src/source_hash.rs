@@ -1,4 +1,4 @@
-//! A hash of the code that shaders are made from. It stays where only comments, layout or tests change.
+//! A hash of the code that shaders are made from and by. It stays where only comments, layout or tests change.
 
 use anyhow::{Context, Result};
 use proc_macro2::{TokenStream, TokenTree};
@@ -17,7 +17,13 @@ const PINNED: [(&str, &str); 6] = [
     ("gpu-shaders/builder/Cargo.lock", "spirv-builder"),
 ];
 
-/// The hash of core and of the shader crates in these folders, in hexadecimal.
+/// The builder's source.
+const BUILDER: &str = "gpu-shaders/builder/src";
+
+/// The text there that it copies into `slimbvh.wgsl`.
+const TEMPLATE: &str = "callable.wgsl";
+
+/// The hash of core, of the shader crates in these folders and of the builder itself, in hexadecimal.
 ///
 /// # Errors
 /// Where a file cannot be read or is no Rust.
@@ -26,6 +32,12 @@ pub fn source_hash(root: &Path, shader_crates: &[&str]) -> Result<String> {
     for folder in ["core"].iter().chain(shader_crates) {
         let source = root.join(folder).join("src");
         hash_module(&source, "lib", &source, &mut hash)?;
+    }
+    let builder = root.join(BUILDER);
+    hash_module(&builder, "main", &builder, &mut hash)?;
+    // Line by line, so that their ends do not count.
+    for line in read(&builder.join(TEMPLATE))?.lines() {
+        hash.text(line);
     }
     for (package, version) in pinned_versions(root)? {
         hash.text(&package);

@@ -2,7 +2,9 @@
 
 use rayon::prelude::*;
 use slimbvh_core::scan::run_scan;
-use slimbvh_core::sort::{DigitCounts, count_digit, digit, place};
+use slimbvh_core::sort::{
+    DigitCounts, count_digit, digit, digit_total, lane_begin, place, total_place,
+};
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 /// Bits of a digit: 30-bit codes take three passes.
@@ -109,21 +111,26 @@ impl<const W: usize> Sorter<W> {
         });
 
         // Phase 2: digit by digit, tile by tile, where does each begin?
-        self.offsets.clear();
-        for digit in 0..DIGITS {
-            let before = self.offsets.len();
-            self.offsets
-                .extend(self.counts.iter().map(|counts| counts[digit][0]));
-            let sum: u32 = self.offsets[before..].iter().sum();
+        let tile_count = self.counts.len() as u32;
+        self.offsets.resize(DIGITS * self.counts.len(), 0);
+        for digit in 0..DIGITS as u32 {
+            let mut sum = 0;
+            for (counts, tile) in self.counts.iter().zip(0..) {
+                let total = digit_total(digit, counts);
+                self.offsets[total_place(digit, tile, tile_count) as usize] = total;
+                sum += total;
+            }
             if sum as usize == count {
                 return false;
             }
         }
         let offset_count = self.offsets.len() as u32;
         run_scan(&mut self.offsets, 0, offset_count, 0);
-        let tile_count = self.counts.len();
-        for (at, &offset) in self.offsets.iter().enumerate() {
-            self.counts[at % tile_count][at / tile_count][0] = offset;
+        for (counts, tile) in self.counts.iter_mut().zip(0..) {
+            for ([own], digit) in counts.iter_mut().zip(0..) {
+                let tile_begin = self.offsets[total_place(digit, tile, tile_count) as usize];
+                *own = lane_begin(tile_begin, *own, *own);
+            }
         }
 
         // Phase 3: each tile moves its items in order.

@@ -9,6 +9,7 @@ use slimbvh_core::classify::{Except, Facing, Sides, is_in_set};
 use slimbvh_core::color::{pack_texel, srgb_bytes};
 use slimbvh_core::compact::{is_set, pack_lanes, rank};
 use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::launch::carries;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
 use slimbvh_core::orientation::{Orientation, Target};
 use slimbvh_core::refit::{PyramidBox, group_bounds, parent_bounds, refit_node};
@@ -17,7 +18,9 @@ use slimbvh_core::shade::{
     Environment, Light, Material, Path, Shadow, ambient_light, direct_light, mean_radiance,
 };
 use slimbvh_core::snap::leaf_triangle;
-use slimbvh_core::sort::{DigitCounts, count_digit, digit, place};
+use slimbvh_core::sort::{
+    DigitCounts, count_digit, digit, digit_total, lane_begin, place, total_place,
+};
 use slimbvh_core::surface::Surface;
 use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes};
 use slimbvh_core::trace::{
@@ -76,7 +79,13 @@ pub fn sort_and_scan(
     count_digit(digit, lane, counts);
     let sum = run_sum(values, key, lane);
     let after = run_scan(values, key, lane, sum);
-    place(digit, lane, counts) ^ doubling_step(lane, key, sums) ^ after
+    let total = digit_total(digit, counts);
+    let begin = lane_begin(total_place(digit, lane, key), total, sum);
+    place(digit, lane, counts)
+        ^ doubling_step(lane, key, sums)
+        ^ after
+        ^ begin
+        ^ u32::from(carries(sum, total))
 }
 
 #[unsafe(no_mangle)]

@@ -210,7 +210,7 @@ fn modules_are_made_from_the_code_as_it_is() {
     match source_hash::source_hash(root(), &crates) {
         Ok(hash) => assert_eq!(
             manifest["source_hash"], *hash,
-            "core or the shaders have changed: run the shader builder"
+            "core, the shaders or their builder have changed: run the builder"
         ),
         Err(error) => panic!("{error:#}"),
     }
