@@ -11,6 +11,7 @@ pub mod generate;
 pub mod gpu;
 mod mesh;
 mod picture;
+pub mod reduce;
 pub mod scene;
 mod stages;
 mod text;

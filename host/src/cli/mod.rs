@@ -8,6 +8,7 @@ mod info;
 mod options;
 mod output;
 mod picture;
+mod reduce;
 mod render;
 
 use anyhow::{Context, Result};

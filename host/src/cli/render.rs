@@ -1,15 +1,17 @@
 //! `slimbvh render`.
 
+mod job;
+
 use super::backend::{BackendArguments, Chosen, choose};
 use super::output::{self, bytes, count, things};
 use super::picture::PictureArguments;
+use super::reduce::{self, PlanSummary, ReduceArguments};
 use super::{SceneArguments, ThreadArguments};
 use anyhow::{Result, bail};
 use clap::Args;
+use job::{Job, Outcome};
 use serde::Serialize;
-use slimbvh::{
-    BuildConfig, Builder, Bvh, Picture, RenderReport, RenderSettings, Renderer, Scene, Stages, View,
-};
+use slimbvh::{Picture, Scene, Stages, View};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -32,6 +34,9 @@ pub struct RenderArguments {
 
     #[command(flatten)]
     picture: PictureArguments,
+
+    #[command(flatten)]
+    reduce: ReduceArguments,
 
     #[command(flatten)]
     threads: ThreadArguments,
@@ -70,9 +75,11 @@ struct Summary {
     triangle_bytes: usize,
     mesh_bytes: usize,
     scratch_bytes: usize,
+    plan: PlanSummary,
 }
 
 pub fn run(arguments: &RenderArguments) -> Result<()> {
+    arguments.reduce.check()?;
     check_places(arguments)?;
     let chosen = choose(&arguments.backend)?;
     let mut scene = arguments.scene.load()?;
@@ -111,18 +118,6 @@ fn check_places(arguments: &RenderArguments) -> Result<()> {
     }
 }
 
-/// What was computed, and what it took.
-struct Outcome {
-    backend: &'static str,
-    adapter: Option<String>,
-    build: Stages,
-    report: RenderReport,
-    node_count: usize,
-    node_bytes: usize,
-    triangle_bytes: usize,
-    scratch_bytes: usize,
-}
-
 fn render(
     arguments: &RenderArguments,
     chosen: &Chosen,
@@ -131,81 +126,45 @@ fn render(
     let settings = arguments.picture.settings();
     let config = arguments.picture.build_config();
     arguments.picture.prepare(scene, &arguments.scene.name())?;
+    let asked = arguments.reduce.asked(scene, &settings);
+    let mut room = None;
+    let (plan, survey) = reduce::plan(&asked, config, &mut room)?;
+    let job = Job {
+        scene,
+        plan: &plan,
+        config,
+        settings: &settings,
+    };
     let mut picture = Picture::default();
     let outcome = match chosen {
-        Chosen::Cpu => render_on_cpu(scene, config, &settings, &mut picture)?,
+        Chosen::Cpu => job.on_cpu(&mut picture)?,
         #[cfg(feature = "gpu")]
-        Chosen::Gpu(gpu) => render_on_gpu(gpu, scene, config, &settings, &mut picture)?,
+        Chosen::Gpu(gpu) => job.on_gpu(gpu, &mut picture)?,
         #[cfg(feature = "gpu")]
-        Chosen::GpuIfItFits(gpu) => {
-            match render_on_gpu(gpu, scene, config, &settings, &mut picture) {
-                Err(error) if super::backend::is_the_gpus_fault(&error) => {
-                    output::warn(&format!("{error:#}; the CPU does it"));
-                    render_on_cpu(scene, config, &settings, &mut picture)?
-                }
-                outcome => outcome?,
+        Chosen::GpuIfItFits(gpu) => match job.on_gpu(gpu, &mut picture) {
+            Err(error) if super::backend::is_the_gpus_fault(&error) => {
+                output::warn(&format!("{error:#}; the CPU does it"));
+                job.on_cpu(&mut picture)?
             }
-        }
+            outcome => outcome?,
+        },
     };
-    let summary = summarize(arguments, scene, &outcome);
-    let text = describe(&summary, &outcome);
+    let planned = reduce::summarize(&plan, survey, &outcome.sets);
+    let summary = summarize(arguments, scene, &outcome, planned);
+    let mut text = describe(&summary, &outcome);
+    if arguments.reduce.explain {
+        let stages = (&outcome.build, &outcome.report.stages);
+        text += &reduce::explain(&plan, survey, &outcome.sets, stages);
+    }
     Ok((summary, text, picture))
 }
 
-fn render_on_cpu(
+fn summarize(
+    arguments: &RenderArguments,
     scene: &Scene,
-    config: BuildConfig,
-    settings: &RenderSettings,
-    picture: &mut Picture,
-) -> Result<Outcome> {
-    let (mut builder, mut bvh) = (Builder::new(config), Bvh::default());
-    let build = builder.build_into(&scene.mesh, &mut bvh)?;
-    let mut renderer = Renderer::new();
-    let progress = output::bar("rendering");
-    let report = renderer.render(scene, &bvh, settings, picture, |share| {
-        progress.set(share);
-    })?;
-    Ok(Outcome {
-        backend: "cpu",
-        adapter: None,
-        build,
-        report,
-        node_count: bvh.node_count(),
-        node_bytes: bvh.node_bytes(),
-        triangle_bytes: bvh.triangle_bytes(),
-        scratch_bytes: builder.scratch_bytes() + renderer.scratch_bytes(),
-    })
-}
-
-#[cfg(feature = "gpu")]
-fn render_on_gpu(
-    gpu: &slimbvh::gpu::Gpu,
-    scene: &Scene,
-    config: BuildConfig,
-    settings: &RenderSettings,
-    picture: &mut Picture,
-) -> Result<Outcome> {
-    let mut renderer = slimbvh::gpu::ImageRenderer::new(config);
-    let progress = output::bar("rendering");
-    let (build, report) = renderer.render(gpu, scene, settings, picture, |share| {
-        progress.set(share);
-    })?;
-    let counts = renderer.bvh.read_counts(gpu)?;
-    let [node_count, triangle_count] = counts.map(|count| count as usize);
-    let scratch = renderer.builder.scratch_bytes() + renderer.renderer.scratch_bytes();
-    Ok(Outcome {
-        backend: "gpu",
-        adapter: Some(gpu.name().into()),
-        build,
-        report,
-        node_count,
-        node_bytes: node_count * size_of::<slimbvh::Node>(),
-        triangle_bytes: triangle_count * size_of::<slimbvh::LeafTriangle>(),
-        scratch_bytes: scratch as usize,
-    })
-}
-
-fn summarize(arguments: &RenderArguments, scene: &Scene, outcome: &Outcome) -> Summary {
+    outcome: &Outcome,
+    plan: PlanSummary,
+) -> Summary {
     let times = |stages: &Stages| {
         stages
             .iter()
@@ -242,6 +201,7 @@ fn summarize(arguments: &RenderArguments, scene: &Scene, outcome: &Outcome) -> S
             + size_of_val(mesh.normals.as_slice())
             + size_of_val(mesh.materials.as_slice()),
         scratch_bytes: outcome.scratch_bytes,
+        plan,
     }
 }
 

@@ -57,6 +57,7 @@ pub use facing::{Components, Facing, Subset};
 pub use frame::{Frame, Submission};
 pub use kernel::Kernel;
 pub use mesh::Mesh;
+pub(crate) use render::Parts;
 pub use render::{Counters, ImageRenderer, PictureDownload, Renderer};
 pub use scan::Scan;
 pub use scene::Scene;

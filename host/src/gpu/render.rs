@@ -15,6 +15,7 @@ use crate::picture::{Picture, RenderSettings, View};
 use crate::scene::{Camera, Light, ViewError};
 pub use counters::Counters;
 pub use image::ImageRenderer;
+pub(crate) use image::Parts;
 use slimbvh_core::shade::{Environment, Light as CoreLight, Path};
 use slimbvh_core::{Hit, camera::Camera as CoreCamera};
 use wave::{Wave, waves};

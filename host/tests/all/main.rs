@@ -8,5 +8,6 @@ mod good_output;
 #[cfg(feature = "gpu")]
 mod gpu;
 mod process;
+mod reduce;
 mod shading_is_right;
 mod wide;

@@ -9,6 +9,8 @@ mod meshes;
 mod negative_controls;
 mod odd_rays;
 mod reduced;
+mod reduced_plans;
+mod reduced_scenes;
 mod refits;
 mod repeatable;
 mod trees;

@@ -42,6 +42,32 @@ impl ImageRenderer {
         scene: &crate::Scene,
         settings: &RenderSettings,
         picture: &mut Picture,
+        progress: impl FnMut(f64),
+    ) -> Result<(Stages, RenderReport), GpuError> {
+        let parts = Parts {
+            builder: &mut self.builder,
+            bvh: &mut self.bvh,
+            renderer: &mut self.renderer,
+        };
+        parts.render(gpu, scene, settings, picture, progress)
+    }
+}
+
+/// What makes a picture.
+pub struct Parts<'a> {
+    pub builder: &'a mut Builder,
+    pub bvh: &'a mut Bvh,
+    pub renderer: &'a mut Renderer,
+}
+
+impl Parts<'_> {
+    /// As [`ImageRenderer::render`].
+    pub fn render(
+        self,
+        gpu: &Gpu,
+        scene: &crate::Scene,
+        settings: &RenderSettings,
+        picture: &mut Picture,
         mut progress: impl FnMut(f64),
     ) -> Result<(Stages, RenderReport), GpuError> {
         let begin = Instant::now();
@@ -57,8 +83,8 @@ impl ImageRenderer {
 
         // The build and the first wave are one submission.
         let mut frame = gpu.frame();
-        let (builder, bvh, renderer) = (&mut self.builder, &mut self.bvh, &mut self.renderer);
-        builder.build(&mut frame, &uploaded.mesh, bvh)?;
+        let (bvh, renderer) = (self.bvh, self.renderer);
+        self.builder.build(&mut frame, &uploaded.mesh, bvh)?;
         let trees = Trees::all(bvh, scene.lights.len());
         let view = (camera, scene.lights.as_slice());
         let plan = renderer.plan(&mut frame, &uploaded, &trees, view, settings)?;

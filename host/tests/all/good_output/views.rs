@@ -73,6 +73,7 @@ fn check_report(report: &Value, counts_visits: bool) {
         "triangle_bytes",
         "mesh_bytes",
         "scratch_bytes",
+        "plan",
     ];
     let mut found = keys(report);
     expected.sort_unstable();

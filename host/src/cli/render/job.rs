@@ -1,0 +1,97 @@
+//! A picture by a plan, on either backend.
+
+use crate::cli::output;
+use crate::cli::reduce::SetCounts;
+use anyhow::Result;
+use slimbvh::reduce::{Hierarchies, Plan};
+use slimbvh::{
+    BuildConfig, Builder, Bvh, Picture, RenderReport, RenderSettings, Renderer, Scene, Stages,
+};
+
+/// What was computed, and what it took.
+pub struct Outcome {
+    pub backend: &'static str,
+    pub adapter: Option<String>,
+    pub build: Stages,
+    pub report: RenderReport,
+    pub node_count: usize,
+    pub node_bytes: usize,
+    pub triangle_bytes: usize,
+    pub scratch_bytes: usize,
+    pub sets: SetCounts,
+}
+
+/// A picture to be made.
+pub struct Job<'a> {
+    pub scene: &'a Scene,
+    pub plan: &'a Plan<'a>,
+    pub config: BuildConfig,
+    pub settings: &'a RenderSettings,
+}
+
+impl Job<'_> {
+    /// Builds and renders on this machine's cores.
+    pub fn on_cpu(&self, picture: &mut Picture) -> Result<Outcome> {
+        let (mut builder, mut hierarchies) = (Builder::new(self.config), Hierarchies::new());
+        let build = hierarchies.build(&mut builder, &self.scene.mesh, self.plan)?;
+        let mut renderer = Renderer::new();
+        let progress = output::bar("rendering");
+        let trees = hierarchies.trees(self.plan);
+        let report = renderer.render_with(self.scene, &trees, self.settings, picture, |share| {
+            progress.set(share);
+        })?;
+        let all = || hierarchies.all(self.plan);
+        let sets = hierarchies.sets(self.plan);
+        Ok(Outcome {
+            backend: "cpu",
+            adapter: None,
+            build,
+            report,
+            node_count: all().map(Bvh::node_count).sum(),
+            node_bytes: all().map(Bvh::node_bytes).sum(),
+            triangle_bytes: all().map(Bvh::triangle_bytes).sum(),
+            scratch_bytes: builder.scratch_bytes() + renderer.scratch_bytes(),
+            sets: sets
+                .map(|(aim, set)| (aim.kind, set.triangle_count()))
+                .collect(),
+        })
+    }
+
+    /// Builds and renders on a GPU.
+    #[cfg(feature = "gpu")]
+    pub fn on_gpu(&self, gpu: &slimbvh::gpu::Gpu, picture: &mut Picture) -> Result<Outcome> {
+        use slimbvh::reduce;
+        let mut renderer = reduce::gpu::ImageRenderer::new(self.config);
+        let progress = output::bar("rendering");
+        let (scene, plan, settings) = (self.scene, self.plan, self.settings);
+        let (build, report) = renderer.render(gpu, (scene, plan), settings, picture, |share| {
+            progress.set(share);
+        })?;
+        let hierarchies = &renderer.hierarchies;
+        let scratch = renderer.builder.scratch_bytes() + renderer.renderer.scratch_bytes();
+        let counts = hierarchies.all(plan).map(|bvh| bvh.read_counts(gpu));
+        let counts = counts.collect::<Result<Vec<_>, _>>()?;
+        let sum = |which: usize| {
+            counts
+                .iter()
+                .map(|count| count[which] as usize)
+                .sum::<usize>()
+        };
+        let (node_count, triangle_count) = (sum(0), sum(1));
+        let set_counts = &counts[usize::from(plan.needs_whole)..];
+        let sets = hierarchies.sets(plan).zip(set_counts);
+        Ok(Outcome {
+            backend: "gpu",
+            adapter: Some(gpu.name().into()),
+            build,
+            report,
+            node_count,
+            node_bytes: node_count * size_of::<slimbvh::Node>(),
+            triangle_bytes: triangle_count * size_of::<slimbvh::LeafTriangle>(),
+            scratch_bytes: scratch as usize,
+            sets: sets
+                .map(|((aim, _), [_, count])| (aim.kind, *count as usize))
+                .collect(),
+        })
+    }
+}

@@ -1,0 +1,166 @@
+//! A plan in words.
+
+use super::Reduce;
+use super::plan::{Aim, AimKind, Choice, Plan};
+use crate::topology::{Facts, Topology};
+
+impl Plan<'_> {
+    /// One line a decision: what it is about, and what was decided, with the reason and figures.
+    #[must_use]
+    pub fn explain(&self) -> Vec<(String, String)> {
+        let mut lines = Vec::new();
+        let mut line = |about: &str, text: String| lines.push((about.to_owned(), text));
+        match (self.topology, &self.no_survey) {
+            (Some(topology), _) => {
+                for (about, text) in surfaces(topology) {
+                    line(about, text);
+                }
+                for aim in &self.aims {
+                    line(&aim.name(), self.aim(aim));
+                }
+            }
+            (None, Some(reason)) => line("nothing", format!("is left out: {reason}")),
+            (None, None) => {}
+        }
+        line("whole tree", self.whole());
+        lines
+    }
+
+    fn aim(&self, aim: &Aim) -> String {
+        let kept = format!(
+            "about {:.0} % of {}",
+            100.0 * aim.share,
+            things(self.triangle_count, "triangle")
+        );
+        let saving = if aim.saving_ms >= 0.0 {
+            format!("saves about {:.1} ms", aim.saving_ms)
+        } else {
+            format!("costs about {:.1} ms more than it saves", -aim.saving_ms)
+        };
+        let text = match aim.choice {
+            Choice::Unused => return "no rays, no tree".to_owned(),
+            Choice::Whole if aim.reducible_count == 0 => {
+                "the whole tree: nothing may be left out".to_owned()
+            }
+            Choice::Whole if self.reduce == Reduce::Off => {
+                format!("the whole tree, as asked; a set would keep {kept}")
+            }
+            Choice::Whole => format!("the whole tree: a set of {kept} {saving}"),
+            Choice::Set => {
+                let besides = match (aim.saving_ms < 0.0, self.reduce, self.needs_whole) {
+                    (true, Reduce::On, _) => ", but was asked for",
+                    (true, _, false) => ", but no whole tree is built",
+                    _ => "",
+                };
+                format!("a set of its own: keeps {kept}, {saving}{besides}")
+            }
+        };
+        let inside = self.inside_count(aim);
+        if inside > 0 {
+            let them = if inside == 1 { "stays" } else { "stay" };
+            format!(
+                "{text}; not certainly outside of {}, which {them} whole",
+                things(inside, "closed component")
+            )
+        } else {
+            text
+        }
+    }
+
+    /// Reducible components that an aim needs whole.
+    fn inside_count(&self, aim: &Aim) -> usize {
+        let facts = self.topology.map(Topology::facts).unwrap_or_default();
+        let pairs = facts.iter().zip(&aim.sides);
+        pairs
+            .filter(|(facts, side)| facts.reducible && **side == 0)
+            .count()
+    }
+
+    fn whole(&self) -> String {
+        let used_by = |aim: &&Aim| aim.choice == Choice::Whole;
+        let mut users: Vec<String> = self.aims.iter().filter(used_by).map(Aim::name).collect();
+        if self.has_mirrors {
+            users.push("mirrors".to_owned());
+        }
+        if self.needs_whole {
+            format!("is built, for {}", users.join(", "))
+        } else {
+            "is not built: no rays need it".to_owned()
+        }
+    }
+}
+
+impl Aim {
+    /// `camera`, or `light` and its number from 1.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self.kind {
+            AimKind::Camera => "camera".to_owned(),
+            AimKind::Light(index) => format!("light {}", index + 1),
+        }
+    }
+}
+
+/// What is known of the mesh's surfaces.
+fn surfaces(topology: &Topology) -> Vec<(&'static str, String)> {
+    let facts = topology.facts();
+    let total = |which: &dyn Fn(&Facts) -> bool| {
+        let those = || facts.iter().filter(|facts| which(facts));
+        let triangles: usize = those().map(|facts| facts.triangle_count).sum();
+        (those().count(), triangles)
+    };
+    let (reducible, triangles) = total(&|facts| facts.reducible);
+    let seams = match topology.seam_count() {
+        0 => String::new(),
+        1 => ", but 1 that may be met from behind".to_owned(),
+        count => format!(", but {} that may be met from behind", grouped(count)),
+    };
+    let mut lines = vec![(
+        "reducible",
+        format!(
+            "{} of {}, {}{seams}",
+            grouped(reducible),
+            things(facts.len(), "component"),
+            things(triangles, "triangle"),
+        ),
+    )];
+    for (why, which) in [
+        (
+            "not closed",
+            &(|facts: &Facts| !facts.closed) as &dyn Fn(&Facts) -> bool,
+        ),
+        ("closed, but without a volume of certain sign", &|facts| {
+            facts.closed && !facts.reducible
+        }),
+    ] {
+        let (count, triangles) = total(which);
+        if count > 0 {
+            let text = format!(
+                "{}, {}: {why}",
+                things(count, "component"),
+                things(triangles, "triangle")
+            );
+            lines.push(("stay whole", text));
+        }
+    }
+    lines
+}
+
+/// A count of things: 1 component, 1,200 components.
+fn things(count: usize, thing: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{} {thing}{plural}", grouped(count))
+}
+
+/// A count with thousands set apart.
+fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    let mut text = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}

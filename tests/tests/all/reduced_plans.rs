@@ -1,0 +1,227 @@
+//! What plans decide, and how they say it.
+
+use glam::Vec3;
+use slimbvh::generate::{append, ground, icosphere};
+use slimbvh::reduce::{AimKind, Asked, Choice, Cull, Plan, Reduce, Seams, Switches, survey};
+use slimbvh::{
+    BuildConfig, Camera, Light, Material, Mesh, Projection, RenderSettings, Scene, View,
+};
+use slimbvh_tests::gpu::done;
+
+fn camera() -> Camera {
+    Camera {
+        eye: [0.0, 0.5, 4.0],
+        target: [0.0; 3],
+        up: [0.0, 1.0, 0.0],
+        projection: Projection::Perspective { vertical_fov: 40.0 },
+    }
+}
+
+fn sun(color: [f32; 3]) -> Light {
+    Light::Directional {
+        direction: [-1.0, -2.0, -1.5],
+        color,
+    }
+}
+
+fn lamp(position: [f32; 3]) -> Light {
+    Light::Point {
+        position,
+        color: [5.0; 3],
+        range: f32::INFINITY,
+    }
+}
+
+fn scene(mesh: Mesh, lights: &[Light]) -> Scene {
+    Scene {
+        mesh,
+        cameras: vec![camera()],
+        lights: lights.to_vec(),
+        ..Scene::default()
+    }
+}
+
+fn ball() -> Mesh {
+    icosphere(Vec3::ZERO, 1.0, 5)
+}
+
+fn switches(cull: Option<Cull>, reduce: Reduce) -> Switches {
+    Switches {
+        cull,
+        reduce,
+        seams: Seams::Find,
+    }
+}
+
+fn asked<'a>(
+    scene: &'a Scene,
+    settings: &'a RenderSettings,
+    switches: Switches,
+    frame_count: u32,
+) -> Asked<'a> {
+    Asked {
+        scene,
+        settings,
+        switches,
+        frame_count,
+    }
+}
+
+/// The choices for the camera and each light, and whether the whole tree is built.
+fn decided(asked: &Asked) -> (Vec<Choice>, bool, String) {
+    let survey = done(survey(
+        &asked.scene.mesh,
+        BuildConfig::default(),
+        asked.switches.seams,
+    ));
+    let plan = done(Plan::new(&survey.topology, asked));
+    let said = plan.explain().into_iter();
+    let said: Vec<String> = said
+        .map(|(about, text)| format!("{about}: {text}"))
+        .collect();
+    println!("{}\n", said.join("\n"));
+    let choices = plan.aims.iter().map(|aim| aim.choice).collect();
+    (choices, plan.needs_whole, said.join("\n"))
+}
+
+#[test]
+fn surveys_are_made_where_asked_for_or_worth_it() {
+    let scene = scene(ball(), &[sun([1.0; 3])]);
+    let settings = RenderSettings::default();
+    let needs_survey = |cull, reduce, frame_count| {
+        let asked = asked(&scene, &settings, switches(cull, reduce), frame_count);
+        done(Plan::without_survey(&asked)).is_none()
+    };
+    use Cull::{Off as All, On as Facing};
+    use Reduce::{Auto, Off, On};
+    for (cull, reduce, one_frame, many_frames) in [
+        (None, Auto, false, true),
+        (None, On, true, true),
+        (None, Off, false, false),
+        (Some(Facing), Auto, true, true),
+        (Some(Facing), On, true, true),
+        (Some(Facing), Off, true, true),
+        (Some(All), Auto, false, false),
+        (Some(All), Off, false, false),
+    ] {
+        assert_eq!(
+            needs_survey(cull, reduce, 1),
+            one_frame,
+            "{cull:?} {reduce:?}"
+        );
+        assert_eq!(
+            needs_survey(cull, reduce, 10_000),
+            many_frames,
+            "{cull:?} {reduce:?}"
+        );
+    }
+    assert!(switches(Some(All), On).is_contradiction());
+}
+
+#[test]
+fn declining_says_why_with_figures() {
+    let scene = scene(ball(), &[]);
+    let settings = RenderSettings::default();
+    let asked = asked(&scene, &settings, Switches::default(), 1);
+    let Some(plan) = done(Plan::without_survey(&asked)) else {
+        panic!("one frame cannot pay for a survey");
+    };
+    assert!(plan.is_plain() && plan.needs_whole);
+    let lines = plan.explain();
+    assert_eq!(lines[0].0, "nothing");
+    assert!(
+        lines[0].1.contains(" ms, and would save about "),
+        "{lines:?}"
+    );
+}
+
+#[test]
+fn rays_that_do_not_exist_get_no_tree() {
+    let scene = scene(ball(), &[sun([0.0; 3]), sun([1.0; 3])]);
+    let on = switches(None, Reduce::On);
+    for (view, second) in [
+        (View::Color, Choice::Set),
+        (View::Normals, Choice::Unused),
+        (View::Depth, Choice::Unused),
+    ] {
+        let settings = RenderSettings {
+            view,
+            ..RenderSettings::default()
+        };
+        let (choices, needs_whole, said) = decided(&asked(&scene, &settings, on, 1));
+        assert_eq!(choices, [Choice::Set, Choice::Unused, second]);
+        assert!(!needs_whole && said.contains("light 1: no rays, no tree"));
+        assert!(said.contains("whole tree: is not built: no rays need it"));
+    }
+}
+
+#[test]
+fn the_whole_tree_is_built_for_what_needs_it() {
+    let settings = RenderSettings::default();
+    let on = switches(None, Reduce::On);
+    // A lamp inside.
+    let inside = scene(ball(), &[lamp([0.1, 0.2, 0.0])]);
+    let (choices, needs_whole, said) = decided(&asked(&inside, &settings, on, 1));
+    assert_eq!(
+        (choices, needs_whole),
+        (vec![Choice::Set, Choice::Whole], true)
+    );
+    assert!(said.contains("not certainly outside of 1 closed component, which stays whole"));
+    assert!(said.contains("whole tree: is built, for light 1"));
+    // A mirror.
+    let mut mirror = scene(ball(), &[]);
+    mirror.materials = vec![Material {
+        mirror: 0.5,
+        ..Material::default()
+    }];
+    let (choices, needs_whole, said) = decided(&asked(&mirror, &settings, on, 1));
+    assert_eq!((choices, needs_whole), (vec![Choice::Set], true));
+    assert!(said.contains("whole tree: is built, for mirrors"));
+    let settings = RenderSettings {
+        mirror_depth: 0,
+        ..settings
+    };
+    assert!(!decided(&asked(&mirror, &settings, on, 1)).1);
+    // Nothing closed at all, and nothing at all.
+    for mesh in [ground(2.0, 4), Mesh::default()] {
+        let open = scene(mesh, &[lamp([0.0, 3.0, 0.0])]);
+        let (choices, needs_whole, _) = decided(&asked(&open, &settings, on, 1));
+        assert_eq!((choices, needs_whole), (vec![Choice::Whole; 2], true));
+    }
+}
+
+/// One set and no whole tree is always less work; a set besides a whole tree that is needed anyway is only for many rays.
+#[test]
+fn auto_takes_what_is_cheaper() {
+    let auto = switches(Some(Cull::On), Reduce::Auto);
+    let tiny = RenderSettings {
+        size: [16, 16],
+        ..RenderSettings::default()
+    };
+    let alone = scene(ball(), &[]);
+    let (choices, needs_whole, _) = decided(&asked(&alone, &tiny, auto, 1));
+    assert_eq!((choices, needs_whole), (vec![Choice::Set], false));
+    let lit = scene(ball(), &[lamp([0.1, 0.2, 0.0])]);
+    let (choices, needs_whole, said) = decided(&asked(&lit, &tiny, auto, 1));
+    assert_eq!((choices, needs_whole), (vec![Choice::Whole; 2], true));
+    assert!(said.contains("more than it saves"), "{said}");
+}
+
+/// The share is estimated from samples, and figures are for the mesh at hand.
+#[test]
+fn surfaces_are_summed_up() {
+    let mut mesh = ball();
+    append(&mut mesh, ground(4.0, 8), "ground", 0);
+    let scene = scene(mesh, &[]);
+    let settings = RenderSettings::default();
+    let survey = done(survey(&scene.mesh, BuildConfig::default(), Seams::None));
+    assert!(survey.stages.iter().all(|(step, _)| step == "components"));
+    let asked = asked(&scene, &settings, switches(None, Reduce::On), 1);
+    let plan = done(Plan::new(&survey.topology, &asked));
+    let aim = &plan.aims[0];
+    assert_eq!((aim.kind, aim.reducible_count), (AimKind::Camera, 20_480));
+    assert!((0.35..0.5).contains(&aim.share), "{}", aim.share);
+    let lines = plan.explain();
+    assert_eq!(lines[0].1, "1 of 2 components, 20,480 triangles");
+    assert_eq!(lines[1].1, "1 component, 128 triangles: not closed");
+}

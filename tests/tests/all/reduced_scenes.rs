@@ -1,0 +1,160 @@
+//! Plans for awkward scenes: reduced trees give the picture of the whole tree with the rule, byte for byte, on both
+//! backends, and the rule loses nothing but rays within rounding of a silhouette.
+
+mod scenes;
+
+use scenes::{SUN, ball, room, scenes};
+use slimbvh::gpu;
+use slimbvh::reduce::{
+    self, Asked, Choice, Cull, Hierarchies, Plan, Reduce, Seams, Switches, survey,
+};
+use slimbvh::topology::Topology;
+use slimbvh::{BuildConfig, Builder, Light, Picture, RenderSettings, Renderer, Scene};
+use slimbvh_tests::gpu::{done, gpu};
+
+const SETTINGS: RenderSettings = RenderSettings {
+    size: [96, 64],
+    sample_count: 1,
+    view: slimbvh::View::Color,
+    mirror_depth: 2,
+};
+
+/// Pixels of a thousand that may differ from a picture without the rule.
+const PER_MILLE: usize = 3;
+
+fn asked<'a>(scene: &'a Scene, cull: Cull, reduce: Reduce) -> Asked<'a> {
+    Asked {
+        scene,
+        settings: &SETTINGS,
+        switches: Switches {
+            cull: Some(cull),
+            reduce,
+            seams: Seams::Find,
+        },
+        frame_count: 1,
+    }
+}
+
+fn topology(scene: &Scene) -> Topology {
+    done(survey(&scene.mesh, BuildConfig::default(), Seams::Find)).topology
+}
+
+/// The plans for a whole tree with the rule, for sets, and for what is cheaper.
+fn plans<'a>(scene: &Scene, topology: &'a Topology) -> [Plan<'a>; 3] {
+    [Reduce::Off, Reduce::On, Reduce::Auto]
+        .map(|reduce| done(Plan::new(topology, &asked(scene, Cull::On, reduce))))
+}
+
+fn plain(scene: &Scene) -> Plan<'static> {
+    let plan = done(Plan::without_survey(&asked(scene, Cull::Off, Reduce::Off)));
+    plan.unwrap_or_else(|| panic!("nothing is to be left out"))
+}
+
+fn on_cpu(scene: &Scene, plan: &Plan) -> Picture {
+    let mut builder = Builder::new(BuildConfig::default());
+    let mut hierarchies = Hierarchies::new();
+    done(hierarchies.build(&mut builder, &scene.mesh, plan));
+    let trees = hierarchies.trees(plan);
+    let mut picture = Picture::default();
+    let render = Renderer::new().render_with(scene, &trees, &SETTINGS, &mut picture, |_| {});
+    done(render);
+    picture
+}
+
+fn on_gpu(gpu: &gpu::Gpu, scene: &Scene, plan: &Plan) -> Picture {
+    let mut picture = Picture::default();
+    let mut renderer = reduce::gpu::ImageRenderer::new(BuildConfig::default());
+    done(renderer.render(gpu, (scene, plan), &SETTINGS, &mut picture, |_| {}));
+    picture
+}
+
+/// Checks every scene with one backend.
+fn check(backend: &str, picture: impl Fn(&Scene, &Plan) -> Picture) {
+    for (name, scene) in scenes() {
+        let topology = topology(&scene);
+        let [whole, reduced, auto] = plans(&scene, &topology);
+        assert!(whole.aims.iter().all(|aim| aim.choice == Choice::Whole));
+        assert!(reduced.aims.iter().any(|aim| aim.choice == Choice::Set));
+        let expected = picture(&scene, &whole);
+        assert!(picture(&scene, &reduced) == expected, "{name}");
+        assert!(picture(&scene, &auto) == expected, "{name}");
+
+        let without_rule = picture(&scene, &plain(&scene));
+        let both = || expected.pixels.iter().zip(&without_rule.pixels).enumerate();
+        let differ: Vec<_> = both().filter(|(_, (a, b))| a != b).collect();
+        println!(
+            "{backend}, {name}: {} of {} pixels differ from all that counts",
+            differ.len(),
+            expected.pixels.len()
+        );
+        for (place, (with, without)) in &differ {
+            let [x, y] = [
+                place % SETTINGS.size[0] as usize,
+                place / SETTINGS.size[0] as usize,
+            ];
+            println!("  ({x}, {y}): {with:?}, without the rule {without:?}");
+        }
+        assert!(
+            differ.len() <= expected.pixels.len() * PER_MILLE / 1000,
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn sets_give_the_picture_of_the_rule() {
+    check("CPU", on_cpu);
+}
+
+#[test]
+fn sets_give_the_picture_of_the_rule_on_the_gpu() {
+    let Some(gpu) = gpu() else { return };
+    check("GPU", |scene, plan| on_gpu(gpu, scene, plan));
+}
+
+/// The control: with sides turned round, for the camera or for a light, the picture is another.
+#[test]
+fn wrong_sides_give_another_picture() {
+    for (name, scene) in scenes() {
+        let topology = topology(&scene);
+        let [whole, mut reduced, _] = plans(&scene, &topology);
+        let expected = on_cpu(&scene, &whole);
+        for aim in &mut reduced.aims {
+            for side in &mut aim.sides {
+                *side = -*side;
+            }
+        }
+        assert!(on_cpu(&scene, &reduced) != expected, "{name}");
+    }
+}
+
+/// A closed room under a sun outside, seen from inside, is as dark as under no sun.
+#[test]
+fn no_sun_shines_into_a_closed_room() {
+    let lit = room(SUN);
+    let dark = on_cpu(
+        &room(Light::Directional {
+            direction: [0.0, -1.0, 0.0],
+            color: [0.0; 3],
+        }),
+        &plain(&lit),
+    );
+    let topology = topology(&lit);
+    for plan in plans(&lit, &topology) {
+        assert!(on_cpu(&lit, &plan) == dark);
+        if let Some(gpu) = gpu() {
+            let brightest = |picture: &Picture| {
+                let values = picture.pixels.iter().flatten();
+                values.fold(0.0, |most: f32, &value| most.max(value))
+            };
+            let brightest = brightest(&on_gpu(gpu, &lit, &plan)) / brightest(&dark);
+            assert!((0.999..1.001).contains(&brightest));
+        }
+    }
+    // The walls are what keeps it out.
+    let open = Scene {
+        mesh: ball([0.0; 3], 0.6),
+        ..room(SUN)
+    };
+    assert!(on_cpu(&open, &plain(&open)) != dark);
+}
