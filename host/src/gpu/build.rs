@@ -38,11 +38,11 @@ enum Task {
     /// Puts triangles in the order of the curve.
     Sort,
     /// Builds over all of them.
-    Build,
+    Build(Built),
     /// Builds over those that face a target.
-    BuildFacing(Components, FacingRanges),
+    BuildFacing(Built, Components, FacingRanges),
     /// Moves boxes to where the triangles are now.
-    Refit,
+    Refit(Built),
 }
 
 /// What a program was made for.
@@ -50,8 +50,6 @@ enum Task {
 struct Key {
     task: Task,
     mesh: Mesh,
-    /// None for a sort.
-    bvh: Option<Built>,
     scratch_bytes: u64,
 }
 
@@ -111,12 +109,12 @@ impl Builder {
     /// Those of [`Self::build`].
     pub fn sort(&mut self, frame: &mut Frame, mesh: &Mesh) -> Result<(), GpuError> {
         let (gpu, count) = (frame.gpu(), mesh.triangle_count);
-        gpu.check_sizes(&self.sizes(count), TOO_LARGE)?;
+        self.check(gpu, count)?;
         if count == 0 {
             return Ok(());
         }
         self.make_room(count);
-        let sorted = gpu.checked(|| self.encode(frame, Task::Sort, mesh, None));
+        let sorted = gpu.checked(|| self.encode(frame, Task::Sort, mesh));
         sorted.inspect_err(|_| self.forget())
     }
 
@@ -134,19 +132,23 @@ impl Builder {
     ) -> Result<(), GpuError> {
         let gpu = frame.gpu();
         let count = mesh.triangle_count;
-        gpu.check_sizes(&self.sizes(count), TOO_LARGE)?;
-        let (task, is_reduced) = match subset {
-            Subset::All => (Task::Build, false),
+        self.check(gpu, count)?;
+        let target = match subset {
+            Subset::All => None,
             Subset::Facing { components, facing } => {
-                let ranges = facing.ranges()?.clone();
-                (Task::BuildFacing(components.clone(), ranges), count > 0)
+                Some((components.clone(), facing.ranges()?.clone()))
             }
         };
         self.make_room(count);
         let recorded = gpu.checked(|| {
             let depth_bound = depth_bound(self.key_bits(), count);
+            let is_reduced = target.is_some() && count > 0;
             let built = bvh.reserve(gpu, count, depth_bound, is_reduced);
-            self.encode(frame, task, mesh, Some(&built))
+            let task = match target {
+                None => Task::Build(built),
+                Some((components, ranges)) => Task::BuildFacing(built, components, ranges),
+            };
+            self.encode(frame, task, mesh)
         });
         recorded.inspect_err(|_| {
             self.forget();
@@ -191,8 +193,8 @@ impl Builder {
         if built.is_reduced {
             return Err(GpuError::Refit(RefitError::Reduced));
         }
-        gpu.check_sizes(&self.sizes(mesh.triangle_count), TOO_LARGE)?;
-        let recorded = gpu.checked(|| self.encode(frame, Task::Refit, mesh, Some(&built)));
+        self.check(gpu, mesh.triangle_count)?;
+        let recorded = gpu.checked(|| self.encode(frame, Task::Refit(built), mesh));
         recorded.inspect_err(|_| self.forget())
     }
 
@@ -236,17 +238,10 @@ impl Builder {
     }
 
     /// Encodes the program for these buffers, an earlier one where it fits.
-    fn encode(
-        &mut self,
-        frame: &mut Frame,
-        task: Task,
-        mesh: &Mesh,
-        built: Option<&Built>,
-    ) -> Result<(), GpuError> {
+    fn encode(&mut self, frame: &mut Frame, task: Task, mesh: &Mesh) -> Result<(), GpuError> {
         let mut key = Key {
             task,
             mesh: mesh.clone(),
-            bvh: built.cloned(),
             scratch_bytes: self.scratch.bytes(),
         };
         let kept = self.programs.iter().position(|(other, _)| *other == key);
@@ -255,22 +250,19 @@ impl Builder {
             None => {
                 let gpu = frame.gpu();
                 let mut recorder = Recorder::default();
-                match (&key.task, built) {
-                    (_, Some(bvh)) if mesh.triangle_count == 0 => {
-                        self.record_empty(gpu, &mut recorder, bvh);
+                let to = &mut recorder;
+                match &key.task {
+                    Task::Sort => self.record_sort(gpu, to, mesh),
+                    Task::Build(bvh) | Task::BuildFacing(bvh, ..) | Task::Refit(bvh)
+                        if mesh.triangle_count == 0 =>
+                    {
+                        self.record_empty(gpu, to, bvh);
                     }
-                    (Task::Build, Some(bvh)) => self.record_build(gpu, &mut recorder, mesh, bvh),
-                    (Task::BuildFacing(components, facing), Some(bvh)) => {
-                        self.record_build_facing(
-                            gpu,
-                            &mut recorder,
-                            mesh,
-                            bvh,
-                            (components, facing),
-                        );
+                    Task::Build(bvh) => self.record_build(gpu, to, mesh, bvh),
+                    Task::BuildFacing(bvh, components, facing) => {
+                        self.record_build_facing(gpu, to, mesh, bvh, (components, facing));
                     }
-                    (Task::Refit, Some(bvh)) => self.record_refit(gpu, &mut recorder, mesh, bvh),
-                    (Task::Sort, _) | (_, None) => self.record_sort(gpu, &mut recorder, mesh),
+                    Task::Refit(bvh) => self.record_refit(gpu, to, mesh, bvh),
                 }
                 // Programs over buffers that were too small are of no more use.
                 let scratch_bytes = self.scratch.bytes();

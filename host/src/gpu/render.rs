@@ -11,13 +11,15 @@ use super::sort::{Keys, Sort};
 use super::trees::{Trees, TreesRanges};
 use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Kernel, Scene};
-use crate::picture::{Picture, RenderSettings, View};
+use crate::Stages;
+use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::{Camera, Light, ViewError};
 pub use counters::Counters;
 pub use image::ImageRenderer;
 pub(crate) use image::Parts;
 use slimbvh_core::shade::{Environment, Light as CoreLight, Path};
 use slimbvh_core::{Hit, camera::Camera as CoreCamera};
+use std::time::Instant;
 use wave::{Wave, waves};
 use wgpu::BufferUsages;
 
@@ -294,6 +296,40 @@ impl Renderer {
             let counters = self.counters.range(gpu, counters::BYTES);
             Ok(Counters(frame.download(&counters)))
         })
+    }
+
+    /// Submits the frame that ends a picture, waits, and reads the picture. Returns the times of the build, and what the
+    /// render did: those of earlier frames are added, and without timestamps all that is known is how long it took since the
+    /// beginning.
+    ///
+    /// # Errors
+    /// If nothing was rendered, a command is refused, memory is exhausted, or the device was lost.
+    pub fn finish(
+        &mut self,
+        mut frame: Frame,
+        mut stages: Stages,
+        begin: Instant,
+        picture: &mut Picture,
+    ) -> Result<(Stages, RenderReport), GpuError> {
+        let gpu = frame.gpu();
+        let texels = self.read_later(&mut frame)?;
+        let counters = self.count_later(&mut frame)?;
+        stages.merge(&frame.submit()?.wait()?);
+        texels.read(gpu, picture)?;
+        let mut report = counters.read(gpu)?;
+        if stages.iter().next().is_none() {
+            stages.add("all", begin.elapsed());
+        }
+        let mut build = Stages::default();
+        for (stage, time) in stages.iter() {
+            let part = if super::Builder::STAGES.contains(&stage) {
+                &mut build
+            } else {
+                &mut report.stages
+            };
+            part.add(stage, time);
+        }
+        Ok((build, report))
     }
 
     /// Bytes of the buffers that the last picture used; they are kept for the next.

@@ -99,27 +99,8 @@ impl Parts<'_> {
             progress((wave + 1) as f64 / wave_count as f64);
             frame = gpu.frame();
         }
-        let texels = renderer.read_later(&mut frame)?;
-        let counters = renderer.count_later(&mut frame)?;
-        stages.merge(&frame.submit()?.wait()?);
-        texels.read(gpu, picture)?;
+        let times = renderer.finish(frame, stages, begin, picture)?;
         progress(1.0);
-        let mut report = counters.read(gpu)?;
-
-        // Without timestamps, all that is known is how long it took.
-        if stages.iter().next().is_none() {
-            stages.add("all", begin.elapsed());
-        }
-        let mut build = Stages::default();
-        for (stage, time) in stages.iter() {
-            let is_build = Builder::STAGES.contains(&stage);
-            let part = if is_build {
-                &mut build
-            } else {
-                &mut report.stages
-            };
-            part.add(stage, time);
-        }
-        Ok((build, report))
+        Ok(times)
     }
 }

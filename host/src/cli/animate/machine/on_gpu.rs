@@ -93,26 +93,7 @@ impl Machine for OnGpu<'_> {
         let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
         let (renderer, lights) = (&mut self.renderer, &scene.lights);
         renderer.render(&mut frame, &self.scene, bvh, camera, lights, settings)?;
-        let texels = renderer.read_later(&mut frame)?;
-        let counters = renderer.count_later(&mut frame)?;
-        let mut stages = frame.submit()?.wait()?;
-        texels.read(gpu, picture)?;
-        let mut report = counters.read(gpu)?;
-
-        // Without timestamps, all that is known is how long it took.
-        if stages.iter().next().is_none() {
-            stages.add("all", begin.elapsed());
-        }
-        let mut build = Stages::default();
-        for (stage, time) in stages.iter() {
-            let is_build = gpu::Builder::STAGES.contains(&stage);
-            let part = if is_build && action != Action::Kept {
-                &mut build
-            } else {
-                &mut report.stages
-            };
-            part.add(stage, time);
-        }
+        let (build, report) = renderer.finish(frame, Stages::default(), begin, picture)?;
         Ok(Done {
             build,
             report,
