@@ -3,8 +3,12 @@
 //! On a closed surface that is seen from outside, the first triangle that a ray meets faces its origin, and a ray to a light
 //! outside that meets anything meets a triangle that faces the light. Others need not be in the tree at all. The rule is
 //! one function, [`faces`]: a reduced tree leaves out only what it rejects, and a whole tree's hits are asked the same.
+//!
+//! A ray to a light that starts outside, too, meets as many triangles that face the light as triangles that face away: then
+//! either half answers, and with sides negated the same function keeps the other one.
 
 use crate::float::PowerOfTwo;
+use crate::frustum::Frustum;
 use crate::orientation::{Orientation, Target};
 use crate::ray::NO_PRIMITIVE;
 use crate::snap::leaf_triangle;
@@ -39,24 +43,46 @@ impl Sides<'_> {
     }
 }
 
+/// What rays of one kind may hit.
+#[derive(Clone, Copy, Debug)]
+pub struct Reach<'a> {
+    /// Which sides of which components face out.
+    pub sides: Sides<'a>,
+    /// Where the rays come from, or lead to.
+    pub target: Target,
+    /// Where they go.
+    pub frustum: Frustum,
+}
+
+impl Reach<'_> {
+    /// The same in a scene that is multiplied by a power of two.
+    #[inline]
+    #[must_use]
+    pub fn scaled(&self, scale: &PowerOfTwo) -> Self {
+        Self {
+            target: self.target.scaled(scale),
+            frustum: self.frustum.scaled(scale),
+            ..*self
+        }
+    }
+}
+
 /// One thread per triangle, in any order. Reads the mesh, its component and that one's side. Returns whether it is in the
-/// target's set.
+/// set of what rays may hit, which is in the scene's magnitude.
 #[inline]
 #[must_use]
 pub fn is_in_set(
     primitive: u32,
     mesh: &IndexedTriangles,
     scale: &PowerOfTwo,
-    sides: &Sides,
-    target: &Target,
+    reach: &Reach,
 ) -> bool {
-    let side = sides.side(primitive);
-    side == 0
-        || faces(
-            &leaf_triangle(primitive, mesh, scale).triangle(),
-            side,
-            target,
-        )
+    let side = reach.sides.side(primitive);
+    if side == 0 && reach.frustum.is_bounded == 0 {
+        return true;
+    }
+    let triangle = leaf_triangle(primitive, mesh, scale).triangle();
+    faces(&triangle, side, &reach.target) && !reach.frustum.is_certainly_outside(&triangle)
 }
 
 /// The rule for rays from or to a target, traced through a whole tree: what [`faces`] rejects does not count.

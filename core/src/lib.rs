@@ -17,6 +17,7 @@ pub mod classify;
 pub mod color;
 pub mod compact;
 pub mod float;
+pub mod frustum;
 pub mod lattice;
 pub mod launch;
 pub mod morton;

@@ -1,74 +1,87 @@
-//! Stage `classify`: which items of the sorted list are in a target's set, and the list of these, between a scan.
+//! Stage `classify`: which triangles are in a target's set, in the mesh's order, as memory likes it; which items of the
+//! sorted list these are; and, after a scan, the list of them.
 
 use crate::trace::scaled_target;
 use crate::{LANES, thread_index};
 use glam::{UVec3, UVec4};
 use slimbvh_core::IndexedTriangles;
-use slimbvh_core::classify::{Sides, is_in_set};
+use slimbvh_core::classify::{Reach, Sides, is_in_set};
 use slimbvh_core::compact::{is_set, pack_lanes, rank};
 use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::frustum::Frustum;
 use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;
 use spirv_std::spirv;
 
-/// One thread per item. Reads the scene's exponent, the target, the sorted items, the mesh, the components of its
-/// primitives and their outer sides. Stores a bit for each item whose triangle is in the set, and how many each word has.
+/// One thread per triangle. Reads the scene's exponent, the target, the frustum, the mesh, the components of its primitives
+/// and their sides. Stores a bit for each triangle that is in the set.
 #[spirv(compute(threads(64)))]
-pub fn classify_30(
+pub fn classify(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(local_invocation_index)] lane: u32,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
     #[spirv(uniform, descriptor_set = 0, binding = 1)] target: &[UVec4; 2],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] items: &[[u32; 2]],
+    #[spirv(uniform, descriptor_set = 0, binding = 2)] frustum: &[UVec4; 5],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] vertices: &[[f32; 3]],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] indices: &[[u32; 3]],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] components: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] sides: &[i32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] bits: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] counts: &mut [u32],
+    #[spirv(workgroup)] flags: &mut [u32; LANES],
+) {
+    let i = thread_index(id);
+    let mut flag = 0;
+    if (i as usize) < indices.len() {
+        let reach = Reach {
+            sides: Sides { components, sides },
+            target: scaled_target(target, exponent.x),
+            frustum: scaled_frustum(frustum, exponent.x),
+        };
+        let mesh = IndexedTriangles { vertices, indices };
+        flag = is_in_set(i, &mesh, &PowerOfTwo::new(exponent.x as i32), &reach) as u32;
+    }
+    flags[lane as usize % LANES] = flag;
+    barrier();
+    let word = (i / 32) as usize;
+    if lane & 31 == 0 && word < bits.len() {
+        bits[word] = pack_lanes(lane, flags);
+    }
+}
+
+/// One thread per item. Reads the sorted items, and a bit for each triangle. Stores a bit for each item whose triangle has
+/// it, and how many each word has.
+#[spirv(compute(threads(64)))]
+pub fn classify_order_30(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] items: &[[u32; 2]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] members: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] bits: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] counts: &mut [u32],
     #[spirv(workgroup)] flags: &mut [u32; LANES],
 ) {
     let i = thread_index(id) as usize;
     let mut flag = 0;
     if i < items.len() {
-        let target = scaled_target(target, exponent.x);
-        flag = is_in_set(
-            items[i][1],
-            &IndexedTriangles { vertices, indices },
-            &PowerOfTwo::new(exponent.x as i32),
-            &Sides { components, sides },
-            &target,
-        ) as u32;
+        flag = is_set(items[i][1], members) as u32;
     }
     store_bits(id, lane, flag, flags, bits, counts);
 }
 
-/// As [`classify_30`], of codes of two words.
+/// As [`classify_order_30`], of codes of two words.
 #[spirv(compute(threads(64)))]
-pub fn classify_63(
+pub fn classify_order_63(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(local_invocation_index)] lane: u32,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 1)] target: &[UVec4; 2],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] items: &[[u32; 3]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] vertices: &[[f32; 3]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] indices: &[[u32; 3]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] components: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] sides: &[i32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] bits: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] counts: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] items: &[[u32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] members: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] bits: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] counts: &mut [u32],
     #[spirv(workgroup)] flags: &mut [u32; LANES],
 ) {
     let i = thread_index(id) as usize;
     let mut flag = 0;
     if i < items.len() {
-        let target = scaled_target(target, exponent.x);
-        flag = is_in_set(
-            items[i][2],
-            &IndexedTriangles { vertices, indices },
-            &PowerOfTwo::new(exponent.x as i32),
-            &Sides { components, sides },
-            &target,
-        ) as u32;
+        flag = is_set(items[i][2], members) as u32;
     }
     store_bits(id, lane, flag, flags, bits, counts);
 }
@@ -116,6 +129,31 @@ fn store_bits(
         bits[word] = packed;
         counts[word] = packed.count_ones();
     }
+}
+
+/// A frustum from its words, in the scene's magnitude.
+#[inline(always)]
+fn scaled_frustum(words: &[UVec4; 5], exponent: u32) -> Frustum {
+    let first = words[0];
+    let mut frustum = Frustum {
+        eye: [
+            f32::from_bits(first.x),
+            f32::from_bits(first.y),
+            f32::from_bits(first.z),
+        ],
+        is_bounded: first.w,
+        planes: [[0.0; 4]; 4],
+    };
+    for i in 0..4 {
+        let plane = words[i + 1];
+        frustum.planes[i] = [
+            f32::from_bits(plane.x),
+            f32::from_bits(plane.y),
+            f32::from_bits(plane.z),
+            f32::from_bits(plane.w),
+        ];
+    }
+    frustum.scaled(&PowerOfTwo::new(exponent as i32))
 }
 
 #[inline(always)]

@@ -9,10 +9,10 @@ struct type_11 {
 var<private> global: vec3<u32>;
 @group(0) @binding(2) 
 var<storage> global_1: type_4;
-@group(0) @binding(1) 
-var<storage> global_2: type_4;
 @group(0) @binding(0) 
-var<storage> global_3: type_11;
+var<storage> global_2: type_11;
+@group(0) @binding(1) 
+var<storage> global_3: type_4;
 @group(0) @binding(3) 
 var<storage, read_write> global_4: type_11;
 
@@ -25,16 +25,16 @@ fn function_() {
         default: {
             let _e13 = global;
             let _e25 = (_e13.x + (_e13.y * 2097152u));
-            let _e26 = (_e25 < arrayLength((&global_3.member)));
+            let _e26 = (_e25 < arrayLength((&global_2.member)));
             if _e26 {
                 let _e28 = (_e25 >> bitcast<u32>(5i));
-                let _e29 = (_e28 < arrayLength((&global_2.member)));
+                let _e29 = (_e28 < arrayLength((&global_3.member)));
                 if _e29 {
                     if _e29 {
                     } else {
                         break;
                     }
-                    let _e32 = global_2.member[_e28];
+                    let _e32 = global_3.member[_e28];
                     phi_68_ = _e32;
                 } else {
                     phi_68_ = 0u;
@@ -47,7 +47,7 @@ fn function_() {
                         } else {
                             break;
                         }
-                        let _e43 = global_2.member[_e28];
+                        let _e43 = global_3.member[_e28];
                         phi_89_ = _e43;
                     } else {
                         phi_89_ = 0u;
@@ -72,7 +72,7 @@ fn function_() {
                         } else {
                             break;
                         }
-                        let _e61 = global_3.member[_e25];
+                        let _e61 = global_2.member[_e25];
                         if _e58 {
                         } else {
                             break;

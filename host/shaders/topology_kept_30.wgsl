@@ -19,12 +19,12 @@ struct type_15 {
 var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_12;
-@group(0) @binding(1) 
-var<storage> global_2: type_4;
 @group(0) @binding(2) 
-var<storage, read_write> global_3: type_4;
+var<storage, read_write> global_2: type_4;
 @group(0) @binding(3) 
-var<storage, read_write> global_4: type_4;
+var<storage, read_write> global_3: type_4;
+@group(0) @binding(1) 
+var<storage> global_4: type_4;
 
 fn function_() {
     var phi_87_: type_8;
@@ -53,12 +53,12 @@ fn function_() {
     switch bitcast<i32>(0u) {
         default: {
             let _e24 = global;
-            let _e27 = arrayLength((&global_2.member));
+            let _e27 = arrayLength((&global_4.member));
             let _e34 = global_1.member[0u];
             let _e38 = (_e24.x + (_e24.y * 2097152u));
-            let _e39 = (_e38 < arrayLength((&global_3.member)));
+            let _e39 = (_e38 < arrayLength((&global_2.member)));
             if _e39 {
-                let _e40 = (_e38 < arrayLength((&global_4.member)));
+                let _e40 = (_e38 < arrayLength((&global_3.member)));
                 if _e40 {
                     if (_e34 <= 4u) {
                         phi_291_ = select(0u, 1u, (_e38 == 0u));
@@ -92,7 +92,7 @@ fn function_() {
                                                 phi_312_ = true;
                                                 break;
                                             }
-                                            let _e71 = global_2.member[_e66];
+                                            let _e71 = global_4.member[_e66];
                                             phi_146_ = _e71;
                                         } else {
                                             phi_146_ = 0u;
@@ -105,7 +105,7 @@ fn function_() {
                                                 phi_312_ = true;
                                                 break;
                                             }
-                                            let _e76 = global_2.member[_e67];
+                                            let _e76 = global_4.member[_e67];
                                             phi_160_ = _e76;
                                         } else {
                                             phi_160_ = 0u;
@@ -133,7 +133,7 @@ fn function_() {
                                                 phi_312_ = true;
                                                 break;
                                             }
-                                            let _e98 = global_2.member[_e66];
+                                            let _e98 = global_4.member[_e66];
                                             phi_195_ = _e98;
                                         } else {
                                             phi_195_ = 0u;
@@ -146,7 +146,7 @@ fn function_() {
                                                 phi_312_ = true;
                                                 break;
                                             }
-                                            let _e103 = global_2.member[_e94];
+                                            let _e103 = global_4.member[_e94];
                                             phi_209_ = _e103;
                                         } else {
                                             phi_209_ = 0u;
@@ -180,7 +180,7 @@ fn function_() {
                                                 phi_312_ = true;
                                                 break;
                                             }
-                                            let _e134 = global_2.member[_e66];
+                                            let _e134 = global_4.member[_e66];
                                             phi_255_ = _e134;
                                         } else {
                                             phi_255_ = 0u;
@@ -193,7 +193,7 @@ fn function_() {
                                                 phi_312_ = true;
                                                 break;
                                             }
-                                            let _e139 = global_2.member[_e130];
+                                            let _e139 = global_4.member[_e130];
                                             phi_269_ = _e139;
                                         } else {
                                             phi_269_ = 0u;
@@ -242,12 +242,12 @@ fn function_() {
                     } else {
                         break;
                     }
-                    global_3.member[_e38] = _e173;
+                    global_2.member[_e38] = _e173;
                     if _e40 {
                     } else {
                         break;
                     }
-                    global_4.member[_e38] = countOneBits(_e173);
+                    global_3.member[_e38] = countOneBits(_e173);
                 }
             }
             break;

@@ -47,16 +47,17 @@ const CRATES: [ShaderCrate; 2] = [
 const MANIFEST: &str = "host/shaders/manifest.json";
 
 /// The entry points of `gpu-shaders`.
-const ENTRY_POINTS: [&str; 51] = [
+const ENTRY_POINTS: [&str; 52] = [
     "bounds",
     "call_trace",
     "camera_encode",
     "camera_rays",
     "camera_resolve",
-    "classify_30",
-    "classify_63",
+    "classify",
     "classify_compact_30",
     "classify_compact_63",
+    "classify_order_30",
+    "classify_order_63",
     "compact",
     "compact_counts",
     "frame",

@@ -5,7 +5,9 @@ use anyhow::{Result, bail};
 use clap::Args;
 use serde::Serialize;
 use slimbvh::reduce::survey;
-use slimbvh::reduce::{Aim, AimKind, Asked, Choice, Cull, Plan, Reduce, Seams, Survey, Switches};
+use slimbvh::reduce::{
+    Aim, Asked, Choice, Cull, Half, Plan, Reduce, Saving, Savings, Seams, Survey, Switches,
+};
 use slimbvh::topology::Topology;
 use slimbvh::{BuildConfig, RenderSettings, Scene, Stages};
 use std::collections::BTreeMap;
@@ -26,6 +28,10 @@ pub struct ReduceArguments {
     #[arg(long)]
     solid: bool,
 
+    /// Savings to do without, separated by commas; the picture stays the same
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "SAVING")]
+    without: Vec<Saving>,
+
     /// Tell what was left out, and why
     #[arg(long)]
     pub explain: bool,
@@ -45,6 +51,7 @@ impl ReduceArguments {
             cull: self.cull,
             reduce: self.reduce,
             seams: if self.solid { Seams::None } else { Seams::Find },
+            savings: (self.without.iter()).fold(Savings::ALL, |all, &saving| all.without(saving)),
         }
     }
 
@@ -87,6 +94,9 @@ pub struct PlanSummary {
 #[derive(Debug, Serialize)]
 struct TargetSummary {
     name: String,
+    /// By number, from 1.
+    lights: Vec<usize>,
+    half: &'static str,
     tree: &'static str,
     /// Triangles in its tree.
     triangles: Option<usize>,
@@ -94,19 +104,25 @@ struct TargetSummary {
     estimated_saving_ms: f64,
 }
 
-/// How many triangles are in the set for each of these rays.
-pub type SetCounts = Vec<(AimKind, usize)>;
+/// How many triangles are in the set for each of these rays, by name.
+pub type SetCounts = Vec<(String, usize)>;
 
 pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &SetCounts) -> PlanSummary {
     let target = |aim: &Aim| {
-        let set = sets.iter().find(|(kind, _)| *kind == aim.kind);
+        let name = aim.name();
+        let set = sets.iter().find(|(set, _)| *set == name);
         let (tree, triangles) = match aim.choice {
             Choice::Set => ("set", set.map(|(_, count)| *count)),
             Choice::Whole => ("whole", Some(plan.triangle_count)),
             Choice::Unused => ("none", None),
         };
         TargetSummary {
-            name: aim.name(),
+            name,
+            lights: aim.lights.iter().map(|light| light + 1).collect(),
+            half: match aim.half {
+                Half::Toward => "toward",
+                Half::Away => "away",
+            },
             tree,
             triangles,
             estimated_share: aim.share,
@@ -150,10 +166,8 @@ pub fn explain(
     }
     if !sets.is_empty() {
         let percent = |kept: usize| 100.0 * kept as f64 / plan.triangle_count.max(1) as f64;
-        let set = |&(kind, kept): &(AimKind, usize)| {
-            let name = plan.aims.iter().find(|aim| aim.kind == kind);
-            let name = name.map(Aim::name).unwrap_or_default();
-            format!("{name} {} ({:.1} %)", count(kept), percent(kept))
+        let set = |(name, kept): &(String, usize)| {
+            format!("{name} {} ({:.1} %)", count(*kept), percent(*kept))
         };
         let sets: Vec<String> = sets.iter().map(set).collect();
         line("kept", sets.join(", "));

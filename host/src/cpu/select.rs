@@ -2,6 +2,7 @@
 
 use super::BLOCK;
 use rayon::prelude::*;
+use slimbvh_core::compact::is_set;
 use slimbvh_core::scan::run_scan;
 
 /// Words of a task.
@@ -43,6 +44,11 @@ impl Selection {
         });
         self.count = run_scan(&mut self.before, 0, word_count as u32, 0) as usize;
         self.count
+    }
+
+    /// Whether an item was taken.
+    pub fn is_taken(&self, item: u32) -> bool {
+        is_set(item, &self.bits)
     }
 
     /// Shows each item that was taken, with its places in two lists as long as the count.
@@ -102,6 +108,8 @@ mod tests {
             });
             let expected = (0..item_count).filter(|i| i % 3 == 1 || i % 1000 == 0);
             assert!(items.iter().copied().eq(expected), "{item_count}");
+            let taken = (0..item_count).filter(|&i| selection.is_taken(i as u32));
+            assert!(taken.eq(items.iter().copied()), "{item_count}");
             assert_eq!(items, copies);
         }
     }

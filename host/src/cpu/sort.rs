@@ -74,6 +74,11 @@ impl<const W: usize> Sorter<W> {
         &mut self.items
     }
 
+    /// How many items there are.
+    pub fn len(&self) -> usize {
+        self.items.len()
+    }
+
     /// Bytes of the buffers.
     pub fn bytes(&self) -> usize {
         2 * size_of_val(self.items.as_slice())

@@ -62,6 +62,7 @@ struct Scratch {
     bounds: Slot,
     items: Slot,
     sort: Sort,
+    members: Slot,
     in_set: Slot,
     in_set_before: Slot,
     set: Slot,
@@ -325,17 +326,20 @@ impl Builder {
         let bits = &self.scratch.in_set.range(gpu, word_bytes);
         let before = &self.scratch.in_set_before.range(gpu, word_bytes);
         let set = &self.scratch.set.range(gpu, items.size);
+        let members = &self.scratch.members.range(gpu, word_bytes);
         let each = || threads(mesh.triangle_count);
+        let exponent = Uniform::Stored(&bvh.exponent);
         recorder.dispatch(
-            self.of_bits(Kernel::classify_30, Kernel::classify_63),
-            &[Uniform::Stored(&bvh.exponent), facing.target()],
-            &[
-                items,
-                &mesh.vertices,
-                &mesh.indices,
-                &components.0,
-                &facing.sides,
-            ],
+            Kernel::classify,
+            &[exponent, facing.target(), facing.frustum()],
+            &[&mesh.vertices, &mesh.indices, &components.0, &facing.sides],
+            &[members],
+            each(),
+        );
+        recorder.dispatch(
+            self.of_bits(Kernel::classify_order_30, Kernel::classify_order_63),
+            &[],
+            &[items, members],
             &[bits, before],
             each(),
         );
@@ -583,6 +587,7 @@ impl Scratch {
             bounds: Slot::storage("slimbvh bounds"),
             items: Slot::storage("slimbvh items"),
             sort: Sort::new(),
+            members: Slot::storage("slimbvh members"),
             in_set: Slot::storage("slimbvh set bits"),
             in_set_before: Slot::storage("slimbvh set counts"),
             set: Slot::storage("slimbvh set items"),
@@ -617,6 +622,7 @@ impl Scratch {
             &self.item_groups,
             &self.exponent,
             &self.bounds,
+            &self.members,
             &self.in_set,
             &self.in_set_before,
             &self.set,

@@ -3,6 +3,7 @@
 use super::buffer::{Range, Slot, upload};
 use super::program::Uniform;
 use super::{Frame, Gpu, GpuError};
+use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 use wgpu::BufferUsages;
 
@@ -34,6 +35,7 @@ impl Components {
 #[derive(Debug)]
 pub struct Facing {
     target: Slot,
+    frustum: Slot,
     sides: Slot,
     pub(super) ranges: Option<FacingRanges>,
 }
@@ -42,12 +44,17 @@ pub struct Facing {
 #[derive(Clone, Debug, PartialEq)]
 pub struct FacingRanges {
     pub target: Range,
+    pub frustum: Range,
     pub sides: Range,
 }
 
 impl FacingRanges {
     pub const fn target(&self) -> Uniform<'_> {
         Uniform::Stored(&self.target)
+    }
+
+    pub const fn frustum(&self) -> Uniform<'_> {
+        Uniform::Stored(&self.frustum)
     }
 }
 
@@ -56,6 +63,7 @@ impl Default for Facing {
         let copied = BufferUsages::COPY_DST;
         Self {
             target: Slot::new("slimbvh target", BufferUsages::UNIFORM.union(copied)),
+            frustum: Slot::new("slimbvh frustum", BufferUsages::UNIFORM.union(copied)),
             sides: Slot::new("slimbvh sides", BufferUsages::STORAGE.union(copied)),
             ranges: None,
         }
@@ -69,8 +77,9 @@ impl Facing {
         Self::default()
     }
 
-    /// Records that later commands of the frame find this target, in the mesh's unit, and these sides of the components: 1
-    /// where the front faces out, −1 where the back does, 0 where all of a component counts.
+    /// Records that later commands of the frame find this target and frustum, in the mesh's unit, and these sides of the
+    /// components: 1 where the front counts, −1 where the back does, 0 where all of a component counts. The frustum bounds
+    /// sets only.
     ///
     /// # Errors
     /// If memory is exhausted.
@@ -78,6 +87,7 @@ impl Facing {
         &mut self,
         frame: &mut Frame,
         target: &Target,
+        frustum: &Frustum,
         sides: &[i32],
     ) -> Result<(), GpuError> {
         let gpu = frame.gpu();
@@ -85,10 +95,12 @@ impl Facing {
         gpu.checked(|| {
             let ranges = FacingRanges {
                 target: self.target.range(gpu, size_of::<Target>() as u64),
+                frustum: self.frustum.range(gpu, size_of::<Frustum>() as u64),
                 sides: self.sides.range(gpu, size_of_val(sides) as u64),
             };
-            let parts: [(&[u8], &Range); 2] = [
+            let parts: [(&[u8], &Range); 3] = [
                 (bytemuck::bytes_of(target), &ranges.target),
+                (bytemuck::bytes_of(frustum), &ranges.frustum),
                 (bytemuck::cast_slice(sides), &ranges.sides),
             ];
             for (bytes, range) in parts {

@@ -38,7 +38,7 @@ kernels! {
     morton_30, morton_63,
     sort_count_30, sort_count_63, sort_scatter_30, sort_scatter_63,
     scan_sums, scan_blocks, scan_apply,
-    classify_30, classify_63, classify_compact_30, classify_compact_63,
+    classify, classify_order_30, classify_order_63, classify_compact_30, classify_compact_63,
     compact_counts, compact,
     snap_30, snap_63, snap_again,
     topology_kept_30, topology_kept_63, topology_nodes_30, topology_nodes_63,

@@ -1,7 +1,7 @@
 //! What building and tracing take.
 
 use super::Seams;
-use super::plan::AimKind;
+use super::aim::AimKind;
 
 /// Times by triangle and by ray. Only their ratios decide anything.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +70,7 @@ impl Costs {
         let levels = count.max(2.0).log2();
         let ray = match kind {
             AimKind::Camera => self.primary_level,
-            AimKind::Light(_) => self.shadow_level * self.shadow_rays,
+            AimKind::Lights => self.shadow_level * self.shadow_rays,
         };
         primary_rays * ray * levels * 1e-6
     }

@@ -1,6 +1,6 @@
 //! Which rays get a tree of their own.
 
-use super::plan::AimKind;
+use super::aim::AimKind;
 use super::{Asked, Costs, Reduce};
 
 const COSTS: Costs = Costs::MEASURED;
@@ -13,6 +13,8 @@ const LIKELY_SHARE: f64 = 0.5;
 pub struct Candidate {
     /// Which rays.
     pub kind: AimKind,
+    /// How many lights they go to.
+    pub light_count: usize,
     /// Whether there are any.
     pub is_used: bool,
     /// Whether anything may be left out.
@@ -28,10 +30,23 @@ pub fn estimate(candidates: &mut [Candidate], asked: &Asked) {
     let count = asked.scene.mesh.indices.len() as f64;
     let rays = primary_rays(asked);
     for candidate in candidates.iter_mut().filter(|candidate| candidate.is_used) {
+        let rays = rays * rays_per_sample(candidate);
         let whole = COSTS.trace_ms(candidate.kind, rays, count) * COSTS.rule;
-        let set = COSTS.trace_ms(candidate.kind, rays, count * candidate.share);
-        candidate.saving_ms = whole - set - COSTS.set_ms(count, candidate.share);
+        candidate.saving_ms = whole - set_cost_ms(candidate, asked);
     }
+}
+
+/// What a set takes to build and to trace, sorted triangles given.
+pub fn set_cost_ms(candidate: &Candidate, asked: &Asked) -> f64 {
+    let count = asked.scene.mesh.indices.len() as f64;
+    let rays = primary_rays(asked) * rays_per_sample(candidate);
+    let set = COSTS.trace_ms(candidate.kind, rays, count * candidate.share);
+    set + COSTS.set_ms(count, candidate.share)
+}
+
+/// How often the rays of a sample go this way.
+fn rays_per_sample(candidate: &Candidate) -> f64 {
+    candidate.light_count.max(1) as f64
 }
 
 /// Which rays get a set. `auto` takes what is cheapest: those that pay by themselves, or all, where then no whole tree is

@@ -1,7 +1,8 @@
 //! A plan in words.
 
 use super::Reduce;
-use super::plan::{Aim, AimKind, Choice, Plan};
+use super::plan::Plan;
+use super::{Aim, Choice, Half};
 use crate::topology::{Facts, Topology};
 
 impl Plan<'_> {
@@ -32,6 +33,11 @@ impl Plan<'_> {
             100.0 * aim.share,
             things(self.triangle_count, "triangle")
         );
+        let own = if aim.lights.len() > 1 {
+            "one set for all of them"
+        } else {
+            "a set of its own"
+        };
         let saving = if aim.saving_ms >= 0.0 {
             format!("saves about {:.1} ms", aim.saving_ms)
         } else {
@@ -39,7 +45,7 @@ impl Plan<'_> {
         };
         let text = match aim.choice {
             Choice::Unused => return "no rays, no tree".to_owned(),
-            Choice::Whole if aim.reducible_count == 0 => {
+            Choice::Whole if !aim.may_be_set() => {
                 "the whole tree: nothing may be left out".to_owned()
             }
             Choice::Whole if self.reduce == Reduce::Off => {
@@ -52,8 +58,13 @@ impl Plan<'_> {
                     (true, _, false) => ", but no whole tree is built",
                     _ => "",
                 };
-                format!("a set of its own: keeps {kept}, {saving}{besides}")
+                format!("{own}: keeps {kept}, {saving}{besides}")
             }
+        };
+        let text = match (aim.half, aim.frustum.is_bounded) {
+            (Half::Away, _) => format!("{text}, of those that face away, which are fewer"),
+            (Half::Toward, 1) => format!("{text}, nothing outside the picture"),
+            (Half::Toward, _) => text,
         };
         let inside = self.inside_count(aim);
         if inside > 0 {
@@ -86,17 +97,6 @@ impl Plan<'_> {
             format!("is built, for {}", users.join(", "))
         } else {
             "is not built: no rays need it".to_owned()
-        }
-    }
-}
-
-impl Aim {
-    /// `camera`, or `light` and its number from 1.
-    #[must_use]
-    pub fn name(&self) -> String {
-        match self.kind {
-            AimKind::Camera => "camera".to_owned(),
-            AimKind::Light(index) => format!("light {}", index + 1),
         }
     }
 }

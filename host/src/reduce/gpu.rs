@@ -1,6 +1,7 @@
 //! A plan's trees on the GPU.
 
-use super::plan::{Aim, Choice, Plan};
+use super::plan::Plan;
+use super::{Aim, Choice};
 use crate::gpu::{
     Builder, Bvh, Components, Facing, Frame, Gpu, GpuError, Mesh, Parts, Renderer, Scene, Subset,
     Tree, Trees,
@@ -62,7 +63,7 @@ impl Hierarchies {
             if aim.choice == Choice::Unused {
                 continue;
             }
-            facing.set(frame, &aim.target, &aim.sides)?;
+            facing.set(frame, &aim.target, &aim.frustum, &aim.sides)?;
             if aim.choice == Choice::Set {
                 let subset = Subset::Facing { components, facing };
                 builder.build_sorted(frame, mesh, subset, bvh)?;
@@ -74,7 +75,7 @@ impl Hierarchies {
     /// What a renderer takes, after [`Self::build`] with the same plan.
     #[must_use]
     pub fn trees<'a>(&'a self, plan: &'a Plan) -> Trees<'a> {
-        let tree = |aim: &Aim, (set, facing): &'a (Bvh, Facing)| match aim.choice {
+        let tree = |(aim, (set, facing)): (&Aim, &'a (Bvh, Facing))| match aim.choice {
             Choice::Set => Some(Tree::all(set)),
             Choice::Whole => Some(Tree {
                 bvh: &self.whole,
@@ -85,11 +86,12 @@ impl Hierarchies {
             }),
             Choice::Unused => None,
         };
-        let mut trees = plan.aims.iter().zip(&self.sets);
-        let primary = trees.next().and_then(|(aim, set)| tree(aim, set));
+        let trees: Vec<Option<Tree>> = plan.aims.iter().zip(&self.sets).map(tree).collect();
+        let primary = trees.first().copied().flatten();
         let primary = primary.unwrap_or(Tree::all(&self.whole));
         // Where there are no rays, any tree will do.
-        let lights = trees.map(|(aim, set)| tree(aim, set).unwrap_or(Tree::all(primary.bvh)));
+        let lights = plan.aim_of_light().into_iter();
+        let lights = lights.map(|place| trees[place].unwrap_or(Tree::all(primary.bvh)));
         Trees {
             primary,
             lights: lights.collect(),

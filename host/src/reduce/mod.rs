@@ -5,19 +5,25 @@
 //! decided. Wherever rays go through a whole tree instead of a set, the same rule applies to what they hit: with a survey,
 //! the picture does not depend on [`Switches::reduce`], the heat map aside.
 //!
-//! Left out for now: sets of triangles that face away from a light (L−), and one set for a group of lights.
+//! What is saved can be had or not, each by itself ([`Savings`]), and the picture stays the same.
 
+mod aim;
 mod cost;
 mod decide;
 mod explain;
 #[cfg(feature = "gpu")]
 pub mod gpu;
+mod group;
 mod plan;
+mod sample;
+mod savings;
 mod survey;
 mod trees;
 
+pub use aim::{Aim, AimKind, Choice, Half};
 pub use cost::Costs;
-pub use plan::{Aim, AimKind, Choice, Plan};
+pub use plan::Plan;
+pub use savings::{Saving, Savings};
 pub use survey::{Survey, survey};
 pub use trees::Hierarchies;
 
@@ -65,6 +71,8 @@ pub struct Switches {
     pub reduce: Reduce,
     /// Whether to look for seams.
     pub seams: Seams,
+    /// What else may be saved.
+    pub savings: Savings,
 }
 
 impl Switches {

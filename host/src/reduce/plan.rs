@@ -1,62 +1,22 @@
 //! What is built for a picture.
 
+use super::aim::{self, Aim, AimKind, Choice, Half};
 use super::decide::{self, Candidate};
-use super::{Asked, Cull, Reduce};
-use crate::topology::{self, Topology};
-use crate::{RenderSettings, Scene, View, ViewError};
+use super::group::{group, joined_target};
+use super::sample::Samples;
+use super::{Asked, Cull, Reduce, Saving};
+use crate::topology::{self, Facts, Topology};
+use crate::{View, ViewError};
 use slimbvh_core::bounds::scene_exponent;
-use slimbvh_core::classify::{Sides, is_in_set};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
-
-/// Triangles that are looked at for the share that a set will keep.
-const SAMPLES: usize = 4096;
-
-/// Which rays.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AimKind {
-    /// From the camera.
-    Camera,
-    /// To the light of this index.
-    Light(usize),
-}
-
-/// What rays of one kind are traced through.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Choice {
-    /// A tree over the triangles that count.
-    Set,
-    /// The whole tree, where the rule says what counts if there was a survey.
-    Whole,
-    /// There are no such rays.
-    Unused,
-}
-
-/// Rays of one kind, and what was decided for them.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Aim {
-    /// Which rays.
-    pub kind: AimKind,
-    /// Where they come from or lead to, in the mesh's unit.
-    pub target: Target,
-    /// The outer side of each component, see [`Topology::sides`]. Empty without a survey, and where there are no rays.
-    pub sides: Vec<i32>,
-    /// What they are traced through.
-    pub choice: Choice,
-    /// How many triangles belong to components that this target may see a part of.
-    pub reducible_count: usize,
-    /// The share of the mesh's triangles that a set keeps, estimated.
-    pub share: f64,
-    /// Milliseconds that a set saves in tracing, less those that it takes to build; estimated.
-    pub saving_ms: f64,
-}
 
 /// What is built for a picture, and why.
 #[derive(Clone, Debug)]
 pub struct Plan<'a> {
     /// The surfaces; none without a survey, and then nothing is left out.
     pub topology: Option<&'a Topology>,
-    /// The camera, then each light.
+    /// The camera, then the lights, each once, alone or with others.
     pub aims: Vec<Aim>,
     /// Whether the whole tree is built.
     pub needs_whole: bool,
@@ -66,6 +26,8 @@ pub struct Plan<'a> {
     pub triangle_count: usize,
     /// What the caller wanted.
     pub reduce: Reduce,
+    /// Whether there is one tree, a set, whose triangles are sorted alone.
+    pub sorts_alone: bool,
     /// Why there was no survey.
     pub(super) no_survey: Option<String>,
 }
@@ -76,7 +38,7 @@ impl<'a> Plan<'a> {
     /// # Errors
     /// For cameras and lights that make no picture.
     pub fn without_survey(asked: &Asked) -> Result<Option<Self>, ViewError> {
-        let aims = aims(asked)?;
+        let aims = aim::aims(asked)?;
         let has_mirrors = has_mirrors(asked);
         let switches = asked.switches;
         let reason = match (switches.cull, switches.reduce) {
@@ -92,37 +54,68 @@ impl<'a> Plan<'a> {
             has_mirrors,
             triangle_count: asked.scene.mesh.indices.len(),
             reduce: switches.reduce,
+            sorts_alone: false,
             no_survey: Some(reason),
         }))
     }
 
-    /// Decides, knowing the surfaces of the scene's mesh.
+    /// Decides, knowing the surfaces of the scene's mesh. What counts for which rays does not depend on
+    /// [`Switches::reduce`](super::Switches::reduce).
     ///
     /// # Errors
     /// For cameras and lights that make no picture.
     pub fn new(topology: &'a Topology, asked: &Asked) -> Result<Self, ViewError> {
         let mesh = &asked.scene.mesh;
+        let savings = asked.switches.savings;
         let bounds = mesh.bounds().unwrap_or(slimbvh_core::Aabb::EMPTY);
         let scale = PowerOfTwo::new(scene_exponent(&bounds));
         let has_mirrors = has_mirrors(asked);
-        let facts = topology.facts();
-        let mut aims = aims(asked)?;
-        for aim in aims.iter_mut().filter(|aim| aim.choice != Choice::Unused) {
-            aim.sides = topology.sides(&outside(&aim.target));
-            let reducible = aim.sides.iter().zip(&facts).filter(|(side, _)| **side != 0);
-            aim.reducible_count = reducible
-                .map(|(_, facts)| facts.triangle_count - facts.seam_count)
-                .sum();
-            aim.share = if aim.reducible_count > 0 {
-                let sides = Sides {
-                    components: topology.components(),
-                    sides: &aim.sides,
-                };
-                share(asked.scene, &scale, &sides, &aim.target)
-            } else {
-                1.0
-            };
+        let look = Look {
+            topology,
+            facts: topology.facts(),
+            samples: Samples::new(asked.scene, topology.components(), scale),
+        };
+
+        let mut aims = aim::aims(asked)?;
+        let mut lights = aims.split_off(1);
+        for camera in &mut aims {
+            if savings.has(Saving::Frustum) {
+                camera.frustum = aim::frustum_within(asked, &bounds)?;
+            }
+            look.measure(camera);
         }
+        // Where paths leave mirrors nobody knows from where shadow rays start.
+        let eye_sides = aims.iter().map(|camera| camera.sides.clone()).next();
+        let eye_sides = eye_sides.filter(|_| savings.has(Saving::Away) && !has_mirrors);
+        let measure = |aim: &mut Aim| {
+            look.measure(aim);
+            if let Some(eye_sides) = &eye_sides {
+                look.take_smaller_half(aim, eye_sides);
+            }
+        };
+        for light in &mut lights {
+            if light.choice != Choice::Unused {
+                measure(light);
+            }
+        }
+        if savings.has(Saving::Groups) {
+            let join = |a: &Aim, b: &Aim| {
+                let mut lights: Vec<usize> = a.lights.iter().chain(&b.lights).copied().collect();
+                lights.sort_unstable();
+                let target = joined_target(&a.target, &b.target);
+                let mut joined = Aim::new(AimKind::Lights, lights, target);
+                measure(&mut joined);
+                // Outside of all that each of them is outside of.
+                let outside = |aim: &Aim| aim.sides.iter().filter(|side| **side != 0).count();
+                let is_outside = outside(&joined) == outside(a) && outside(a) == outside(b);
+                is_outside.then_some(joined)
+            };
+            lights = group(lights, join, |aim| {
+                decide::set_cost_ms(&candidate(aim), asked)
+            });
+        }
+        aims.append(&mut lights);
+
         let mut candidates = candidates(&aims);
         decide::estimate(&mut candidates, asked);
         let chosen = decide::choose(&candidates, asked, has_mirrors);
@@ -134,6 +127,7 @@ impl<'a> Plan<'a> {
             }
             needs_whole |= aim.choice == Choice::Whole;
         }
+        let set_count = aims.iter().filter(|aim| aim.choice == Choice::Set).count();
         Ok(Self {
             topology: Some(topology),
             aims,
@@ -141,6 +135,7 @@ impl<'a> Plan<'a> {
             has_mirrors,
             triangle_count: mesh.indices.len(),
             reduce: asked.switches.reduce,
+            sorts_alone: savings.has(Saving::Alone) && !needs_whole && set_count == 1,
             no_survey: None,
         })
     }
@@ -155,47 +150,53 @@ impl<'a> Plan<'a> {
     pub(super) fn components(&self) -> &'a [u32] {
         self.topology.map_or(&[], Topology::components)
     }
+
+    /// The place among the aims of each light.
+    #[must_use]
+    pub fn aim_of_light(&self) -> Vec<usize> {
+        let places = self.aims.iter().enumerate();
+        let mut pairs: Vec<(usize, usize)> = places
+            .flat_map(|(place, aim)| aim.lights.iter().map(move |&light| (light, place)))
+            .collect();
+        pairs.sort_unstable();
+        pairs.into_iter().map(|(_, place)| place).collect()
+    }
 }
 
-/// The camera and the lights, whole as long as nothing is known.
-fn aims(asked: &Asked) -> Result<Vec<Aim>, ViewError> {
-    let RenderSettings {
-        size, sample_count, ..
-    } = *asked.settings;
-    let Scene {
-        cameras, lights, ..
-    } = asked.scene;
-    let camera = cameras.first().ok_or(ViewError::NoCamera)?;
-    let core = camera.to_core(size, sample_count)?;
-    let eye = if core.is_parallel == 1 {
-        Target::direction(core.forward.map(|x| -x))
-    } else {
-        Target::position(core.eye)
-    };
-    let aim = |kind, target, is_used| Aim {
-        kind,
-        target,
-        sides: Vec::new(),
-        choice: if is_used {
-            Choice::Whole
-        } else {
-            Choice::Unused
-        },
-        reducible_count: 0,
-        share: 1.0,
-        saving_ms: 0.0,
-    };
-    let mut aims = vec![aim(AimKind::Camera, eye, true)];
-    for (index, light) in lights.iter().enumerate() {
-        let light = light.to_core(index)?;
-        let target = Target {
-            is_position: light.is_position,
-            ..Target::direction(light.point)
-        };
-        let is_used = asked.settings.view == View::Color && light.color != [0.0; 3];
-        aims.push(aim(AimKind::Light(index), target, is_used));
+/// What is known of the mesh.
+struct Look<'a> {
+    topology: &'a Topology,
+    facts: Vec<Facts>,
+    samples: Samples<'a>,
+}
+
+impl Look<'_> {
+    /// Which sides of which components an aim sees, and what share of all triangles.
+    fn measure(&self, aim: &mut Aim) {
+        aim.sides = self.topology.sides(&outside(&aim.target));
+        let reducible = aim.sides.iter().zip(&self.facts);
+        aim.reducible_count = reducible
+            .filter(|(side, _)| **side != 0)
+            .map(|(_, facts)| facts.triangle_count - facts.seam_count)
+            .sum();
+        if aim.may_be_set() {
+            aim.share = self.samples.share(&aim.sides, &aim.target, &aim.frustum);
+        }
     }
-    Ok(aims)
+
+    /// Turns an aim at lights to the half that faces away, where that is smaller and the eye, too, is outside of all that
+    /// these lights are outside of: then every shadow ray starts outside, and meets as many triangles of either half.
+    fn take_smaller_half(&self, aim: &mut Aim, eye_sides: &[i32]) {
+        let mut pairs = aim.sides.iter().zip(eye_sides);
+        if aim.reducible_count == 0 || pairs.any(|(light, eye)| *light != 0 && *eye == 0) {
+            return;
+        }
+        let away: Vec<i32> = aim.sides.iter().map(|side| -side).collect();
+        let share = self.samples.share(&away, &aim.target, &aim.frustum);
+        if share < aim.share {
+            (aim.half, aim.sides, aim.share) = (Half::Away, away, share);
+        }
+    }
 }
 
 /// Whether any path may go on at a mirror.
@@ -209,32 +210,28 @@ fn has_mirrors(asked: &Asked) -> bool {
 
 /// The rays that there are, for the model of costs.
 fn candidates(aims: &[Aim]) -> Vec<Candidate> {
-    let candidate = |aim: &Aim| Candidate {
+    aims.iter().map(candidate).collect()
+}
+
+fn candidate(aim: &Aim) -> Candidate {
+    Candidate {
         kind: aim.kind,
+        light_count: aim.lights.len(),
         is_used: aim.choice != Choice::Unused,
-        may_be_set: aim.reducible_count > 0,
+        may_be_set: aim.may_be_set(),
         share: aim.share,
         saving_ms: 0.0,
-    };
-    aims.iter().map(candidate).collect()
+    }
 }
 
 /// The target as the topology knows it.
 fn outside(target: &Target) -> topology::Target {
-    if target.is_position == 1 {
-        topology::Target::Point(target.point)
-    } else {
-        topology::Target::Direction(target.point)
+    match (target.is_position, target.radius) {
+        (1, 0.0) => topology::Target::Point(target.point),
+        (1, radius) => topology::Target::Ball {
+            center: target.point,
+            radius,
+        },
+        _ => topology::Target::Direction(target.point),
     }
-}
-
-/// The share of the triangles in a set, from evenly spaced samples.
-fn share(scene: &Scene, scale: &PowerOfTwo, sides: &Sides, target: &Target) -> f64 {
-    let mesh = scene.mesh.triangles();
-    let count = mesh.indices.len();
-    let target = target.scaled(scale);
-    let samples = (0..count).step_by(count.div_ceil(SAMPLES).max(1));
-    let sample_count = samples.len();
-    let kept = samples.filter(|&i| is_in_set(i as u32, &mesh, scale, sides, &target));
-    kept.count() as f64 / sample_count.max(1) as f64
 }

@@ -1,8 +1,9 @@
 //! A plan's trees on the CPU.
 
-use super::plan::{Aim, Choice, Plan};
+use super::plan::Plan;
+use super::{Aim, Choice};
 use crate::{Builder, Bvh, Mesh, MeshError, Stages, Subset, Tree, Trees};
-use slimbvh_core::classify::Sides;
+use slimbvh_core::classify::{Reach, Sides};
 
 /// The trees of a plan, whose memory the next plan's use again.
 #[derive(Debug, Default)]
@@ -29,19 +30,23 @@ impl Hierarchies {
         mesh: &Mesh,
         plan: &Plan,
     ) -> Result<Stages, MeshError> {
+        let missing = plan.aims.len().saturating_sub(self.sets.len());
+        self.sets.extend((0..missing).map(|_| Bvh::default()));
+        let mut sets = plan.aims.iter().zip(&mut self.sets);
+        if plan.sorts_alone {
+            let mut chosen = sets.filter(|(aim, _)| aim.choice == Choice::Set);
+            return match chosen.next() {
+                Some((aim, bvh)) => builder.build_subset(mesh, subset(plan, aim), bvh),
+                None => Ok(Stages::default()),
+            };
+        }
         let mut stages = builder.sort(mesh)?;
         if plan.needs_whole {
             stages.merge(&builder.build_sorted(mesh, Subset::All, &mut self.whole));
         }
-        let missing = plan.aims.len().saturating_sub(self.sets.len());
-        self.sets.extend((0..missing).map(|_| Bvh::default()));
-        for (aim, bvh) in plan.aims.iter().zip(&mut self.sets) {
+        for (aim, bvh) in sets.by_ref() {
             if aim.choice == Choice::Set {
-                let subset = Subset::Facing {
-                    sides: sides(plan, aim),
-                    target: aim.target,
-                };
-                stages.merge(&builder.build_sorted(mesh, subset, bvh));
+                stages.merge(&builder.build_sorted(mesh, subset(plan, aim), bvh));
             }
         }
         Ok(stages)
@@ -50,7 +55,7 @@ impl Hierarchies {
     /// What a renderer takes, after [`Self::build`] with the same plan.
     #[must_use]
     pub fn trees<'a>(&'a self, plan: &'a Plan) -> Trees<'a> {
-        let tree = |aim: &'a Aim, set: &'a Bvh| match aim.choice {
+        let tree = |(aim, set): (&'a Aim, &'a Bvh)| match aim.choice {
             Choice::Set => Some(Tree::all(set)),
             Choice::Whole => Some(Tree {
                 bvh: &self.whole,
@@ -58,11 +63,12 @@ impl Hierarchies {
             }),
             Choice::Unused => None,
         };
-        let mut trees = plan.aims.iter().zip(&self.sets);
-        let primary = trees.next().and_then(|(aim, set)| tree(aim, set));
+        let trees: Vec<Option<Tree>> = plan.aims.iter().zip(&self.sets).map(tree).collect();
+        let primary = trees.first().copied().flatten();
         let primary = primary.unwrap_or(Tree::all(&self.whole));
         // Where there are no rays, any tree will do.
-        let lights = trees.map(|(aim, set)| tree(aim, set).unwrap_or(Tree::all(primary.bvh)));
+        let lights = plan.aim_of_light().into_iter();
+        let lights = lights.map(|place| trees[place].unwrap_or(Tree::all(primary.bvh)));
         Trees {
             primary,
             lights: lights.collect(),
@@ -83,7 +89,16 @@ impl Hierarchies {
     }
 }
 
-/// Which sides of which components face out for an aim.
+/// What is in an aim's set.
+fn subset<'a>(plan: &Plan<'a>, aim: &'a Aim) -> Subset<'a> {
+    Subset::Of(Reach {
+        sides: sides(plan, aim),
+        target: aim.target,
+        frustum: aim.frustum,
+    })
+}
+
+/// Which sides of which components count for an aim.
 fn sides<'a>(plan: &Plan<'a>, aim: &'a Aim) -> Sides<'a> {
     Sides {
         components: plan.components(),

@@ -6,6 +6,7 @@ mod contain;
 mod error;
 #[cfg(feature = "scenes")]
 mod faces;
+mod frustum;
 #[cfg(feature = "scenes")]
 mod gltf;
 #[cfg(feature = "scenes")]
@@ -29,6 +30,7 @@ pub use gltf::GltfError;
 #[cfg(feature = "scenes")]
 pub use load::{LoadOptions, load};
 
+pub use frustum::frustum;
 pub use view::ViewError;
 
 use crate::Mesh;

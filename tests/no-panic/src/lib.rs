@@ -5,7 +5,7 @@
 use core::panic::PanicInfo;
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent};
 use slimbvh_core::camera::Camera;
-use slimbvh_core::classify::{Except, Facing, Sides, is_in_set};
+use slimbvh_core::classify::{Except, Facing, Reach, Sides, is_in_set};
 use slimbvh_core::color::{pack_texel, srgb_bytes};
 use slimbvh_core::compact::{is_set, pack_lanes, rank};
 use slimbvh_core::float::PowerOfTwo;
@@ -155,12 +155,12 @@ pub fn trace(
 pub fn classify(
     primitive: u32,
     mesh: &IndexedTriangles,
-    sides: &Sides,
-    target: &Target,
+    reach: &Reach,
     flags: &[u32; 64],
 ) -> u32 {
     let scale = PowerOfTwo::new(5);
-    u32::from(is_in_set(primitive, mesh, &scale, sides, target)) ^ pack_lanes(primitive, flags)
+    let reach = reach.scaled(&scale);
+    u32::from(is_in_set(primitive, mesh, &scale, &reach)) ^ pack_lanes(primitive, flags)
 }
 
 #[unsafe(no_mangle)]

@@ -3,16 +3,18 @@
 use glam::{Quat, Vec3};
 use slimbvh::gpu;
 use slimbvh::{
-    BuildConfig, Builder, Bvh, Camera, CodeBits, Light, Mesh, Picture, Projection, RenderSettings,
-    Renderer, Scene, Subset, Tree, Trees, generate,
+    BuildConfig, Builder, Bvh, Camera, CodeBits, Light, Mesh, Picture, Projection, Ray,
+    RenderSettings, Renderer, Scene, Subset, Tree, Trees, generate,
 };
-use slimbvh_core::classify::{Sides, faces};
+use slimbvh_core::classify::{Reach, Sides, faces};
 use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_tests::closed::{dented_sphere, small_torus_knot};
 use slimbvh_tests::gpu::{done, gpu};
 use slimbvh_tests::{CODE_BITS, build};
+use std::collections::BTreeSet;
 
 /// A closed mesh beside an open one: component 0 is reducible, component 1 is not.
 struct Model {
@@ -86,13 +88,14 @@ fn targets() -> [Target; 3] {
 }
 
 fn subset(model: &Model, target: Target) -> Subset<'_> {
-    Subset::Facing {
+    Subset::Of(Reach {
         sides: Sides {
             components: &model.components,
             sides: &[1, 0, 0],
         },
         target,
-    }
+        frustum: Frustum::EVERYWHERE,
+    })
 }
 
 /// A tree for each target.
@@ -152,6 +155,57 @@ fn a_set_holds_what_faces_its_target_in_order() {
     }
 }
 
+/// Sorted alone, a set comes out as it does from among all triangles.
+#[test]
+fn a_set_is_the_same_sorted_alone() {
+    for model in models() {
+        for code_bits in CODE_BITS {
+            for (target, expected) in targets().iter().zip(sets(&model, code_bits)) {
+                let mut builder = Builder::new(BuildConfig { code_bits });
+                let mut bvh = Bvh::default();
+                done(builder.build_subset(&model.mesh, subset(&model, *target), &mut bvh));
+                assert!(bvh.nodes() == expected.nodes());
+                assert!(bvh.leaf_triangles() == expected.leaf_triangles());
+                assert_eq!(bvh.scene_exponent(), expected.scene_exponent());
+                assert_eq!(bvh.depth_bound(), expected.depth_bound());
+            }
+        }
+    }
+}
+
+/// After its triangles moved, a mesh that was sorted before gives sets of the same triangles in the old order.
+#[test]
+fn an_order_may_be_kept_for_a_mesh_that_moved() {
+    for mut model in models() {
+        let mut builder = Builder::new(BuildConfig::default());
+        done(builder.sort(&model.mesh));
+        for vertex in &mut model.mesh.vertices {
+            vertex[0] = vertex[0] * 1.5 + 0.1 * vertex[1];
+        }
+        done(builder.follow(&model.mesh));
+        for (target, fresh) in targets().iter().zip(sets(&model, CodeBits::Bits30)) {
+            let mut kept = Bvh::default();
+            builder.build_sorted(&model.mesh, subset(&model, *target), &mut kept);
+            let primitives = |bvh: &Bvh| {
+                let triangles = bvh.leaf_triangles().iter();
+                triangles
+                    .map(|leaf| leaf.primitive)
+                    .collect::<BTreeSet<_>>()
+            };
+            assert!(primitives(&kept) == primitives(&fresh));
+            assert_eq!(kept.scene_exponent(), fresh.scene_exponent());
+            for i in 0..200 {
+                let turn = i as f32 * 0.7;
+                let to = [turn.sin(), (turn * 0.37).cos(), (turn * 1.3).cos()];
+                let ray = Ray::new(EYE, [to[0] - EYE[0], to[1] - EYE[1], to[2] - EYE[2]]);
+                assert_eq!(kept.closest_hit(&ray), fresh.closest_hit(&ray));
+            }
+        }
+        let other = generate::icosphere(Vec3::ZERO, 1.0, 1);
+        assert!(builder.follow(&other).is_err());
+    }
+}
+
 /// With the rule, and without: on closed meshes seen from outside it loses nothing. The control: inside out, it does.
 #[test]
 fn reduced_and_whole_trees_give_the_same_picture() {
@@ -197,7 +251,7 @@ fn sets_are_the_same_on_both_backends() {
             let mut frame = gpu.frame();
             done(builder.sort(&mut frame, &mesh));
             for (target, bvh) in targets().iter().zip(&mut bvhs) {
-                done(facing.set(&mut frame, target, &[1, 0]));
+                done(facing.set(&mut frame, target, &Frustum::EVERYWHERE, &[1, 0]));
                 let subset = gpu::Subset::Facing {
                     components: &components,
                     facing: &facing,
@@ -238,7 +292,7 @@ fn reduced_and_whole_trees_give_the_same_picture_on_the_gpu() {
         let mut whole = gpu::Bvh::new();
         done(builder.build(&mut frame, &uploaded.mesh, &mut whole));
         for ((target, facing), set) in targets().iter().zip(&mut facings).zip(&mut sets) {
-            done(facing.set(&mut frame, target, &[1, 0]));
+            done(facing.set(&mut frame, target, &Frustum::EVERYWHERE, &[1, 0]));
             let subset = gpu::Subset::Facing {
                 components: &components,
                 facing,

@@ -2,11 +2,14 @@
 
 use glam::Vec3;
 use slimbvh::generate::{append, ground, icosphere};
-use slimbvh::reduce::{AimKind, Asked, Choice, Cull, Plan, Reduce, Seams, Switches, survey};
+use slimbvh::reduce::{
+    AimKind, Asked, Choice, Cull, Half, Plan, Reduce, Saving, Savings, Seams, Switches, survey,
+};
 use slimbvh::{
     BuildConfig, Camera, Light, Material, Mesh, Projection, RenderSettings, Scene, View,
 };
 use slimbvh_tests::gpu::done;
+use std::f32::consts::{FRAC_PI_2, PI};
 
 fn camera() -> Camera {
     Camera {
@@ -50,6 +53,7 @@ fn switches(cull: Option<Cull>, reduce: Reduce) -> Switches {
         cull,
         reduce,
         seams: Seams::Find,
+        savings: Savings::ALL,
     }
 }
 
@@ -205,6 +209,144 @@ fn auto_takes_what_is_cheaper() {
     let (choices, needs_whole, said) = decided(&asked(&lit, &tiny, auto, 1));
     assert_eq!((choices, needs_whole), (vec![Choice::Whole; 2], true));
     assert!(said.contains("more than it saves"), "{said}");
+}
+
+/// The lights of each aim but the camera's, by number from 0.
+fn groups(plan: &Plan) -> Vec<Vec<usize>> {
+    let lights = plan.aims.iter().skip(1);
+    lights.map(|aim| aim.lights.clone()).collect()
+}
+
+#[test]
+fn close_lights_share_a_set_and_lights_on_either_side_do_not() {
+    let settings = RenderSettings::default();
+    let on = switches(None, Reduce::On);
+    let square = (0..9).map(|i| {
+        let [x, z] = [i % 3, i / 3].map(|i| i as f32 * 0.05 - 0.05);
+        lamp([x, 3.0, z])
+    });
+    let square = scene(icosphere(Vec3::ZERO, 1.0, 6), &square.collect::<Vec<_>>());
+    let sides = scene(ball(), &[lamp([-3.0, 0.5, 0.0]), lamp([3.0, 0.0, 0.2])]);
+    let suns = scene(ball(), &[sun([1.0; 3]), sun([2.0; 3])]);
+    for (scene, expected) in [
+        (&square, vec![(0..9).collect()]),
+        (&sides, vec![vec![0], vec![1]]),
+        (&suns, vec![vec![0], vec![1]]),
+    ] {
+        let survey = done(survey(&scene.mesh, BuildConfig::default(), Seams::Find));
+        for reduce in [Reduce::On, Reduce::Off, Reduce::Auto] {
+            let switches = Switches { reduce, ..on };
+            let asked = asked(scene, &settings, switches, 1);
+            let plan = done(Plan::new(&survey.topology, &asked));
+            assert_eq!(groups(&plan), expected, "{reduce:?}");
+            let lights = 0..scene.lights.len();
+            let places = lights.map(|light| {
+                plan.aims
+                    .iter()
+                    .position(|aim| aim.lights.contains(&light))
+                    .unwrap_or(0)
+            });
+            assert_eq!(plan.aim_of_light(), places.collect::<Vec<_>>());
+        }
+        let savings = Savings::ALL.without(Saving::Groups);
+        let asked = asked(scene, &settings, Switches { savings, ..on }, 1);
+        let plan = done(Plan::new(&survey.topology, &asked));
+        assert_eq!(groups(&plan).len(), scene.lights.len());
+    }
+    let (_, _, said) = decided(&asked(&square, &settings, on, 1));
+    assert!(
+        said.contains("lights 1 to 9: one set for all of them"),
+        "{said}"
+    );
+}
+
+/// A ball with nearly all of its triangles on its upper half.
+fn fine_above() -> Mesh {
+    const EQUATOR: f32 = 2.7;
+    let mut mesh = ball();
+    for vertex in &mut mesh.vertices {
+        let angle = vertex[1].clamp(-1.0, 1.0).acos();
+        let moved = if angle < EQUATOR {
+            angle * FRAC_PI_2 / EQUATOR
+        } else {
+            FRAC_PI_2 + (angle - EQUATOR) * FRAC_PI_2 / (PI - EQUATOR)
+        };
+        let across = moved.sin() / angle.sin().max(1e-6);
+        *vertex = [vertex[0] * across, moved.cos(), vertex[2] * across];
+    }
+    mesh
+}
+
+/// Of a light that sees nearly all triangles, those that it does not see are fewer; but they may only count where the eye
+/// is outside as well, and no mirror lets paths go on from elsewhere.
+#[test]
+fn the_smaller_half_counts_where_all_rays_start_outside() {
+    let settings = RenderSettings::default();
+    let on = switches(None, Reduce::On);
+    let half = |scene: &Scene, switches: Switches| {
+        let survey = done(survey(&scene.mesh, BuildConfig::default(), Seams::None));
+        let asked = asked(scene, &settings, switches, 1);
+        let plan = done(Plan::new(&survey.topology, &asked));
+        (plan.aims[1].half, plan.aims[1].share)
+    };
+    let lit_along = |y: f32| {
+        let direction = [0.0, y, 0.0];
+        let color = [1.0; 3];
+        scene(fine_above(), &[Light::Directional { direction, color }])
+    };
+    let above = lit_along(-1.0);
+    for (scene, expected) in [(&above, Half::Away), (&lit_along(1.0), Half::Toward)] {
+        let (half, share) = half(scene, on);
+        assert!(half == expected && share < 0.1, "{half:?} {share}");
+    }
+    let savings = Savings::ALL.without(Saving::Away);
+    let (kept, share) = half(&above, Switches { savings, ..on });
+    assert!(kept == Half::Toward && share > 0.9, "{share}");
+    let mut inside = above.clone();
+    inside.cameras[0].eye = [0.0, 0.5, 0.0];
+    assert_eq!(half(&inside, on).0, Half::Toward);
+    let mut mirror = above;
+    mirror.materials = vec![Material {
+        mirror: 0.5,
+        ..Material::default()
+    }];
+    assert_eq!(half(&mirror, on).0, Half::Toward);
+}
+
+#[test]
+fn what_is_outside_the_picture_is_left_out_of_the_cameras_set() {
+    let settings = RenderSettings::default();
+    let on = switches(None, Reduce::On);
+    let mut near = scene(ground(4.0, 64), &[]);
+    near.cameras[0].eye = [0.0, 1.0, 0.5];
+    near.cameras[0].target = [0.0, 0.0, -0.5];
+    let (choices, needs_whole, said) = decided(&asked(&near, &settings, on, 1));
+    assert_eq!((choices, needs_whole), (vec![Choice::Set], false));
+    assert!(said.contains("nothing outside the picture"), "{said}");
+    let savings = Savings::ALL.without(Saving::Frustum);
+    let (choices, ..) = decided(&asked(&near, &settings, Switches { savings, ..on }, 1));
+    assert_eq!(choices, [Choice::Whole]);
+    // Where all is in the picture, nobody looks.
+    let mut far = near;
+    far.cameras[0].eye = [0.0, 30.0, 30.0];
+    assert_eq!(decided(&asked(&far, &settings, on, 1)).0, [Choice::Whole]);
+}
+
+#[test]
+fn a_set_that_is_the_only_tree_is_sorted_alone() {
+    let settings = RenderSettings::default();
+    let on = switches(None, Reduce::On);
+    let alone = scene(ball(), &[]);
+    let lit = scene(ball(), &[sun([1.0; 3])]);
+    let survey = done(survey(&alone.mesh, BuildConfig::default(), Seams::Find));
+    let sorts_alone = |scene: &Scene, savings: Savings| {
+        let switches = Switches { savings, ..on };
+        let asked = asked(scene, &settings, switches, 1);
+        done(Plan::new(&survey.topology, &asked)).sorts_alone
+    };
+    assert!(sorts_alone(&alone, Savings::ALL));
+    assert!(!sorts_alone(&lit, Savings::ALL));
+    assert!(!sorts_alone(&alone, Savings::ALL.without(Saving::Alone)));
 }
 
 /// The share is estimated from samples, and figures are for the mesh at hand.

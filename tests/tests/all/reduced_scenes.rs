@@ -6,7 +6,7 @@ mod scenes;
 use scenes::{SUN, ball, room, scenes};
 use slimbvh::gpu;
 use slimbvh::reduce::{
-    self, Asked, Choice, Cull, Hierarchies, Plan, Reduce, Seams, Switches, survey,
+    self, Asked, Choice, Cull, Hierarchies, Plan, Reduce, Saving, Savings, Seams, Switches, survey,
 };
 use slimbvh::topology::Topology;
 use slimbvh::{BuildConfig, Builder, Light, Picture, RenderSettings, Renderer, Scene};
@@ -30,6 +30,7 @@ fn asked<'a>(scene: &'a Scene, cull: Cull, reduce: Reduce) -> Asked<'a> {
             cull: Some(cull),
             reduce,
             seams: Seams::Find,
+            savings: Savings::ALL,
         },
         frame_count: 1,
     }
@@ -110,6 +111,23 @@ fn sets_give_the_picture_of_the_rule() {
 fn sets_give_the_picture_of_the_rule_on_the_gpu() {
     let Some(gpu) = gpu() else { return };
     check("GPU", |scene, plan| on_gpu(gpu, scene, plan));
+}
+
+/// Whatever is saved, and whatever is not, the picture of the rule stays as it is: what is left out of a set for being out
+/// of the picture, which trees are sorted how, and which lights come together for which half.
+#[test]
+fn each_saving_leaves_the_picture_as_it_is() {
+    for (name, scene) in scenes() {
+        let topology = topology(&scene);
+        for left_out in Saving::ALL {
+            let [whole, reduced] = [Reduce::Off, Reduce::On].map(|reduce| {
+                let mut asked = asked(&scene, Cull::On, reduce);
+                asked.switches.savings = Savings::ALL.without(left_out);
+                on_cpu(&scene, &done(Plan::new(&topology, &asked)))
+            });
+            assert!(reduced == whole, "{name} without {left_out:?}");
+        }
+    }
 }
 
 /// The control: with sides turned round, for the camera or for a light, the picture is another.

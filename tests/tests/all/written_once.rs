@@ -52,7 +52,7 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "classify",
         what: "which triangles rays of one origin may hit",
-        core: &["classify", "orientation"],
+        core: &["classify", "orientation", "frustum"],
         shaders: &["classify"],
         cpu: &["order", "select"],
         gpu: &["build", "facing"],

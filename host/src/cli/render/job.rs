@@ -52,7 +52,7 @@ impl Job<'_> {
             triangle_bytes: all().map(Bvh::triangle_bytes).sum(),
             scratch_bytes: builder.scratch_bytes() + renderer.scratch_bytes(),
             sets: sets
-                .map(|(aim, set)| (aim.kind, set.triangle_count()))
+                .map(|(aim, set)| (aim.name(), set.triangle_count()))
                 .collect(),
         })
     }
@@ -90,7 +90,7 @@ impl Job<'_> {
             triangle_bytes: triangle_count * size_of::<slimbvh::LeafTriangle>(),
             scratch_bytes: scratch as usize,
             sets: sets
-                .map(|((aim, _), [_, count])| (aim.kind, *count as usize))
+                .map(|((aim, _), [_, count])| (aim.name(), *count as usize))
                 .collect(),
         })
     }

@@ -176,8 +176,34 @@ pub fn scenes() -> Vec<(&'static str, Scene)> {
                 &both,
             ),
         ),
+        ("many lights near and far", lights()),
+        ("seen in part", close()),
         ("room", room(SUN)),
     ]
+}
+
+/// Lamps close together, lamps on either side, and suns from above and below.
+fn lights() -> Scene {
+    let near = (0..4).map(|i| lamp([0.02 * i as f32, 3.0, 0.5 - 0.03 * i as f32]));
+    let apart = [lamp([-3.0, 0.4, 0.2]), lamp([3.0, 0.1, -0.2])];
+    let below = Light::Directional {
+        direction: [0.1, 1.0, -0.6],
+        color: [0.4; 3],
+    };
+    let lights: Vec<Light> = near.chain(apart).chain([SUN, below]).collect();
+    let meshes = vec![small_torus_knot(), ball([1.5, 0.2, 0.0], 0.5), floor()];
+    scene(meshes, camera(EYE, [0.0; 3], PERSPECTIVE), &lights)
+}
+
+/// A camera close to some of many things, with more behind it.
+fn close() -> Scene {
+    let mut meshes = vec![floor()];
+    for i in 0..12 {
+        let turn = i as f32 * 0.55;
+        meshes.push(ball([2.0 * turn.cos(), -0.4, 2.0 * turn.sin()], 0.4));
+    }
+    let eye = camera([0.3, 0.2, 0.4], [1.9, -0.3, 0.8], PERSPECTIVE);
+    scene(meshes, eye, &[SUN, lamp([0.5, 2.0, 0.5])])
 }
 
 /// A closed room with something in it, and no light but that from outside.

@@ -1,0 +1,186 @@
+//! Rays of one kind, and where they go.
+
+use super::Asked;
+use crate::scene::frustum;
+use crate::{RenderSettings, Scene, View, ViewError};
+use slimbvh_core::Aabb;
+use slimbvh_core::frustum::Frustum;
+use slimbvh_core::orientation::Target;
+
+/// Which rays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AimKind {
+    /// From the camera.
+    Camera,
+    /// To one light, or to some.
+    Lights,
+}
+
+/// Which triangles of closed surfaces may block rays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Half {
+    /// Those that face the target (C+, L+).
+    Toward,
+    /// Those that face away from it (L−).
+    Away,
+}
+
+/// What rays of one kind are traced through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// A tree over the triangles that count.
+    Set,
+    /// The whole tree, where the rule says what counts if there was a survey.
+    Whole,
+    /// There are no such rays.
+    Unused,
+}
+
+/// Rays of one kind, and what was decided for them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Aim {
+    /// Which rays.
+    pub kind: AimKind,
+    /// The lights that they go to, by number from 0.
+    pub lights: Vec<usize>,
+    /// Where they come from or lead to, in the mesh's unit: all of the lights, for some.
+    pub target: Target,
+    /// Where they go. It bounds a set only; where it bounds nothing, nothing is left out for it.
+    pub frustum: Frustum,
+    /// Which half counts.
+    pub half: Half,
+    /// The side of each component that counts, see [`crate::topology::Topology::sides`]: negated for [`Half::Away`]. Empty
+    /// without a survey, and where there are no rays.
+    pub sides: Vec<i32>,
+    /// What they are traced through.
+    pub choice: Choice,
+    /// How many triangles belong to components that this target may see a part of.
+    pub reducible_count: usize,
+    /// The share of the mesh's triangles that a set keeps, estimated.
+    pub share: f64,
+    /// Milliseconds that a set saves in tracing, less those that it takes to build; estimated.
+    pub saving_ms: f64,
+}
+
+impl Aim {
+    pub(super) fn new(kind: AimKind, lights: Vec<usize>, target: Target) -> Self {
+        Self {
+            kind,
+            lights,
+            target,
+            frustum: Frustum::EVERYWHERE,
+            half: Half::Toward,
+            sides: Vec::new(),
+            choice: Choice::Whole,
+            reducible_count: 0,
+            share: 1.0,
+            saving_ms: 0.0,
+        }
+    }
+
+    /// Whether a set may leave out anything.
+    #[must_use]
+    pub fn may_be_set(&self) -> bool {
+        self.reducible_count > 0 || self.frustum.is_bounded == 1
+    }
+
+    /// `camera`, or the lights with their numbers from 1.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let Some((first, rest)) = self.lights.split_first() else {
+            return "camera".to_owned();
+        };
+        if rest.is_empty() {
+            return format!("light {}", first + 1);
+        }
+        let mut runs: Vec<[usize; 2]> = Vec::new();
+        for &light in &self.lights {
+            match runs.last_mut() {
+                Some(run) if run[1] + 1 == light => run[1] = light,
+                _ => runs.push([light, light]),
+            }
+        }
+        let runs = runs.iter().map(|&[first, last]| match last - first {
+            0 => format!("{}", first + 1),
+            1 => format!("{}, {}", first + 1, last + 1),
+            _ => format!("{} to {}", first + 1, last + 1),
+        });
+        format!("lights {}", runs.collect::<Vec<_>>().join(", "))
+    }
+}
+
+/// The camera and each light, whole as long as nothing is known.
+pub fn aims(asked: &Asked) -> Result<Vec<Aim>, ViewError> {
+    let RenderSettings {
+        size, sample_count, ..
+    } = *asked.settings;
+    let Scene {
+        cameras, lights, ..
+    } = asked.scene;
+    let camera = cameras.first().ok_or(ViewError::NoCamera)?;
+    let core = camera.to_core(size, sample_count)?;
+    let eye = if core.is_parallel == 1 {
+        Target::direction(core.forward.map(|x| -x))
+    } else {
+        Target::position(core.eye)
+    };
+    let mut aims = vec![Aim::new(AimKind::Camera, Vec::new(), eye)];
+    for (index, light) in lights.iter().enumerate() {
+        let light = light.to_core(index)?;
+        let target = Target {
+            is_position: light.is_position,
+            ..Target::direction(light.point)
+        };
+        let mut aim = Aim::new(AimKind::Lights, vec![index], target);
+        let is_used = asked.settings.view == View::Color && light.color != [0.0; 3];
+        if !is_used {
+            aim.choice = Choice::Unused;
+        }
+        aims.push(aim);
+    }
+    Ok(aims)
+}
+
+/// What the camera's rays can reach of a box, which bounds nothing where that is all of it.
+pub fn frustum_within(asked: &Asked, bounds: &Aabb) -> Result<Frustum, ViewError> {
+    let settings = asked.settings;
+    let camera = asked.scene.cameras.first().ok_or(ViewError::NoCamera)?;
+    let frustum = frustum(&camera.to_core(settings.size, settings.sample_count)?);
+    let eye = frustum.eye.map(f64::from);
+    let corners = (0..8).map(|corner| -> [f64; 3] {
+        std::array::from_fn(|i| {
+            let corner = [bounds.min[i], bounds.max[i]][corner >> i & 1];
+            f64::from(corner) - eye[i]
+        })
+    });
+    let is_inside = |corner: [f64; 3]| {
+        let planes = frustum.planes.iter();
+        let mut distances = planes.map(|plane| {
+            let [x, y, z, offset] = plane.map(f64::from);
+            x * corner[0] + y * corner[1] + z * corner[2] + offset
+        });
+        distances.all(|distance| distance >= 0.0)
+    };
+    if bounds.is_empty() || corners.into_iter().all(is_inside) {
+        Ok(Frustum::EVERYWHERE)
+    } else {
+        Ok(frustum)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lights_are_named_in_runs() {
+        let name = |lights: &[usize]| {
+            let target = Target::position([0.0; 3]);
+            Aim::new(AimKind::Lights, lights.to_vec(), target).name()
+        };
+        assert_eq!(name(&[]), "camera");
+        assert_eq!(name(&[4]), "light 5");
+        assert_eq!(name(&[0, 1]), "lights 1, 2");
+        assert_eq!(name(&[0, 1, 2, 3, 6, 8, 9]), "lights 1 to 4, 7, 9, 10");
+    }
+}

@@ -1,0 +1,73 @@
+//! What a plan may save, each to be had or not.
+
+/// Work that a picture can do without.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+pub enum Saving {
+    /// The camera's set leaves out triangles that are certainly outside the picture.
+    Frustum,
+    /// A light's set holds the triangles that face away from the light, where these are fewer and answer as well.
+    Away,
+    /// Lights near each other share a set, where that costs less than two.
+    Groups,
+    /// Sets of lights are built and traced one after the other, in the same memory.
+    Turns,
+    /// No set is built for a light that reaches nothing in the picture.
+    Unseen,
+    /// A set that is the only tree is sorted alone.
+    Alone,
+}
+
+impl Saving {
+    /// All of them.
+    pub const ALL: [Self; 6] = [
+        Self::Frustum,
+        Self::Away,
+        Self::Groups,
+        Self::Turns,
+        Self::Unseen,
+        Self::Alone,
+    ];
+}
+
+/// Some savings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Savings(u32);
+
+impl Default for Savings {
+    fn default() -> Self {
+        Self::ALL
+    }
+}
+
+impl Savings {
+    /// All of them.
+    pub const ALL: Self = Self(u32::MAX);
+
+    /// All of these but one.
+    #[must_use]
+    pub const fn without(self, saving: Saving) -> Self {
+        Self(self.0 & !(1 << saving as u32))
+    }
+
+    /// Whether it is one of these.
+    #[must_use]
+    pub const fn has(self, saving: Saving) -> bool {
+        self.0 >> saving as u32 & 1 == 1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_is_left_out_alone() {
+        for left_out in Saving::ALL {
+            let savings = Savings::ALL.without(left_out);
+            for saving in Saving::ALL {
+                assert_eq!(savings.has(saving), saving != left_out);
+            }
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! The planes beyond which no ray of a camera comes.
+
+use crate::wide::{cross, dot, normalized};
+use slimbvh_core::camera::Camera;
+use slimbvh_core::frustum::Frustum;
+
+/// How far each plane is turned, or moved, away from the picture: a share of the picture's half width or height.
+const MARGIN: f64 = 1.0 / 4096.0;
+
+/// What rounding may do to a ray's direction, or a parallel ray's origin, as a share of its length: two products, two sums
+/// and the plane's own coordinates round by 2^-24 each.
+const ROUNDING: f64 = 1.0 / 524_288.0;
+
+/// The planes around a camera's picture, in the caller's unit. No ray that [`Camera::ray`] makes leaves them, rounding
+/// included. A side that cannot be told apart from rounding, as of a picture that is all but a point, bounds nothing.
+#[must_use]
+pub fn frustum(camera: &Camera) -> Frustum {
+    let wide = |v: [f32; 3]| v.map(f64::from);
+    let [eye, forward, right, up] = [camera.eye, camera.forward, camera.right, camera.up].map(wide);
+    let negative = |v: [f64; 3]| v.map(|x| -x);
+    let sides = [
+        (right, up),
+        (negative(right), up),
+        (up, right),
+        (negative(up), right),
+    ];
+    let planes = sides.map(|(toward, along)| {
+        let plane = if camera.is_parallel == 1 {
+            parallel_side(eye, toward, length(along))
+        } else {
+            perspective_side(forward, toward, along)
+        };
+        let plane = plane.map(|x| x as f32);
+        if plane.iter().all(|x| x.is_finite()) {
+            plane
+        } else {
+            [0.0; 4]
+        }
+    });
+    Frustum {
+        eye: camera.eye,
+        is_bounded: 1,
+        planes,
+    }
+}
+
+/// The plane through the eye and the edge of the picture that lies `toward` its middle, and runs `along`.
+fn perspective_side(forward: [f64; 3], toward: [f64; 3], along: [f64; 3]) -> [f64; 4] {
+    let longest = length(forward) + length(toward) + length(along);
+    let edge_at = |share: f64| std::array::from_fn(|i| forward[i] + share * toward[i]);
+    let plane_at = |share: f64| {
+        let normal = normalized(cross(along, edge_at(share)));
+        if dot(normal, forward) < 0.0 {
+            normal.map(|x| -x)
+        } else {
+            normal
+        }
+    };
+    // A ray at share s of the way to the edge is (edge − s) times this above the plane.
+    let slope = -dot(plane_at(1.0 + MARGIN), toward);
+    let share = 1.0 + MARGIN + ROUNDING * longest / slope;
+    let [x, y, z] = plane_at(share);
+    let is_sound = slope > 0.0 && share < 2.0;
+    if is_sound { [x, y, z, 0.0] } else { [0.0; 4] }
+}
+
+/// The plane at the edge of the picture that lies `toward` its middle. The farther a ray goes, the farther rounding of its
+/// direction takes it: the test itself allows for that.
+fn parallel_side(eye: [f64; 3], toward: [f64; 3], along: f64) -> [f64; 4] {
+    let half = length(toward);
+    let [x, y, z] = normalized(toward).map(|x| -x);
+    let largest = eye.iter().fold(half + along, |most, x| x.abs().max(most));
+    [x, y, z, half * (1.0 + MARGIN) + ROUNDING * largest]
+}
+
+fn length(v: [f64; 3]) -> f64 {
+    dot(v, v).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Camera as SceneCamera, Projection};
+    use glam::Vec3;
+    use proptest::prelude::*;
+    use slimbvh_core::Triangle;
+    use slimbvh_core::bounds::scene_exponent;
+    use slimbvh_core::classify::Except;
+    use slimbvh_core::float::PowerOfTwo;
+    use slimbvh_core::snap::leaf_triangle;
+    use slimbvh_core::trace::{BruteForce, LeafTriangles, closest_hit};
+
+    fn camera(eye: [f32; 3], target: [f32; 3], projection: Projection) -> Camera {
+        let up = [0.1, 1.0, 0.0];
+        let camera = SceneCamera {
+            eye,
+            target,
+            up,
+            projection,
+        };
+        camera.to_core([7, 5], 1).unwrap()
+    }
+
+    fn projections() -> impl Strategy<Value = Projection> {
+        let perspective = prop_oneof![1e-3f32..1.0, 1.0f32..179.0, 179.0f32..179.99];
+        let height = prop_oneof![1e-4f32..1e-2, 1e-2f32..10.0];
+        prop_oneof![
+            perspective.prop_map(|vertical_fov| Projection::Perspective { vertical_fov }),
+            height.prop_map(|height| Projection::Orthographic { height }),
+        ]
+    }
+
+    fn points(reach: f32) -> impl Strategy<Value = [f32; 3]> {
+        proptest::array::uniform3(-reach..reach)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #[test]
+        fn no_ray_hits_what_is_certainly_outside(
+            eye in prop_oneof![points(1.0), points(300.0)],
+            target in points(1.0),
+            projection in projections(),
+            middle in points(2.0),
+            corners in proptest::array::uniform3(prop_oneof![points(1e-3), points(1.0), points(50.0)]),
+        ) {
+            prop_assume!(eye != target);
+            let camera = camera(eye, target, projection);
+            let vertices = corners.map(|corner| (Vec3::from(middle) + Vec3::from(corner)).to_array());
+            let mesh = crate::Mesh { vertices: vertices.to_vec(), indices: vec![[0, 1, 2]], ..crate::Mesh::default() };
+            let scale = PowerOfTwo::new(scene_exponent(&mesh.bounds().unwrap()));
+            let leaf = leaf_triangle(0, &mesh.triangles(), &scale);
+            if frustum(&camera).scaled(&scale).is_certainly_outside(&leaf.triangle()) {
+                let camera = camera.scaled(&scale);
+                for sample in 0..35 {
+                    let ray = camera.ray(sample);
+                    let hit = closest_hit(&BruteForce(1), &LeafTriangles(&[leaf]), &ray, 0, &Except::NOTHING);
+                    prop_assert!(!hit.is_hit(), "sample {sample} {hit:?}");
+                }
+            }
+        }
+
+        /// The control: what lies a hundredth of the picture outside is found to be so.
+        #[test]
+        fn little_more_than_the_picture_is_inside(
+            eye in points(1.0),
+            target in points(1.0),
+            fov in 1.0f32..170.0,
+            share in 1.01f32..3.0,
+            depth in 0.1f32..10.0,
+            side in 0usize..4,
+        ) {
+            prop_assume!((Vec3::from(eye) - Vec3::from(target)).length() > 0.1);
+            for projection in [
+                Projection::Perspective { vertical_fov: fov },
+                Projection::Orthographic { height: fov / 50.0 },
+            ] {
+                let camera = camera(eye, target, projection);
+                let sides = [camera.right, camera.up].map(Vec3::from);
+                let toward = if side % 2 == 0 { sides[side / 2] } else { -sides[side / 2] };
+                let is_parallel = camera.is_parallel == 1;
+                let spread = if is_parallel { 1.0 } else { depth };
+                let at = |share: f32| {
+                    let middle = Vec3::from(eye) + Vec3::from(camera.forward) * depth;
+                    middle + toward * share * spread
+                };
+                let point = |share: f32| Triangle { v0: at(share), v1: at(share), v2: at(share) };
+                let frustum = frustum(&camera);
+                prop_assert!(frustum.is_certainly_outside(&point(share)), "{projection:?}");
+                prop_assert!(!frustum.is_certainly_outside(&point(0.999)), "{projection:?}");
+            }
+        }
+    }
+}
