@@ -113,6 +113,13 @@ impl Bvh {
         size_of_val(self.triangles.as_slice())
     }
 
+    /// Bytes of the memory that is held for both, which a larger hierarchy may have left.
+    #[must_use]
+    pub fn held_bytes(&self) -> usize {
+        self.nodes.capacity() * size_of::<Node>()
+            + self.triangles.capacity() * size_of::<LeafTriangle>()
+    }
+
     /// No path from the root is longer than this.
     #[must_use]
     pub fn depth_bound(&self) -> u32 {

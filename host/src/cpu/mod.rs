@@ -13,7 +13,7 @@ mod trees;
 pub use build::{BuildConfig, Builder, CodeBits, RefitError, Subset};
 pub(crate) use order::scene_bounds;
 pub use render::Renderer;
-pub use trees::{Tree, Trees};
+pub use trees::{Tree, Trees, Turns};
 
 /// Items that a task takes at once.
 const BLOCK: usize = 4096;

@@ -1,7 +1,7 @@
 //! Stages `trace` and `shade` on the CPU, in waves of samples.
 
 use super::paint::{paint_depth, paint_heat, resolve};
-use super::trees::{Tree, Trees};
+use super::trees::{NoTurns, Tree, Trees, Turns};
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::ViewError;
 use crate::{Bvh, Scene};
@@ -11,7 +11,8 @@ use slimbvh_core::classify::Except;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::ray::{Hit, PreparedRay};
 use slimbvh_core::shade::{
-    Environment, Light as CoreLight, Material as CoreMaterial, Path, ambient_light, direct_light,
+    Environment, Light as CoreLight, Material as CoreMaterial, Path, Shadow, ambient_light,
+    direct_light,
 };
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
@@ -82,6 +83,43 @@ impl Renderer {
         trees: &Trees,
         settings: &RenderSettings,
         picture: &mut Picture,
+        progress: impl FnMut(f64),
+    ) -> Result<RenderReport, ViewError> {
+        self.render_waves(
+            scene,
+            (trees, &mut NoTurns, WAVE),
+            settings,
+            picture,
+            progress,
+        )
+    }
+
+    /// [`Self::render_with`], with some lights' hierarchies built in turn: all samples are in flight at once, so that each
+    /// has one turn, or one for each mirror that paths meet. None is built for a light that reaches nothing.
+    ///
+    /// # Errors
+    /// Those of [`Self::render`].
+    ///
+    /// # Panics
+    /// As [`Self::render_with`].
+    pub fn render_in_turn(
+        &mut self,
+        scene: &Scene,
+        (trees, turns): (&Trees, &mut dyn Turns),
+        settings: &RenderSettings,
+        picture: &mut Picture,
+        progress: impl FnMut(f64),
+    ) -> Result<RenderReport, ViewError> {
+        self.render_waves(scene, (trees, turns, u32::MAX), settings, picture, progress)
+    }
+
+    /// Renders with this many samples in flight.
+    fn render_waves(
+        &mut self,
+        scene: &Scene,
+        (trees, turns, wave): (&Trees, &mut dyn Turns, u32),
+        settings: &RenderSettings,
+        picture: &mut Picture,
         mut progress: impl FnMut(f64),
     ) -> Result<RenderReport, ViewError> {
         assert_eq!(
@@ -100,7 +138,7 @@ impl Renderer {
         self.heat.clear();
         self.depths.clear();
 
-        let wave_pixels = (WAVE / settings.sample_count).max(1);
+        let wave_pixels = (wave / settings.sample_count).max(1);
         for first_pixel in (0..pixel_count).step_by(wave_pixels as usize) {
             let pixels = wave_pixels.min(pixel_count - first_pixel);
             let first = first_pixel * settings.sample_count;
@@ -110,7 +148,9 @@ impl Renderer {
             } else {
                 self.trace_primary(&stage, &mut report);
                 match settings.view {
-                    View::Color => self.shade(&stage, settings.mirror_depth, &mut report),
+                    View::Color => {
+                        self.shade(&stage, turns, settings.mirror_depth, &mut report);
+                    }
                     View::Depth => self.depths.extend(self.hits.iter().map(view::depth_value)),
                     view => self.show(&stage, view, &mut report),
                 }
@@ -181,11 +221,26 @@ impl Renderer {
     }
 
     /// Gathers light, and follows mirrors to the given depth.
-    fn shade(&mut self, stage: &Stage, mirror_depth: u32, report: &mut RenderReport) {
+    fn shade(
+        &mut self,
+        stage: &Stage,
+        turns: &mut dyn Turns,
+        mirror_depth: u32,
+        report: &mut RenderReport,
+    ) {
         for depth in 0..=mirror_depth {
-            for (light, tree) in stage.lights.iter().zip(&stage.trees.lights) {
+            for (index, light) in stage.lights.iter().enumerate() {
+                // Who reaches nothing has no turn.
+                let stages = &mut report.stages;
+                if turns.is_due(index) && !stages.time("shade", || self.reaches(stage, light)) {
+                    continue;
+                }
+                let tree = match turns.take(index) {
+                    Some(bvh) => Tree::all(bvh),
+                    None => stage.trees.lights[index],
+                };
                 report.stages.time("trace shadow", || {
-                    report.shadow_ray_count += self.add_light(stage, light, tree);
+                    report.shadow_ray_count += self.add_light(stage, light, &tree);
                 });
             }
             let alive = report.stages.time("shade", || self.scatter(stage));
@@ -202,6 +257,20 @@ impl Renderer {
         }
     }
 
+    /// Whether a light reaches anything, as far as nothing stands in its way.
+    fn reaches(&self, stage: &Stage, light: &CoreLight) -> bool {
+        let blocks = self
+            .paths
+            .par_chunks(BLOCK)
+            .zip(self.hits.par_chunks(BLOCK));
+        blocks.into_par_iter().any(|(paths, hits)| {
+            let mut pairs = paths.iter().zip(hits);
+            pairs.any(|(path, hit)| {
+                path.is_alive() && hit.is_hit() && stage.shadow(path, hit, light).is_possible()
+            })
+        })
+    }
+
     /// Adds one light to all hits that it reaches. Returns the number of shadow rays.
     fn add_light(&mut self, stage: &Stage, light: &CoreLight, tree: &Tree) -> u64 {
         let ray_count = AtomicU64::new(0);
@@ -215,8 +284,7 @@ impl Renderer {
                 if !path.is_alive() || !hit.is_hit() {
                     continue;
                 }
-                let (surface, material) = stage.surface(path, hit);
-                let shadow = direct_light(&surface, hit.primitive, &material, light);
+                let shadow = stage.shadow(path, hit, light);
                 if shadow.is_possible() {
                     rays += 1;
                     if !tree.any_hit(&shadow.ray, shadow.skip) {
@@ -348,6 +416,12 @@ impl<'a> Stage<'a> {
             materials: scene.core_materials(),
             environment: Scene::environment(camera.up),
         })
+    }
+
+    /// What a light may add to a hit.
+    fn shadow(&self, path: &Path, hit: &Hit, light: &CoreLight) -> Shadow {
+        let (surface, material) = self.surface(path, hit);
+        direct_light(&surface, hit.primitive, &material, light)
     }
 
     /// The point that a path hit, and what it is made of.

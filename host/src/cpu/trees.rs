@@ -17,6 +17,28 @@ pub struct Tree<'a> {
     pub rule: Option<(Sides<'a>, Target)>,
 }
 
+/// Hierarchies for shadow rays that are built when their turn comes, one after the other in the same memory.
+pub trait Turns {
+    /// Whether this light's rays need a hierarchy that is not there now.
+    fn is_due(&self, light: usize) -> bool;
+
+    /// The hierarchy for this light's rays, built now if it is due; none where it is among [`Trees::lights`].
+    fn take(&mut self, light: usize) -> Option<&Bvh>;
+}
+
+/// All hierarchies are there from the beginning.
+pub struct NoTurns;
+
+impl Turns for NoTurns {
+    fn is_due(&self, _: usize) -> bool {
+        false
+    }
+
+    fn take(&mut self, _: usize) -> Option<&Bvh> {
+        None
+    }
+}
+
 /// The hierarchies of a picture, all over the same mesh.
 #[derive(Clone, Debug)]
 pub struct Trees<'a> {

@@ -23,6 +23,10 @@ impl Plan<'_> {
             (None, Some(reason)) => line("nothing", format!("is left out: {reason}")),
             (None, None) => {}
         }
+        if self.in_turn {
+            let text = "sets are built and traced one after the other, in the same memory";
+            line("lights", text.to_owned());
+        }
         line("whole tree", self.whole());
         lines
     }

@@ -25,7 +25,7 @@ pub use cost::Costs;
 pub use plan::Plan;
 pub use savings::{Saving, Savings};
 pub use survey::{Survey, survey};
-pub use trees::Hierarchies;
+pub use trees::{Done, Hierarchies, InTurn};
 
 use crate::{RenderSettings, Scene};
 

@@ -11,6 +11,9 @@ use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
 
+/// Samples that may be in flight at once for sets in turn, 80 bytes each.
+const MOST_IN_TURN: u64 = 1 << 22;
+
 /// What is built for a picture, and why.
 #[derive(Clone, Debug)]
 pub struct Plan<'a> {
@@ -28,6 +31,10 @@ pub struct Plan<'a> {
     pub reduce: Reduce,
     /// Whether there is one tree, a set, whose triangles are sorted alone.
     pub sorts_alone: bool,
+    /// Whether the sets of lights are built in turn, each when the rays to its lights are traced.
+    pub in_turn: bool,
+    /// Whether a set is built in its turn even where its lights reach nothing.
+    pub(super) builds_unseen: bool,
     /// Why there was no survey.
     pub(super) no_survey: Option<String>,
 }
@@ -55,6 +62,8 @@ impl<'a> Plan<'a> {
             triangle_count: asked.scene.mesh.indices.len(),
             reduce: switches.reduce,
             sorts_alone: false,
+            in_turn: false,
+            builds_unseen: false,
             no_survey: Some(reason),
         }))
     }
@@ -128,7 +137,9 @@ impl<'a> Plan<'a> {
             needs_whole |= aim.choice == Choice::Whole;
         }
         let set_count = aims.iter().filter(|aim| aim.choice == Choice::Set).count();
-        Ok(Self {
+        let light_sets = aims.iter().skip(1).filter(|aim| aim.choice == Choice::Set);
+        let light_set_count = light_sets.count();
+        let plan = Self {
             topology: Some(topology),
             aims,
             needs_whole,
@@ -136,8 +147,27 @@ impl<'a> Plan<'a> {
             triangle_count: mesh.indices.len(),
             reduce: asked.switches.reduce,
             sorts_alone: savings.has(Saving::Alone) && !needs_whole && set_count == 1,
+            in_turn: false,
+            builds_unseen: !savings.has(Saving::Unseen),
             no_survey: None,
-        })
+        };
+        // Each set has its turn once: all samples are in flight, no path goes on, and no light comes between two that share
+        // a set.
+        let [width, height] = asked.settings.size.map(u64::from);
+        let samples = width * height * u64::from(asked.settings.sample_count);
+        let in_turn = savings.has(Saving::Turns)
+            && light_set_count > 1
+            && samples <= MOST_IN_TURN
+            && !has_mirrors
+            && plan.is_in_runs();
+        Ok(Self { in_turn, ..plan })
+    }
+
+    /// Whether lights that share a set follow each other.
+    fn is_in_runs(&self) -> bool {
+        let mut places = self.aim_of_light();
+        places.dedup();
+        places.len() + 1 == self.aims.len()
     }
 
     /// Whether everything is traced through one whole tree in which all triangles count.

@@ -1,8 +1,8 @@
 //! A plan's trees on the CPU.
 
 use super::plan::Plan;
-use super::{Aim, Choice};
-use crate::{Builder, Bvh, Mesh, MeshError, Stages, Subset, Tree, Trees};
+use super::{Aim, AimKind, Choice};
+use crate::{Builder, Bvh, Mesh, MeshError, Stages, Subset, Tree, Trees, Turns};
 use slimbvh_core::classify::{Reach, Sides};
 
 /// The trees of a plan, whose memory the next plan's use again.
@@ -11,6 +11,8 @@ pub struct Hierarchies {
     whole: Bvh,
     /// As many as there are aims, or more.
     sets: Vec<Bvh>,
+    /// The set whose turn it is.
+    turn: Bvh,
 }
 
 impl Hierarchies {
@@ -45,47 +47,142 @@ impl Hierarchies {
             stages.merge(&builder.build_sorted(mesh, Subset::All, &mut self.whole));
         }
         for (aim, bvh) in sets.by_ref() {
-            if aim.choice == Choice::Set {
+            if has_own_place(plan, aim) {
                 stages.merge(&builder.build_sorted(mesh, subset(plan, aim), bvh));
             }
         }
         Ok(stages)
     }
 
-    /// What a renderer takes, after [`Self::build`] with the same plan.
+    /// What a renderer takes, after [`Self::build`] with the same plan: the trees that are there, and those that are built in
+    /// their turn.
+    #[must_use]
+    pub fn split<'a>(
+        &'a mut self,
+        builder: &'a mut Builder,
+        mesh: &'a Mesh,
+        plan: &'a Plan,
+    ) -> (Trees<'a>, InTurn<'a>) {
+        let Self { whole, sets, turn } = self;
+        let turns = InTurn {
+            plan,
+            aims: plan.aim_of_light(),
+            builder,
+            mesh,
+            bvh: turn,
+            built: None,
+            done: Done::default(),
+        };
+        (trees(whole, sets, plan), turns)
+    }
+
+    /// All trees of a plan that builds none in turn, after [`Self::build`] with it.
     #[must_use]
     pub fn trees<'a>(&'a self, plan: &'a Plan) -> Trees<'a> {
-        let tree = |(aim, set): (&'a Aim, &'a Bvh)| match aim.choice {
-            Choice::Set => Some(Tree::all(set)),
-            Choice::Whole => Some(Tree {
-                bvh: &self.whole,
-                rule: plan.topology.map(|_| (sides(plan, aim), aim.target)),
-            }),
-            Choice::Unused => None,
-        };
-        let trees: Vec<Option<Tree>> = plan.aims.iter().zip(&self.sets).map(tree).collect();
-        let primary = trees.first().copied().flatten();
-        let primary = primary.unwrap_or(Tree::all(&self.whole));
-        // Where there are no rays, any tree will do.
-        let lights = plan.aim_of_light().into_iter();
-        let lights = lights.map(|place| trees[place].unwrap_or(Tree::all(primary.bvh)));
-        Trees {
-            primary,
-            lights: lights.collect(),
-            mirrors: plan.has_mirrors.then_some(&self.whole),
-        }
+        trees(&self.whole, &self.sets, plan)
     }
 
     /// The tree of each aim that has its own.
     pub fn sets<'a>(&'a self, plan: &'a Plan) -> impl Iterator<Item = (&'a Aim, &'a Bvh)> {
         let sets = plan.aims.iter().zip(&self.sets);
-        sets.filter(|(aim, _)| aim.choice == Choice::Set)
+        sets.filter(|(aim, _)| has_own_place(plan, aim))
+    }
+
+    /// Bytes of all memory that is held for trees.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let all = self.sets.iter().chain([&self.whole, &self.turn]);
+        all.map(Bvh::held_bytes).sum()
     }
 
     /// All trees that a plan had built.
     pub fn all<'a>(&'a self, plan: &'a Plan) -> impl Iterator<Item = &'a Bvh> {
         let whole = plan.needs_whole.then_some(&self.whole);
         whole.into_iter().chain(self.sets(plan).map(|(_, set)| set))
+    }
+}
+
+/// Whether an aim's set is there from the beginning.
+fn has_own_place(plan: &Plan, aim: &Aim) -> bool {
+    aim.choice == Choice::Set && !(plan.in_turn && aim.kind == AimKind::Lights)
+}
+
+/// The trees that are there; another one stands where a tree is built in its turn, and where there are no rays.
+fn trees<'a>(whole: &'a Bvh, sets: &'a [Bvh], plan: &'a Plan) -> Trees<'a> {
+    let tree = |(aim, set): (&'a Aim, &'a Bvh)| match aim.choice {
+        Choice::Set => has_own_place(plan, aim).then_some(Tree::all(set)),
+        Choice::Whole => Some(Tree {
+            bvh: whole,
+            rule: plan.topology.map(|_| (sides(plan, aim), aim.target)),
+        }),
+        Choice::Unused => None,
+    };
+    let trees: Vec<Option<Tree>> = plan.aims.iter().zip(sets).map(tree).collect();
+    let primary = trees.first().copied().flatten();
+    let primary = primary.unwrap_or(Tree::all(whole));
+    let lights = plan.aim_of_light().into_iter();
+    let lights = lights.map(|place| trees[place].unwrap_or(Tree::all(primary.bvh)));
+    Trees {
+        primary,
+        lights: lights.collect(),
+        mirrors: plan.has_mirrors.then_some(whole),
+    }
+}
+
+/// The sets of lights that a plan builds in turn.
+#[derive(Debug)]
+pub struct InTurn<'a> {
+    plan: &'a Plan<'a>,
+    /// The place among the aims of each light.
+    aims: Vec<usize>,
+    builder: &'a mut Builder,
+    mesh: &'a Mesh,
+    bvh: &'a mut Bvh,
+    /// The aim whose set is there.
+    built: Option<usize>,
+    done: Done,
+}
+
+/// What was built in turn.
+#[derive(Clone, Debug, Default)]
+pub struct Done {
+    /// Time of each stage.
+    pub stages: Stages,
+    /// The place among the plan's aims of each set that was built, and how many nodes and triangles it had.
+    pub sets: Vec<(usize, [usize; 2])>,
+}
+
+impl InTurn<'_> {
+    /// What was built.
+    #[must_use]
+    pub fn done(self) -> Done {
+        self.done
+    }
+}
+
+impl Turns for InTurn<'_> {
+    fn is_due(&self, light: usize) -> bool {
+        let place = self.aims[light];
+        let aim = &self.plan.aims[place];
+        let is_in_turn = aim.choice == Choice::Set && !has_own_place(self.plan, aim);
+        is_in_turn && self.built != Some(place) && !self.plan.builds_unseen
+    }
+
+    fn take(&mut self, light: usize) -> Option<&Bvh> {
+        let place = self.aims[light];
+        let aim = &self.plan.aims[place];
+        if aim.choice != Choice::Set || has_own_place(self.plan, aim) {
+            return None;
+        }
+        if self.built != Some(place) {
+            let subset = subset(self.plan, aim);
+            let stages = self.builder.build_sorted(self.mesh, subset, self.bvh);
+            self.done.stages.merge(&stages);
+            let counts = [self.bvh.node_count(), self.bvh.triangle_count()];
+            self.done.sets.push((place, counts));
+            self.built = Some(place);
+        }
+        Some(self.bvh)
     }
 }
 

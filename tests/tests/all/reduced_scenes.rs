@@ -9,7 +9,7 @@ use slimbvh::reduce::{
     self, Asked, Choice, Cull, Hierarchies, Plan, Reduce, Saving, Savings, Seams, Switches, survey,
 };
 use slimbvh::topology::Topology;
-use slimbvh::{BuildConfig, Builder, Light, Picture, RenderSettings, Renderer, Scene};
+use slimbvh::{BuildConfig, Builder, Light, Picture, RenderSettings, Renderer, Scene, Turns};
 use slimbvh_tests::gpu::{done, gpu};
 
 const SETTINGS: RenderSettings = RenderSettings {
@@ -55,9 +55,10 @@ fn on_cpu(scene: &Scene, plan: &Plan) -> Picture {
     let mut builder = Builder::new(BuildConfig::default());
     let mut hierarchies = Hierarchies::new();
     done(hierarchies.build(&mut builder, &scene.mesh, plan));
-    let trees = hierarchies.trees(plan);
+    let (trees, mut turns) = hierarchies.split(&mut builder, &scene.mesh, plan);
     let mut picture = Picture::default();
-    let render = Renderer::new().render_with(scene, &trees, &SETTINGS, &mut picture, |_| {});
+    let both: (_, &mut dyn Turns) = (&trees, &mut turns);
+    let render = Renderer::new().render_in_turn(scene, both, &SETTINGS, &mut picture, |_| {});
     done(render);
     picture
 }

@@ -3,9 +3,10 @@
 use crate::cli::output;
 use crate::cli::reduce::SetCounts;
 use anyhow::Result;
-use slimbvh::reduce::{Hierarchies, Plan};
+use slimbvh::reduce::{Done, Hierarchies, Plan};
 use slimbvh::{
-    BuildConfig, Builder, Bvh, Picture, RenderReport, RenderSettings, Renderer, Scene, Stages,
+    BuildConfig, Builder, Bvh, LeafTriangle, Node, Picture, RenderReport, RenderSettings, Renderer,
+    Scene, Stages, Turns,
 };
 
 /// What was computed, and what it took.
@@ -33,27 +34,42 @@ impl Job<'_> {
     /// Builds and renders on this machine's cores.
     pub fn on_cpu(&self, picture: &mut Picture) -> Result<Outcome> {
         let (mut builder, mut hierarchies) = (Builder::new(self.config), Hierarchies::new());
-        let build = hierarchies.build(&mut builder, &self.scene.mesh, self.plan)?;
+        let (mesh, plan) = (&self.scene.mesh, self.plan);
+        let mut build = hierarchies.build(&mut builder, mesh, plan)?;
         let mut renderer = Renderer::new();
         let progress = output::bar("rendering");
-        let trees = hierarchies.trees(self.plan);
-        let report = renderer.render_with(self.scene, &trees, self.settings, picture, |share| {
-            progress.set(share);
-        })?;
+        let show = |share| progress.set(share);
+        let mut in_turn = Done::default();
+        let report = if plan.in_turn {
+            let (trees, mut turns) = hierarchies.split(&mut builder, mesh, plan);
+            let both: (_, &mut dyn Turns) = (&trees, &mut turns);
+            let report = renderer.render_in_turn(self.scene, both, self.settings, picture, show)?;
+            in_turn = turns.done();
+            report
+        } else {
+            let trees = hierarchies.trees(plan);
+            renderer.render_with(self.scene, &trees, self.settings, picture, show)?
+        };
+        build.merge(&in_turn.stages);
         let all = || hierarchies.all(self.plan);
         let sets = hierarchies.sets(self.plan);
+        let sets = sets.map(|(aim, set)| (aim.name(), set.triangle_count()));
+        let sets_in_turn = in_turn.sets.iter();
+        let sets_in_turn =
+            sets_in_turn.map(|(place, [_, count])| (plan.aims[*place].name(), *count));
+        let turn = |which: usize| in_turn.sets.iter().map(|(_, counts)| counts[which]).max();
+        let turn = [turn(0), turn(1)].map(Option::unwrap_or_default);
         Ok(Outcome {
             backend: "cpu",
             adapter: None,
             build,
             report,
-            node_count: all().map(Bvh::node_count).sum(),
-            node_bytes: all().map(Bvh::node_bytes).sum(),
-            triangle_bytes: all().map(Bvh::triangle_bytes).sum(),
+            node_count: all().map(Bvh::node_count).sum::<usize>() + turn[0],
+            node_bytes: all().map(Bvh::node_bytes).sum::<usize>() + turn[0] * size_of::<Node>(),
+            triangle_bytes: all().map(Bvh::triangle_bytes).sum::<usize>()
+                + turn[1] * size_of::<LeafTriangle>(),
             scratch_bytes: builder.scratch_bytes() + renderer.scratch_bytes(),
-            sets: sets
-                .map(|(aim, set)| (aim.name(), set.triangle_count()))
-                .collect(),
+            sets: sets.chain(sets_in_turn).collect(),
         })
     }
 
@@ -86,8 +102,8 @@ impl Job<'_> {
             build,
             report,
             node_count,
-            node_bytes: node_count * size_of::<slimbvh::Node>(),
-            triangle_bytes: triangle_count * size_of::<slimbvh::LeafTriangle>(),
+            node_bytes: node_count * size_of::<Node>(),
+            triangle_bytes: triangle_count * size_of::<LeafTriangle>(),
             scratch_bytes: scratch as usize,
             sets: sets
                 .map(|((aim, _), [_, count])| (aim.name(), *count as usize))
