@@ -12,8 +12,8 @@ use slimbvh_core::frustum::Frustum;
 use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;
 use spirv_std::spirv;
 
-/// One thread per triangle. Reads the scene's exponent, the target, the frustum, the mesh, the components of its primitives
-/// and their sides. Stores a bit for each triangle that is in the set.
+/// One thread per triangle. Reads the scene's exponent, the target, the frustum, whether anything needs the set, the mesh,
+/// the components of its primitives and their sides. Stores a bit for each triangle that is in the set.
 #[spirv(compute(threads(64)))]
 pub fn classify(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -21,16 +21,17 @@ pub fn classify(
     #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
     #[spirv(uniform, descriptor_set = 0, binding = 1)] target: &[UVec4; 2],
     #[spirv(uniform, descriptor_set = 0, binding = 2)] frustum: &[UVec4; 5],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] vertices: &[[f32; 3]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] indices: &[[u32; 3]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] components: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] sides: &[i32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] bits: &mut [u32],
+    #[spirv(uniform, descriptor_set = 0, binding = 3)] needed: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] vertices: &[[f32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] indices: &[[u32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] components: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] sides: &[i32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] bits: &mut [u32],
     #[spirv(workgroup)] flags: &mut [u32; LANES],
 ) {
     let i = thread_index(id);
     let mut flag = 0;
-    if (i as usize) < indices.len() {
+    if needed.x > 0 && (i as usize) < indices.len() {
         let reach = Reach {
             sides: Sides { components, sides },
             target: scaled_target(target, exponent.x),

@@ -1,7 +1,7 @@
 //! Stage `shade`. A light takes two dispatches, as one could not bind both the mesh and the tree: `shade_light`, then
 //! `trace_shadows`.
 
-use crate::thread_index;
+use crate::{count, thread_index};
 use glam::{UVec3, UVec4, Vec3};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::shade::{
@@ -40,6 +40,19 @@ pub fn shade_light(
             shadow = direct_light(&surface, hit.primitive, &material, &light);
         }
         shadows[i] = shadow;
+    }
+}
+
+/// One thread per path. Reads what `shade_light` stored. Counts the shadow rays that there will be.
+#[spirv(compute(threads(64)))]
+pub fn shade_reached(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] shadows: &[Shadow],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] counters: &mut [u32],
+) {
+    let i = thread_index(id) as usize;
+    if i < shadows.len() {
+        count(counters, 0, shadows[i].is_possible() as u32);
     }
 }
 

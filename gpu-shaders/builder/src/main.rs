@@ -47,7 +47,7 @@ const CRATES: [ShaderCrate; 2] = [
 const MANIFEST: &str = "host/shaders/manifest.json";
 
 /// The entry points of `gpu-shaders`.
-const ENTRY_POINTS: [&str; 52] = [
+const ENTRY_POINTS: [&str; 53] = [
     "bounds",
     "call_trace",
     "camera_encode",
@@ -71,6 +71,7 @@ const ENTRY_POINTS: [&str; 52] = [
     "scan_blocks",
     "scan_sums",
     "shade_light",
+    "shade_reached",
     "shade_scatter",
     "snap_30",
     "snap_63",

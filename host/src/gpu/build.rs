@@ -157,6 +157,42 @@ impl Builder {
         })
     }
 
+    /// [`Self::build_sorted`], over a subset, of a hierarchy that has its room.
+    ///
+    /// # Errors
+    /// Those of [`Self::build_sorted`].
+    pub(crate) fn build_reserved(
+        &mut self,
+        frame: &mut Frame,
+        mesh: &Mesh,
+        subset: Subset,
+        bvh: &Bvh,
+    ) -> Result<(), GpuError> {
+        let built = bvh.built()?.clone();
+        let task = match subset {
+            Subset::All => Task::Build(built),
+            Subset::Facing { components, facing } => {
+                Task::BuildFacing(built, components.clone(), facing.ranges()?.clone())
+            }
+        };
+        let recorded = frame.gpu().checked(|| self.encode(frame, task, mesh));
+        recorded.inspect_err(|_| self.forget())
+    }
+
+    /// Makes room for a hierarchy over a subset of a mesh, which is built later in the frame.
+    ///
+    /// # Errors
+    /// Those of [`Self::build`].
+    pub(crate) fn reserve(&self, gpu: &Gpu, mesh: &Mesh, bvh: &mut Bvh) -> Result<(), GpuError> {
+        let count = mesh.triangle_count;
+        self.check(gpu, count)?;
+        gpu.checked(|| {
+            bvh.reserve(gpu, count, depth_bound(self.key_bits(), count), count > 0);
+            Ok(())
+        })
+        .inspect_err(|_| *bvh = Bvh::new())
+    }
+
     /// Refuses a mesh that is larger than the GPU takes, before anything is allocated.
     pub(super) fn check(&self, gpu: &Gpu, triangle_count: u32) -> Result<(), GpuError> {
         gpu.check_sizes(&self.sizes(triangle_count), TOO_LARGE)
@@ -331,7 +367,7 @@ impl Builder {
         let exponent = Uniform::Stored(&bvh.exponent);
         recorder.dispatch(
             Kernel::classify,
-            &[exponent, facing.target(), facing.frustum()],
+            &[exponent, facing.target(), facing.frustum(), facing.needed()],
             &[&mesh.vertices, &mesh.indices, &components.0, &facing.sides],
             &[members],
             each(),

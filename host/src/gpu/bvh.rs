@@ -1,6 +1,6 @@
 //! A hierarchy in buffers.
 
-use super::buffer::{Range, Slot};
+use super::buffer::{Download, Range, Slot};
 use super::{Frame, Gpu, GpuError};
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::node::LEAF_SIZE;
@@ -106,6 +106,12 @@ impl Bvh {
             what: "the hierarchy",
             fault: "is empty; build it first".into(),
         })
+    }
+
+    /// Copies how many triangles it has now, for the caller to read when the frame is done.
+    pub(crate) fn count_later(&self, frame: &mut Frame) -> Result<Download, GpuError> {
+        let count = self.built()?.count.clone();
+        frame.gpu().checked(|| Ok(frame.download(&count)))
     }
 
     /// How many triangles the mesh has that it was built over. A reduced hierarchy leaves out some.

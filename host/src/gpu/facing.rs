@@ -36,21 +36,31 @@ impl Components {
 pub struct Facing {
     target: Slot,
     frustum: Slot,
+    needed: Slot,
     sides: Slot,
     pub(super) ranges: Option<FacingRanges>,
 }
+
+/// That something needs the set.
+const NEEDED: [u32; 4] = [1, 0, 0, 0];
 
 /// Where the kernels find it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FacingRanges {
     pub target: Range,
     pub frustum: Range,
+    /// Whether anything needs the set: its first word is 0 where nothing does.
+    pub needed: Range,
     pub sides: Range,
 }
 
 impl FacingRanges {
     pub const fn target(&self) -> Uniform<'_> {
         Uniform::Stored(&self.target)
+    }
+
+    pub const fn needed(&self) -> Uniform<'_> {
+        Uniform::Stored(&self.needed)
     }
 
     pub const fn frustum(&self) -> Uniform<'_> {
@@ -64,6 +74,12 @@ impl Default for Facing {
         Self {
             target: Slot::new("slimbvh target", BufferUsages::UNIFORM.union(copied)),
             frustum: Slot::new("slimbvh frustum", BufferUsages::UNIFORM.union(copied)),
+            needed: Slot::new(
+                "slimbvh needed",
+                BufferUsages::UNIFORM
+                    .union(BufferUsages::STORAGE)
+                    .union(copied),
+            ),
             sides: Slot::new("slimbvh sides", BufferUsages::STORAGE.union(copied)),
             ranges: None,
         }
@@ -96,9 +112,11 @@ impl Facing {
             let ranges = FacingRanges {
                 target: self.target.range(gpu, size_of::<Target>() as u64),
                 frustum: self.frustum.range(gpu, size_of::<Frustum>() as u64),
+                needed: self.needed.range(gpu, size_of_val(&NEEDED) as u64),
                 sides: self.sides.range(gpu, size_of_val(sides) as u64),
             };
-            let parts: [(&[u8], &Range); 3] = [
+            let parts: [(&[u8], &Range); 4] = [
+                (bytemuck::bytes_of(&NEEDED), &ranges.needed),
                 (bytemuck::bytes_of(target), &ranges.target),
                 (bytemuck::bytes_of(frustum), &ranges.frustum),
                 (bytemuck::cast_slice(sides), &ranges.sides),

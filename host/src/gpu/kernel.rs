@@ -46,7 +46,7 @@ kernels! {
     camera_rays, camera_resolve, camera_encode,
     trace_closest, trace_any, trace_nearest, trace_counted,
     trace_paths, trace_paths_counted, trace_paths_facing, trace_shadows, trace_shadows_facing,
-    shade_light, shade_scatter,
+    shade_light, shade_reached, shade_scatter,
     view_normals, view_primitives,
     view_depth_values, view_items, view_depth_range, view_heat_range, view_depth, view_heat,
 }

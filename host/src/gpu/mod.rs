@@ -63,7 +63,7 @@ pub use scan::Scan;
 pub use scene::Scene;
 pub use sort::{Keys, Sort};
 pub use trace::Query;
-pub use trees::{Tree, Trees};
+pub use trees::{Tree, Trees, Turn, Turns};
 /// The version of wgpu that all of this is made with.
 pub use wgpu;
 pub use wgsl::wgsl;

@@ -46,6 +46,8 @@ enum Step<D> {
     Clear(Range),
     /// Parameters that begin here go to a range.
     Write(u64, Range),
+    /// Other commands come in between, which a number tells.
+    Turn(usize),
 }
 
 struct Call {
@@ -158,6 +160,11 @@ impl Recorder {
         self.steps.push(Step::Clear(range.clone()));
     }
 
+    /// Records that other commands come in between; the number tells which.
+    pub fn turn(&mut self, number: usize) {
+        self.steps.push(Step::Turn(number));
+    }
+
     /// Records that words be written to the beginning of a range.
     pub fn write(&mut self, to: &Range, words: &[u32]) {
         let mut first = 0;
@@ -188,6 +195,7 @@ impl Recorder {
                 Step::Copy(from, to) => Step::Copy(from, to),
                 Step::Clear(range) => Step::Clear(range),
                 Step::Write(offset, to) => Step::Write(offset, to),
+                Step::Turn(number) => Step::Turn(number),
                 Step::Dispatch(call) => Step::Dispatch(bind(gpu, params.as_ref(), call)?),
             });
         }
@@ -300,6 +308,19 @@ impl std::fmt::Debug for Program {
 impl Program {
     /// Adds all commands to a frame: a pass for each stage.
     pub fn encode(&self, frame: &mut Frame) {
+        // Nothing comes in between, so nothing can fail.
+        let _ = self.encode_with(frame, &mut |_, _| Ok(()));
+    }
+
+    /// Adds all commands to a frame, and asks for those that come in between.
+    ///
+    /// # Errors
+    /// Those of what comes in between.
+    pub fn encode_with(
+        &self,
+        frame: &mut Frame,
+        turn: &mut dyn FnMut(&mut Frame, usize) -> Result<(), super::GpuError>,
+    ) -> Result<(), super::GpuError> {
         let mut stage = "slimbvh";
         let mut pass: Option<wgpu::ComputePass> = None;
         for step in &self.steps {
@@ -343,8 +364,13 @@ impl Program {
                         .encoder()
                         .clear_buffer(&range.buffer, range.offset, Some(range.size));
                 }
+                Step::Turn(number) => {
+                    drop(pass.take());
+                    turn(frame, *number)?;
+                }
             }
         }
+        Ok(())
     }
 
     /// What each stage asks of the GPU.

@@ -8,7 +8,7 @@ mod wave;
 use super::buffer::{Download, Range, Slot};
 use super::program::{Program, Recorder, Uniform, groups, threads};
 use super::sort::{Keys, Sort};
-use super::trees::{Trees, TreesRanges};
+use super::trees::{NoTurns, Trees, TreesRanges, TurnRange, Turns};
 use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Kernel, Scene};
 use crate::Stages;
@@ -70,6 +70,7 @@ struct Key {
     scene: [Range; 5],
     has_mirrors: bool,
     trees: TreesRanges,
+    turns: Vec<TurnRange>,
     scratch_bytes: u64,
 }
 
@@ -77,6 +78,7 @@ struct Key {
 pub(super) struct Plan<'a> {
     scene: &'a Scene,
     trees: TreesRanges,
+    turns: Vec<TurnRange>,
     settings: RenderSettings,
     mirror_depth: u32,
     light_count: usize,
@@ -160,8 +162,31 @@ impl Renderer {
         view: (&Camera, &[Light]),
         settings: &RenderSettings,
     ) -> Result<(), GpuError> {
-        let plan = self.plan(frame, scene, trees, view, settings)?;
-        self.encode(frame, &plan, 0..plan.waves.len())
+        self.render_in_turn(frame, scene, (trees, &mut NoTurns), view, settings)
+    }
+
+    /// [`Self::render_with`], with some lights' hierarchies built in turn, once for each wave of samples and each mirror that
+    /// paths meet.
+    ///
+    /// # Errors
+    /// Those of [`Self::render`], and of the builds.
+    ///
+    /// # Panics
+    /// As [`Self::render_with`].
+    pub fn render_in_turn(
+        &mut self,
+        frame: &mut Frame,
+        scene: &Scene,
+        (trees, turns): (&Trees, &mut dyn Turns),
+        view: (&Camera, &[Light]),
+        settings: &RenderSettings,
+    ) -> Result<(), GpuError> {
+        let mut plan = self.plan(frame, scene, trees, view, settings)?;
+        let lights = 0..plan.light_count;
+        plan.turns = lights
+            .map(|light| TurnRange::of(turns.turn(light)))
+            .collect::<Result<_, _>>()?;
+        self.encode(frame, &plan, 0..plan.waves.len(), turns)
     }
 
     /// Checks everything, makes room, and records the upload of the camera and the lights.
@@ -213,6 +238,7 @@ impl Renderer {
             Ok(Plan {
                 scene,
                 trees,
+                turns: vec![TurnRange::None; core_lights.len()],
                 settings: *settings,
                 mirror_depth,
                 light_count: core_lights.len(),
@@ -229,7 +255,9 @@ impl Renderer {
         frame: &mut Frame,
         plan: &Plan,
         which: std::ops::Range<usize>,
+        turns: &mut dyn Turns,
     ) -> Result<(), GpuError> {
+        let mut turn = |frame: &mut Frame, light: usize| turns.build(frame, light);
         let gpu = frame.gpu();
         if which.start == 0 {
             self.work.clear();
@@ -239,7 +267,8 @@ impl Renderer {
             if last > KEPT_WAVES {
                 self.kept = None;
                 for wave in which.clone() {
-                    self.wave_program(gpu, plan, wave)?.encode(frame);
+                    let program = self.wave_program(gpu, plan, wave)?;
+                    program.encode_with(frame, &mut turn)?;
                 }
                 if which.end == last {
                     self.last_program(gpu, plan)?.encode(frame);
@@ -260,7 +289,7 @@ impl Renderer {
             if let Some((_, programs)) = &self.kept {
                 let end = which.end + usize::from(which.end == last);
                 for program in &programs[which.start..end] {
-                    program.encode(frame);
+                    program.encode_with(frame, &mut turn)?;
                     self.work.extend_from_slice(program.work());
                 }
             }
@@ -381,6 +410,7 @@ impl Renderer {
             ],
             has_mirrors: scene.has_mirrors,
             trees: plan.trees.clone(),
+            turns: plan.turns.clone(),
             scratch_bytes: self.scratch_bytes(),
         }
     }

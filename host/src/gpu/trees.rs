@@ -2,7 +2,7 @@
 
 use super::bvh::Built;
 use super::facing::FacingRanges;
-use super::{Bvh, Components, Facing, GpuError};
+use super::{Bvh, Components, Facing, Frame, GpuError};
 
 /// A hierarchy for rays of one kind.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +11,42 @@ pub struct Tree<'a> {
     pub bvh: &'a Bvh,
     /// In a whole hierarchy: only triangles that face the target count. None where all count that are in it.
     pub rule: Option<(&'a Components, &'a Facing)>,
+}
+
+/// Hierarchies for shadow rays that are built when their turn comes, one after the other in the same buffers.
+pub trait Turns {
+    /// How this light takes part.
+    fn turn(&self, light: usize) -> Turn<'_>;
+
+    /// Records the build of this light's hierarchy, in place of the one before, if it is not there yet.
+    ///
+    /// # Errors
+    /// Those of [`super::Builder::build`].
+    fn build(&mut self, frame: &mut Frame, light: usize) -> Result<(), GpuError>;
+}
+
+/// How a light takes part in [`Turns`].
+#[derive(Clone, Copy, Debug)]
+pub enum Turn<'a> {
+    /// Not at all: its hierarchy is there.
+    None,
+    /// It is built in its turn.
+    Always,
+    /// It is built in its turn, over nothing if the light reaches nothing.
+    IfReached(&'a Facing),
+}
+
+/// All hierarchies are there from the beginning.
+pub struct NoTurns;
+
+impl Turns for NoTurns {
+    fn turn(&self, _: usize) -> Turn<'_> {
+        Turn::None
+    }
+
+    fn build(&mut self, _: &mut Frame, _: usize) -> Result<(), GpuError> {
+        Ok(())
+    }
 }
 
 /// The hierarchies of a picture, all over the same mesh.
@@ -70,6 +106,25 @@ impl<'a> Trees<'a> {
 pub struct TreeRanges {
     pub built: Built,
     pub rule: Option<(Components, FacingRanges)>,
+}
+
+/// A light's turn in a program.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TurnRange {
+    None,
+    Always,
+    /// Where the kernel that needs to know finds it.
+    IfReached(super::buffer::Range),
+}
+
+impl TurnRange {
+    pub fn of(turn: Turn) -> Result<Self, GpuError> {
+        Ok(match turn {
+            Turn::None => Self::None,
+            Turn::Always => Self::Always,
+            Turn::IfReached(facing) => Self::IfReached(facing.ranges()?.needed.clone()),
+        })
+    }
 }
 
 /// Where the kernels find all trees.

@@ -1,10 +1,11 @@
 //! A plan's trees on the GPU.
 
 use super::plan::Plan;
+use super::trees::has_own_place;
 use super::{Aim, Choice};
 use crate::gpu::{
-    Builder, Bvh, Components, Facing, Frame, Gpu, GpuError, Mesh, Parts, Renderer, Scene, Subset,
-    Tree, Trees,
+    Builder, Bvh, Components, Download, Facing, Frame, Gpu, GpuError, Mesh, Parts, Renderer, Scene,
+    Subset, Tree, Trees, Turn, Turns,
 };
 use crate::{BuildConfig, Picture, RenderReport, RenderSettings, Stages, ViewError};
 use slimbvh_core::bounds::scene_exponent;
@@ -16,6 +17,8 @@ pub struct Hierarchies {
     whole: Bvh,
     /// As many as there are aims, or more.
     sets: Vec<(Bvh, Facing)>,
+    /// The set whose turn it is.
+    turn: Bvh,
     components: Option<Components>,
 }
 
@@ -64,19 +67,42 @@ impl Hierarchies {
                 continue;
             }
             facing.set(frame, &aim.target, &aim.frustum, &aim.sides)?;
-            if aim.choice == Choice::Set {
+            if has_own_place(plan, aim) {
                 let subset = Subset::Facing { components, facing };
                 builder.build_sorted(frame, mesh, subset, bvh)?;
             }
         }
+        if plan.in_turn {
+            builder.reserve(frame.gpu(), mesh, &mut self.turn)?;
+        }
         Ok(())
+    }
+
+    /// What is built in turn, after [`Self::build`] with the same plan. It shares the buffers of the trees: take these first.
+    #[must_use]
+    pub fn in_turn<'a>(
+        &'a self,
+        builder: &'a mut Builder,
+        mesh: &'a Mesh,
+        plan: &'a Plan,
+    ) -> InTurn<'a> {
+        InTurn {
+            plan,
+            aims: plan.aim_of_light(),
+            hierarchies: self,
+            builder,
+            mesh,
+            built: None,
+            counts: Vec::new(),
+        }
     }
 
     /// What a renderer takes, after [`Self::build`] with the same plan.
     #[must_use]
     pub fn trees<'a>(&'a self, plan: &'a Plan) -> Trees<'a> {
         let tree = |(aim, (set, facing)): (&Aim, &'a (Bvh, Facing))| match aim.choice {
-            Choice::Set => Some(Tree::all(set)),
+            Choice::Set if has_own_place(plan, aim) => Some(Tree::all(set)),
+            Choice::Set => Some(Tree::all(&self.turn)),
             Choice::Whole => Some(Tree {
                 bvh: &self.whole,
                 rule: self
@@ -102,7 +128,7 @@ impl Hierarchies {
     /// The tree of each aim that has its own.
     pub fn sets<'a>(&'a self, plan: &'a Plan) -> impl Iterator<Item = (&'a Aim, &'a Bvh)> {
         let sets = plan.aims.iter().zip(&self.sets);
-        sets.filter(|(aim, _)| aim.choice == Choice::Set)
+        sets.filter(|(aim, _)| has_own_place(plan, aim))
             .map(|(aim, (bvh, _))| (aim, bvh))
     }
 
@@ -110,6 +136,57 @@ impl Hierarchies {
     pub fn all<'a>(&'a self, plan: &'a Plan) -> impl Iterator<Item = &'a Bvh> {
         let whole = plan.needs_whole.then_some(&self.whole);
         whole.into_iter().chain(self.sets(plan).map(|(_, set)| set))
+    }
+}
+
+/// The sets of lights that a plan builds in turn.
+#[derive(Debug)]
+pub struct InTurn<'a> {
+    plan: &'a Plan<'a>,
+    /// The place among the aims of each light.
+    aims: Vec<usize>,
+    hierarchies: &'a Hierarchies,
+    builder: &'a mut Builder,
+    mesh: &'a Mesh,
+    /// The aim whose set is there.
+    built: Option<usize>,
+    counts: Vec<(usize, Download)>,
+}
+
+impl InTurn<'_> {
+    /// The place among the plan's aims of each set that is built in turn, and its triangle count on the way from the GPU.
+    pub fn counts(self) -> Vec<(usize, Download)> {
+        self.counts
+    }
+}
+
+impl Turns for InTurn<'_> {
+    fn turn(&self, light: usize) -> Turn<'_> {
+        let place = self.aims[light];
+        let aim = &self.plan.aims[place];
+        if aim.choice != Choice::Set || has_own_place(self.plan, aim) {
+            return Turn::None;
+        }
+        // Where lights share a set, others may need it.
+        if self.plan.builds_unseen || aim.lights.len() > 1 {
+            return Turn::Always;
+        }
+        Turn::IfReached(&self.hierarchies.sets[place].1)
+    }
+
+    fn build(&mut self, frame: &mut Frame, light: usize) -> Result<(), GpuError> {
+        let place = self.aims[light];
+        let components = self.hierarchies.components.as_ref();
+        let Some(components) = components.filter(|_| self.built != Some(place)) else {
+            return Ok(());
+        };
+        let facing = &self.hierarchies.sets[place].1;
+        let subset = Subset::Facing { components, facing };
+        let bvh = &self.hierarchies.turn;
+        self.builder.build_reserved(frame, self.mesh, subset, bvh)?;
+        self.counts.push((place, bvh.count_later(frame)?));
+        self.built = Some(place);
+        Ok(())
     }
 }
 
@@ -122,6 +199,8 @@ pub struct ImageRenderer {
     pub hierarchies: Hierarchies,
     /// Makes the picture.
     pub renderer: Renderer,
+    /// For the latest picture: the place among the plan's aims of each set that was built in turn, and its triangles.
+    pub built_in_turn: Vec<(usize, usize)>,
 }
 
 impl ImageRenderer {
@@ -132,6 +211,7 @@ impl ImageRenderer {
             builder: Builder::new(config),
             hierarchies: Hierarchies::new(),
             renderer: Renderer::new(),
+            built_in_turn: Vec::new(),
         }
     }
 
@@ -169,9 +249,18 @@ impl ImageRenderer {
         hierarchies.build(&mut frame, builder, &uploaded.mesh, plan)?;
         let trees = hierarchies.trees(plan);
         let view = (camera, scene.lights.as_slice());
-        renderer.render_with(&mut frame, &uploaded, &trees, view, settings)?;
+        let mut turns = hierarchies.in_turn(builder, &uploaded.mesh, plan);
+        let both: (_, &mut dyn Turns) = (&trees, &mut turns);
+        renderer.render_in_turn(&mut frame, &uploaded, both, view, settings)?;
+        let counts = turns.counts();
         let times = renderer.finish(frame, Stages::default(), begin, picture)?;
         progress(1.0);
+        self.built_in_turn.clear();
+        for (place, count) in counts {
+            let words: Vec<u32> = count.read(gpu)?;
+            let triangle_count = words.first().copied().unwrap_or(0);
+            self.built_in_turn.push((place, triangle_count as usize));
+        }
         Ok(times)
     }
 }

@@ -103,7 +103,7 @@ impl Hierarchies {
 }
 
 /// Whether an aim's set is there from the beginning.
-fn has_own_place(plan: &Plan, aim: &Aim) -> bool {
+pub(super) fn has_own_place(plan: &Plan, aim: &Aim) -> bool {
     aim.choice == Choice::Set && !(plan.in_turn && aim.kind == AimKind::Lights)
 }
 

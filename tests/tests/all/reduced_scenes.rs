@@ -3,7 +3,7 @@
 
 mod scenes;
 
-use scenes::{SUN, ball, room, scenes};
+use scenes::{SUN, ball, lights, room, scenes};
 use slimbvh::gpu;
 use slimbvh::reduce::{
     self, Asked, Choice, Cull, Hierarchies, Plan, Reduce, Saving, Savings, Seams, Switches, survey,
@@ -127,6 +127,71 @@ fn each_saving_leaves_the_picture_as_it_is() {
                 on_cpu(&scene, &done(Plan::new(&topology, &asked)))
             });
             assert!(reduced == whole, "{name} without {left_out:?}");
+        }
+    }
+}
+
+/// Sets of lights are built in turn, one for lights that share it, and for a light that reaches nothing none, or on a GPU,
+/// which cannot know before, one over nothing.
+#[test]
+fn sets_in_turn_are_built_once_and_only_where_needed() {
+    let mut scene = lights();
+    let far_away = Light::Point {
+        position: [0.0, 90.0, 0.0],
+        color: [1.0; 3],
+        range: 1.0,
+    };
+    scene.lights.push(far_away);
+    let last = scene.lights.len() - 1;
+    let topology = topology(&scene);
+    let plan = |left_out: &[Saving]| {
+        let mut asked = asked(&scene, Cull::On, Reduce::On);
+        let savings = left_out.iter().copied();
+        asked.switches.savings = savings.fold(Savings::ALL, Savings::without);
+        done(Plan::new(&topology, &asked))
+    };
+    let [usual, careless, held] =
+        [&[][..], &[Saving::Unseen], &[Saving::Turns]].map(|left_out| plan(left_out));
+    assert!(usual.in_turn && careless.in_turn && !held.in_turn);
+    let place = usual.aim_of_light()[last];
+    assert_eq!(usual.aims[place].lights, [last]);
+    let all: Vec<usize> = (1..usual.aims.len()).collect();
+    let needed: Vec<usize> = all.iter().copied().filter(|aim| *aim != place).collect();
+
+    let expected = on_cpu(&scene, &held);
+    let mut held_bytes = Vec::new();
+    for (plan, built) in [(&usual, needed), (&careless, all.clone()), (&held, vec![])] {
+        let mut builder = Builder::new(BuildConfig::default());
+        let mut hierarchies = Hierarchies::new();
+        done(hierarchies.build(&mut builder, &scene.mesh, plan));
+        let (trees, mut turns) = hierarchies.split(&mut builder, &scene.mesh, plan);
+        let mut picture = Picture::default();
+        let both: (_, &mut dyn Turns) = (&trees, &mut turns);
+        done(Renderer::new().render_in_turn(&scene, both, &SETTINGS, &mut picture, |_| {}));
+        let sets = turns.done().sets;
+        assert_eq!(sets.iter().map(|set| set.0).collect::<Vec<_>>(), built);
+        assert!(picture == expected);
+        held_bytes.push(hierarchies.bytes());
+    }
+    assert!(held_bytes[0] * 2 < held_bytes[2], "{held_bytes:?}");
+
+    let Some(gpu) = gpu() else { return };
+    let expected = on_gpu(gpu, &scene, &held);
+    for plan in [&usual, &careless] {
+        let mut renderer = reduce::gpu::ImageRenderer::new(BuildConfig::default());
+        let mut picture = Picture::default();
+        done(renderer.render(gpu, (&scene, plan), &SETTINGS, &mut picture, |_| {}));
+        assert!(picture == expected);
+        let built = renderer.built_in_turn.iter();
+        assert!(
+            built
+                .clone()
+                .map(|(place, _)| *place)
+                .eq(all.iter().copied())
+        );
+        for (aim, count) in built {
+            let is_over_nothing = *aim == place && std::ptr::eq(plan, &usual);
+            assert_eq!(*count == 0, is_over_nothing, "{aim}");
         }
     }
 }

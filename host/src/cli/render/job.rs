@@ -96,6 +96,8 @@ impl Job<'_> {
         let (node_count, triangle_count) = (sum(0), sum(1));
         let set_counts = &counts[usize::from(plan.needs_whole)..];
         let sets = hierarchies.sets(plan).zip(set_counts);
+        let in_turn = renderer.built_in_turn.iter();
+        let in_turn = in_turn.map(|(place, count)| (plan.aims[*place].name(), *count));
         Ok(Outcome {
             backend: "gpu",
             adapter: Some(gpu.name().into()),
@@ -107,6 +109,7 @@ impl Job<'_> {
             scratch_bytes: scratch as usize,
             sets: sets
                 .map(|((aim, _), [_, count])| (aim.name(), *count as usize))
+                .chain(in_turn)
                 .collect(),
         })
     }

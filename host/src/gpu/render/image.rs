@@ -1,6 +1,7 @@
 //! From a scene to a picture, all in one.
 
 use super::{Renderer, check, waves};
+use crate::gpu::trees::NoTurns;
 use crate::gpu::{Builder, Bvh, Gpu, GpuError, Scene, Trees};
 use crate::scene::ViewError;
 use crate::{BuildConfig, Picture, RenderReport, RenderSettings, Stages};
@@ -91,7 +92,7 @@ impl Parts<'_> {
         let wave_count = plan.waves.len();
         let mut stages = Stages::default();
         for wave in 0..wave_count {
-            renderer.encode(&mut frame, &plan, wave..wave + 1)?;
+            renderer.encode(&mut frame, &plan, wave..wave + 1, &mut NoTurns)?;
             if wave + 1 == wave_count {
                 break;
             }

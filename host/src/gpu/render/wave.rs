@@ -5,6 +5,7 @@ use super::{
 };
 use crate::gpu::Kernel;
 use crate::gpu::program::{Recorder, Uniform, threads};
+use crate::gpu::trees::TurnRange;
 use crate::picture::{RenderSettings, View};
 use slimbvh_core::Hit;
 use slimbvh_core::camera::Camera;
@@ -167,6 +168,16 @@ impl Plan<'_> {
                     &[shadows],
                     each(),
                 );
+                match &self.turns[i as usize] {
+                    TurnRange::None => {}
+                    TurnRange::Always => recorder.turn(i as usize),
+                    TurnRange::IfReached(needed) => {
+                        recorder.clear(needed);
+                        let to = &[needed];
+                        recorder.update(Kernel::shade_reached, &[], &[shadows], to, each());
+                        recorder.turn(i as usize);
+                    }
+                }
                 recorder.stage("trace shadow");
                 let tree = &self.trees.lights[i as usize];
                 let (nodes, triangles) = (&tree.built.nodes, &tree.built.triangles);

@@ -183,7 +183,7 @@ pub fn scenes() -> Vec<(&'static str, Scene)> {
 }
 
 /// Lamps close together, lamps on either side, and suns from above and below.
-fn lights() -> Scene {
+pub fn lights() -> Scene {
     let near = (0..4).map(|i| lamp([0.02 * i as f32, 3.0, 0.5 - 0.03 * i as f32]));
     let apart = [lamp([-3.0, 0.4, 0.2]), lamp([3.0, 0.1, -0.2])];
     let below = Light::Directional {
