@@ -42,7 +42,7 @@ impl Lit {
         let scaled = camera.scaled(&PowerOfTwo::new(bvh.scene_exponent()));
         let samples = 0..settings.size[0] * settings.size[1];
         let paths: Vec<Path> = samples
-            .map(|sample| Path::new(scaled.ray(sample)))
+            .map(|sample| Path::new(scaled.ray(sample), sample))
             .collect();
         let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
         let hit =
