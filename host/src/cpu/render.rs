@@ -10,6 +10,7 @@ use slimbvh_core::camera::Camera as CoreCamera;
 use slimbvh_core::classify::Except;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::ray::{Hit, PreparedRay};
+use slimbvh_core::sampling::Draw;
 use slimbvh_core::shade::{
     Environment, Light as CoreLight, Material as CoreMaterial, Path, ambient_light, direct_light,
 };
@@ -148,7 +149,7 @@ impl Renderer {
             let blocks = self.paths.par_chunks_mut(BLOCK).enumerate();
             blocks.for_each(|(block, paths)| {
                 for (path, sample) in paths.iter_mut().zip(first + (block * BLOCK) as u32..) {
-                    *path = Path::new(stage.camera.ray(sample));
+                    *path = Path::new(stage.camera.ray(sample), sample);
                 }
             });
         });
@@ -185,7 +186,7 @@ impl Renderer {
         for depth in 0..=mirror_depth {
             for (light, tree) in stage.lights.iter().zip(&stage.trees.lights) {
                 report.stages.time("trace shadow", || {
-                    report.shadow_ray_count += self.add_light(stage, light, tree);
+                    report.shadow_ray_count += self.add_light(stage, (light, depth), tree);
                 });
             }
             let alive = report.stages.time("shade", || self.scatter(stage));
@@ -202,8 +203,8 @@ impl Renderer {
         }
     }
 
-    /// Adds one light to all hits that it reaches. Returns the number of shadow rays.
-    fn add_light(&mut self, stage: &Stage, light: &CoreLight, tree: &Tree) -> u64 {
+    /// Adds one light to all hits that it reaches, of paths that have met so many mirrors. Returns the number of shadow rays.
+    fn add_light(&mut self, stage: &Stage, (light, bounce): (&CoreLight, u32), tree: &Tree) -> u64 {
         let ray_count = AtomicU64::new(0);
         let blocks = self
             .paths
@@ -216,7 +217,13 @@ impl Renderer {
                     continue;
                 }
                 let (surface, material) = stage.surface(path, hit);
-                let shadow = direct_light(&surface, hit.primitive, &material, light);
+                let draw = Draw {
+                    sample: path.sample,
+                    sample_count: stage.camera.sample_count,
+                    bounce,
+                };
+                let light = light.sampled(&draw);
+                let shadow = direct_light(&surface, hit.primitive, &material, &light);
                 if shadow.is_possible() {
                     rays += 1;
                     if !tree.any_hit(&shadow.ray, shadow.skip) {

@@ -2,6 +2,7 @@
 
 use super::decide::{self, Candidate};
 use super::{Asked, Cull, Reduce};
+use crate::scene::{camera_target, light_target};
 use crate::topology::{self, Topology};
 use crate::{RenderSettings, Scene, View, ViewError};
 use slimbvh_core::bounds::scene_exponent;
@@ -167,11 +168,7 @@ fn aims(asked: &Asked) -> Result<Vec<Aim>, ViewError> {
     } = asked.scene;
     let camera = cameras.first().ok_or(ViewError::NoCamera)?;
     let core = camera.to_core(size, sample_count)?;
-    let eye = if core.is_parallel == 1 {
-        Target::direction(core.forward.map(|x| -x))
-    } else {
-        Target::position(core.eye)
-    };
+    let eye = camera_target(&core);
     let aim = |kind, target, is_used| Aim {
         kind,
         target,
@@ -188,10 +185,7 @@ fn aims(asked: &Asked) -> Result<Vec<Aim>, ViewError> {
     let mut aims = vec![aim(AimKind::Camera, eye, true)];
     for (index, light) in lights.iter().enumerate() {
         let light = light.to_core(index)?;
-        let target = Target {
-            is_position: light.is_position,
-            ..Target::direction(light.point)
-        };
+        let target = light_target(&light);
         let is_used = asked.settings.view == View::Color && light.color != [0.0; 3];
         aims.push(aim(AimKind::Light(index), target, is_used));
     }
@@ -221,10 +215,11 @@ fn candidates(aims: &[Aim]) -> Vec<Candidate> {
 
 /// The target as the topology knows it.
 fn outside(target: &Target) -> topology::Target {
-    if target.is_position == 1 {
-        topology::Target::Point(target.point)
-    } else {
-        topology::Target::Direction(target.point)
+    let center = target.point;
+    match (target.is_position, target.radius) {
+        (0, _) => topology::Target::Direction(center),
+        (_, 0.0) => topology::Target::Point(center),
+        (_, radius) => topology::Target::Ball { center, radius },
     }
 }
 
