@@ -19,15 +19,15 @@ struct type_25 {
     member: array<array<u32, 3>>,
 }
 
-struct type_34 {
-    member: array<vec4<u32>, 2>,
-}
-
-struct type_36 {
+struct type_33 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: f32,
     member_3: array<u32, 3>,
+}
+
+struct type_35 {
+    member: array<vec4<u32>, 2>,
 }
 
 struct type_38 {
@@ -38,12 +38,12 @@ var<private> global: u32;
 var<private> global_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_2: type_16;
-@group(0) @binding(1) 
-var<uniform> global_3: type_34;
 @group(0) @binding(3) 
-var<storage> global_4: type_21;
+var<storage> global_3: type_21;
 @group(0) @binding(4) 
-var<storage> global_5: type_25;
+var<storage> global_4: type_25;
+@group(0) @binding(1) 
+var<uniform> global_5: type_35;
 @group(0) @binding(5) 
 var<storage> global_6: type_5;
 @group(0) @binding(6) 
@@ -57,7 +57,7 @@ var<workgroup> global_10: array<u32, 64>;
 var<storage> global_11: type_25;
 
 fn function_() {
-    var phi_205_: type_36;
+    var phi_205_: type_33;
     var phi_254_: u32;
     var phi_268_: i32;
     var phi_286_: array<u32, 3>;
@@ -81,19 +81,19 @@ fn function_() {
         default: {
             let _e42 = global_1;
             let _e43 = global;
-            let _e48 = arrayLength((&global_4.member));
+            let _e48 = arrayLength((&global_3.member));
             let _e65 = (_e42.x + (_e42.y * 2097152u));
             let _e66 = (_e65 < arrayLength((&global_11.member)));
             if _e66 {
                 let _e69 = global_2.member[0u];
-                let _e73 = global_3.member[0u][0u];
-                let _e77 = global_3.member[0u][1u];
-                let _e81 = global_3.member[0u][2u];
-                let _e85 = global_3.member[0u][3u];
-                let _e89 = global_3.member[1u][0u];
-                let _e93 = global_3.member[1u][1u];
-                let _e97 = global_3.member[1u][2u];
-                let _e101 = global_3.member[1u][3u];
+                let _e73 = global_5.member[0u][0u];
+                let _e77 = global_5.member[0u][1u];
+                let _e81 = global_5.member[0u][2u];
+                let _e85 = global_5.member[0u][3u];
+                let _e89 = global_5.member[1u][0u];
+                let _e93 = global_5.member[1u][1u];
+                let _e97 = global_5.member[1u][2u];
+                let _e101 = global_5.member[1u][3u];
                 let _e102 = bitcast<f32>(_e73);
                 let _e103 = bitcast<f32>(_e77);
                 let _e104 = bitcast<f32>(_e81);
@@ -104,9 +104,9 @@ fn function_() {
                 let _e115 = bitcast<f32>((bitcast<u32>((_e110 + 127i)) << bitcast<u32>(23i)));
                 let _e121 = bitcast<f32>((bitcast<u32>(((_e109 - _e110) + 127i)) << bitcast<u32>(23i)));
                 if (_e85 == 0u) {
-                    phi_205_ = type_36(array<f32, 3>(_e102, _e103, _e104), _e85, _e106, _e107);
+                    phi_205_ = type_33(array<f32, 3>(_e102, _e103, _e104), _e85, _e106, _e107);
                 } else {
-                    phi_205_ = type_36(array<f32, 3>(((_e102 * _e115) * _e121), ((_e103 * _e115) * _e121), ((_e104 * _e115) * _e121)), _e85, ((_e106 * _e115) * _e121), _e107);
+                    phi_205_ = type_33(array<f32, 3>(((_e102 * _e115) * _e121), ((_e103 * _e115) * _e121), ((_e104 * _e115) * _e121)), _e85, ((_e106 * _e115) * _e121), _e107);
                 }
                 let _e134 = phi_205_;
                 if _e66 {
@@ -142,13 +142,13 @@ fn function_() {
                 if _e149 {
                     phi_626_ = true;
                 } else {
-                    let _e150 = (_e138 < arrayLength((&global_5.member)));
+                    let _e150 = (_e138 < arrayLength((&global_4.member)));
                     if _e150 {
                         if _e150 {
                         } else {
                             break;
                         }
-                        let _e152 = global_5.member[_e138];
+                        let _e152 = global_4.member[_e138];
                         phi_286_ = _e152;
                     } else {
                         phi_286_ = array<u32, 3>(0u, 0u, 0u);
@@ -160,7 +160,7 @@ fn function_() {
                         } else {
                             break;
                         }
-                        let _e158 = global_4.member[_e154[0]];
+                        let _e158 = global_3.member[_e154[0]];
                         phi_301_ = _e158;
                     } else {
                         phi_301_ = array<f32, 3>(0f, 0f, 0f);
@@ -172,7 +172,7 @@ fn function_() {
                         } else {
                             break;
                         }
-                        let _e167 = global_4.member[_e154[1]];
+                        let _e167 = global_3.member[_e154[1]];
                         phi_319_ = _e167;
                     } else {
                         phi_319_ = array<f32, 3>(0f, 0f, 0f);
@@ -184,7 +184,7 @@ fn function_() {
                         } else {
                             break;
                         }
-                        let _e176 = global_4.member[_e154[2]];
+                        let _e176 = global_3.member[_e154[2]];
                         phi_337_ = _e176;
                     } else {
                         phi_337_ = array<f32, 3>(0f, 0f, 0f);
