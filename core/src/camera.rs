@@ -2,10 +2,11 @@
 
 use crate::float::PowerOfTwo;
 use crate::ray::Ray;
+use crate::sampling::{Draw, LENS, disc_point};
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
-/// A pinhole or a parallel camera. 64 bytes.
+/// A pinhole, a thin lens, or a parallel camera. 96 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Camera {
@@ -25,9 +26,17 @@ pub struct Camera {
     pub up: [f32; 3],
     /// Bytes 60–63: samples a pixel.
     pub sample_count: u32,
+    /// Bytes 64–75: unit vector along `right`, where there is a lens.
+    pub lens_right: [f32; 3],
+    /// Bytes 76–79: radius of the disc around the eye that the rays of a perspective camera leave from; 0 for a pinhole.
+    pub lens_radius: f32,
+    /// Bytes 80–91: unit vector along `up`, where there is a lens.
+    pub lens_up: [f32; 3],
+    /// Bytes 92–95: the lens's radius by the distance, along `forward`, of what is in focus.
+    pub lens_slope: f32,
 }
 
-const _: () = assert!(size_of::<Camera>() == 64);
+const _: () = assert!(size_of::<Camera>() == 96);
 
 impl Camera {
     /// The same picture of a scene whose coordinates are multiplied by a power of two.
@@ -36,6 +45,7 @@ impl Camera {
     pub fn scaled(&self, scale: &PowerOfTwo) -> Self {
         let mut camera = *self;
         camera.eye = scale.times_each(self.eye);
+        camera.lens_radius = scale.times(self.lens_radius);
         // The edges of a perspective picture are directions.
         if self.is_parallel == 1 {
             camera.right = scale.times_each(self.right);
@@ -58,11 +68,29 @@ impl Camera {
         let spread = Vec3::from_array(self.right) * s + Vec3::from_array(self.up) * t;
         let eye = Vec3::from_array(self.eye);
         let forward = Vec3::from_array(self.forward);
-        if self.is_parallel == 0 {
-            Ray::new(self.eye, (forward + spread).to_array())
-        } else {
+        if self.is_parallel == 1 {
             Ray::new((eye + spread).to_array(), self.forward)
+        } else if self.lens_radius > 0.0 {
+            let aside = self.lens_point(sample);
+            // All that leave the lens meet where the eye's own ray passes the plane in focus.
+            let direction = forward + spread - aside * self.lens_slope;
+            let origin = eye + aside * self.lens_radius;
+            Ray::new(origin.to_array(), direction.to_array())
+        } else {
+            Ray::new(self.eye, (forward + spread).to_array())
         }
+    }
+
+    /// Where on a lens of radius 1 a sample's ray leaves it, from its middle.
+    #[inline]
+    fn lens_point(&self, sample: u32) -> Vec3 {
+        let draw = Draw {
+            sample,
+            sample_count: self.sample_count,
+            bounce: 0,
+        };
+        let [x, y] = disc_point(draw.square(LENS));
+        Vec3::from_array(self.lens_right) * x + Vec3::from_array(self.lens_up) * y
     }
 }
 
@@ -105,6 +133,7 @@ mod tests {
             height: 2,
             sample_count: 1,
             is_parallel: 0,
+            ..Camera::default()
         };
         // The pixels' centres are half a pixel from the edges.
         assert_eq!(camera.ray(0).direction, [-1.5, 0.25, -1.0]);
@@ -115,6 +144,76 @@ mod tests {
         };
         assert_eq!(parallel.ray(4).origin, [-0.5, 1.75, 3.0]);
         assert_eq!(parallel.ray(4).direction, [0.0, 0.0, -1.0]);
+    }
+
+    /// A lens of radius 0.5, in focus at 8.
+    const LENS_CAMERA: Camera = Camera {
+        eye: [1.0, 2.0, 3.0],
+        forward: [0.0, 0.0, -1.0],
+        right: [2.0, 0.0, 0.0],
+        up: [0.0, 0.5, 0.0],
+        width: 4,
+        height: 2,
+        sample_count: 64,
+        is_parallel: 0,
+        lens_right: [1.0, 0.0, 0.0],
+        lens_radius: 0.5,
+        lens_up: [0.0, 1.0, 0.0],
+        lens_slope: 0.0625,
+    };
+
+    #[test]
+    fn a_lens_is_sharp_in_focus_and_blurs_by_its_size_elsewhere() {
+        let pinhole = Camera {
+            lens_radius: 0.0,
+            ..LENS_CAMERA
+        };
+        let at =
+            |ray: &Ray, t: f32| Vec3::from_array(ray.origin) + Vec3::from_array(ray.direction) * t;
+        let mut widest = 0.0f32;
+        for sample in 0..8 * 64 {
+            let (through, straight) = (LENS_CAMERA.ray(sample), pinhole.ray(sample));
+            // t is the distance along the view, for both.
+            assert_eq!(through.direction[2], -1.0);
+            let apart = |t: f32| (at(&through, t) - at(&straight, t)).length();
+            assert!(apart(8.0) < 2e-6);
+            let (near, half, far) = (apart(0.0), apart(4.0), apart(16.0));
+            assert!(near < 0.5 && (half - near / 2.0).abs() < 2e-6 && (far - near).abs() < 4e-6);
+            widest = widest.max(near);
+        }
+        assert!(widest > 0.49);
+    }
+
+    #[test]
+    fn without_a_radius_a_lens_is_a_pinhole_to_the_bit() {
+        let closed = Camera {
+            lens_radius: 0.0,
+            eye: [-0.0, 2.0, 0.0],
+            ..LENS_CAMERA
+        };
+        let never = Camera {
+            lens_right: [0.0; 3],
+            lens_up: [0.0; 3],
+            lens_slope: 0.0,
+            ..closed
+        };
+        for sample in 0..8 * 64 {
+            let (a, b) = (closed.ray(sample), never.ray(sample));
+            assert_eq!(bytemuck::bytes_of(&a), bytemuck::bytes_of(&b));
+            assert_eq!(a.origin.map(f32::to_bits), closed.eye.map(f32::to_bits));
+        }
+    }
+
+    #[test]
+    fn a_lens_is_scaled_with_its_rays() {
+        let scale = PowerOfTwo::new(-5);
+        let small = LENS_CAMERA.scaled(&scale);
+        assert_eq!((small.lens_radius, small.lens_slope), (0.015625, 0.0625));
+        for sample in 0..64 {
+            let (ray, expected) = (small.ray(sample), LENS_CAMERA.ray(sample));
+            assert_eq!(ray.origin, scale.times_each(expected.origin));
+            assert_eq!(ray.direction, expected.direction);
+        }
     }
 
     #[test]

@@ -2,50 +2,15 @@
 //!
 //! A sample is a path: it begins at the camera, gathers light where it hits, and goes on at mirrors.
 
-use crate::float::{PowerOfTwo, min};
+pub use crate::light::Light;
+
+use crate::float::max;
 use crate::orientation::{Orientation, Target};
 use crate::ray::{NO_PRIMITIVE, Ray};
 use crate::surface::{Surface, normalize};
 use bytemuck::{Pod, Zeroable};
 use core::f32::consts::FRAC_1_PI;
 use glam::Vec3;
-
-/// A light source without extent. 32 bytes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Light {
-    /// Bytes 0–11: a point light's position, or the direction to a light infinitely far away.
-    pub point: [f32; 3],
-    /// Bytes 12–15: 1 for a point light, 0 for a directional one.
-    pub is_position: u32,
-    /// Bytes 16–27: linear RGB irradiance, of a point light at distance 1.
-    pub color: [f32; 3],
-    /// Bytes 28–31: a point light shines no farther; `f32::MAX` for no limit.
-    pub range: f32,
-}
-
-const _: () = assert!(size_of::<Light>() == 32);
-
-impl Light {
-    /// The same light in a scene whose coordinates are multiplied by a power of two.
-    #[inline]
-    #[must_use]
-    pub fn scaled(&self, scale: &PowerOfTwo) -> Self {
-        let mut light = *self;
-        if self.is_position == 1 {
-            light.point = scale.times_each(self.point);
-            // Irradiance falls off with the squared distance, which is scaled twice.
-            for channel in 0..3 {
-                let twice = scale.times(scale.times(self.color[channel]));
-                light.color[channel] = min(twice, f32::MAX);
-            }
-            if self.range < f32::MAX {
-                light.range = min(scale.times(self.range), f32::MAX);
-            }
-        }
-        light
-    }
-}
 
 /// How a surface reflects. 16 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -89,7 +54,7 @@ impl Environment {
     #[must_use]
     pub fn radiance(&self, direction: Vec3) -> Vec3 {
         let height = normalize(direction).dot(Vec3::from_array(self.up));
-        let share = crate::float::max(height, 0.0);
+        let share = max(height, 0.0);
         let (horizon, zenith) = (
             Vec3::from_array(self.horizon),
             Vec3::from_array(self.zenith),
@@ -110,8 +75,8 @@ pub struct Path {
     pub skip: u32,
     /// Bytes 48–59: linear RGB light gathered so far.
     pub radiance: [f32; 3],
-    /// Bytes 60–63: unused.
-    pub padding: u32,
+    /// Bytes 60–63: the number of the sample in the picture.
+    pub sample: u32,
 }
 
 const _: () = assert!(size_of::<Path>() == 64);
@@ -120,13 +85,13 @@ impl Path {
     /// A path that leaves the camera.
     #[inline]
     #[must_use]
-    pub fn new(ray: Ray) -> Self {
+    pub fn new(ray: Ray, sample: u32) -> Self {
         Self {
             ray,
             throughput: [1.0; 3],
             skip: NO_PRIMITIVE,
             radiance: [0.0; 3],
-            padding: 0,
+            sample,
         }
     }
 
@@ -222,8 +187,9 @@ impl Shadow {
     }
 }
 
-/// Light from one source on a surface (Lambert), a point of `primitive`. None where the triangle does not certainly face the source on the side
-/// that is seen, where the source is out of range, or black.
+/// Light from one source on a surface (Lambert), a point of `primitive`. A source with extent must be [sampled](Light::sampled).
+/// None where the triangle does not certainly face the source on the side that is seen, where the source is out of range,
+/// shines the other way, or is black.
 #[must_use]
 pub fn direct_light(
     surface: &Surface,
@@ -252,8 +218,9 @@ pub fn direct_light(
     } else {
         1.0
     };
-    if cosine > 0.0 && in_range {
-        let radiance = color * diffuse(material) * (cosine * falloff);
+    let share = light.share(-to_light);
+    if cosine > 0.0 && in_range && share > 0.0 {
+        let radiance = color * diffuse(material) * (cosine * falloff * share);
         Shadow {
             ray: Ray {
                 t_max: if is_position { 1.0 } else { f32::MAX },
@@ -296,6 +263,7 @@ fn diffuse(material: &Material) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::light::RECTANGLE;
     use crate::ray::Hit;
     use crate::triangle::Triangle;
 
@@ -326,6 +294,7 @@ mod tests {
             is_position: 0,
             color: [2.0, 1.0, 0.0],
             range: f32::MAX,
+            ..Light::default()
         };
         let light = direct_light(&floor(), 7, &WHITE, &sun);
         let expected = Vec3::new(2.0, 1.0, 0.0) * (0.8 * FRAC_1_PI);
@@ -337,6 +306,7 @@ mod tests {
             is_position: 1,
             color: [1.0; 3],
             range: 2.5,
+            ..Light::default()
         };
         let light = direct_light(&floor(), 7, &WHITE, &lamp);
         assert!((light.radiance[0] - 0.25 * FRAC_1_PI).abs() < 1e-6);
@@ -344,33 +314,38 @@ mod tests {
         assert!(!direct_light(&floor(), 7, &WHITE, &Light { range: 1.5, ..lamp }).is_possible());
     }
 
+    /// Over the floor, 2 × 6, and it shines down.
+    const PANEL: Light = Light {
+        point: [0.5, 2.0, 0.25],
+        is_position: 1,
+        color: [4.0, 2.0, 1.0],
+        range: f32::MAX,
+        edge_1: [1.0, 0.0, 0.0],
+        shape: RECTANGLE,
+        edge_2: [0.0, 0.0, 3.0],
+        number: 2,
+        normal: [0.0, -1.0, 0.0],
+        padding: 0,
+    };
+
     #[test]
-    fn lamps_are_scaled_and_suns_are_not() {
-        let lamp = Light {
-            point: [1.0, 2.0, -3.0],
-            is_position: 1,
-            color: [1.0, 3.0, f32::MAX],
-            range: 5.0,
+    fn a_panel_shines_ahead_with_lamberts_cosine() {
+        // Drawn at its middle, straight above.
+        let light = direct_light(&floor(), 7, &WHITE, &PANEL);
+        assert!((light.radiance[0] - 4.0 * 0.25 * FRAC_1_PI).abs() < 1e-6);
+        let aside = Light {
+            point: [2.0, 2.0, 0.25],
+            ..PANEL
         };
-        let scale = PowerOfTwo::new(2);
-        let expected = Light {
-            point: [4.0, 8.0, -12.0],
-            color: [16.0, 48.0, f32::MAX],
-            range: 20.0,
-            ..lamp
+        // 1.5 across, 2 up: both cosines are 0.8, at a distance of 2.5.
+        let light = direct_light(&floor(), 7, &WHITE, &aside);
+        assert!((light.radiance[0] - 4.0 * 0.64 / 6.25 * FRAC_1_PI).abs() < 1e-6);
+        // From behind there is none.
+        let turned = Light {
+            normal: [0.0, 1.0, 0.0],
+            ..PANEL
         };
-        assert_eq!(lamp.scaled(&scale), expected);
-        let sun = Light {
-            is_position: 0,
-            ..lamp
-        };
-        assert_eq!(sun.scaled(&scale), sun);
-        // What has no limit has none at any magnitude.
-        let endless = Light {
-            range: f32::MAX,
-            ..lamp
-        };
-        assert_eq!(endless.scaled(&PowerOfTwo::new(-130)).range, f32::MAX);
+        assert!(!direct_light(&floor(), 7, &WHITE, &turned).is_possible());
     }
 
     #[test]
@@ -390,6 +365,7 @@ mod tests {
             is_position: 1,
             color: [1.0; 3],
             range: f32::MAX,
+            ..Light::default()
         };
         assert!(!direct_light(&floor(), 7, &WHITE, &below).is_possible());
         let level = Light {
@@ -408,7 +384,7 @@ mod tests {
 
     #[test]
     fn a_mirror_sends_the_path_on() {
-        let path = Path::new(Ray::new([-1.0, 1.0, 0.25], [1.0, -1.0, 0.0]));
+        let path = Path::new(Ray::new([-1.0, 1.0, 0.25], [1.0, -1.0, 0.0]), 5);
         let mirror = Material {
             mirror: 0.75,
             ..WHITE
@@ -416,6 +392,7 @@ mod tests {
         let next = path.scattered(&floor(), &mirror, 3);
         assert_eq!(next.ray.direction, [1.0, 1.0, 0.0]);
         assert_eq!((next.throughput, next.skip), ([0.75; 3], 3));
+        assert_eq!(next.sample, 5);
         assert!(next.ray.origin[1] > 0.0);
         assert!(!path.scattered(&floor(), &WHITE, 3).is_alive());
     }

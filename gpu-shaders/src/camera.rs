@@ -22,7 +22,8 @@ pub fn camera_rays(
     let i = sample as usize;
     if i < paths.len() && !cameras.is_empty() {
         let camera = cameras[0].scaled(&PowerOfTwo::new(exponent.x as i32));
-        paths[i] = Path::new(camera.ray(params.x + sample));
+        let number = params.x + sample;
+        paths[i] = Path::new(camera.ray(number), number);
     }
 }
 

@@ -4,6 +4,7 @@
 use crate::{count, thread_index};
 use glam::{UVec3, UVec4, Vec3};
 use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::sampling::Draw;
 use slimbvh_core::shade::{
     Environment, Light, Material, Path, Shadow, ambient_light, direct_light,
 };
@@ -13,20 +14,22 @@ use slimbvh_core::{Hit, IndexedTriangles};
 use spirv_std::spirv;
 
 /// One thread per path. Reads the scene's exponent, one light, which is in the caller's magnitude, the mesh, the
-/// materials, the path and its hit. Stores the light that the hit may get.
+/// materials, the path and its hit; `params` are the samples a pixel and the mirrors that the path has met. Stores the
+/// light that the hit may get.
 #[spirv(compute(threads(64)))]
 pub fn shade_light(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 1)] light: &[UVec4; 2],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] vertices: &[[f32; 3]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] indices: &[[u32; 3]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] normals: &[[f32; 3]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] material_indices: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] materials: &[Material],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] hits: &[Hit],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] paths: &[Path],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 9)] shadows: &mut [Shadow],
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] light: &[UVec4; 5],
+    #[spirv(uniform, descriptor_set = 0, binding = 2)] params: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] vertices: &[[f32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] indices: &[[u32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] normals: &[[f32; 3]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] material_indices: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] materials: &[Material],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] hits: &[Hit],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 9)] paths: &[Path],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 10)] shadows: &mut [Shadow],
 ) {
     let i = thread_index(id) as usize;
     if i < paths.len() && i < hits.len() && i < shadows.len() {
@@ -36,7 +39,13 @@ pub fn shade_light(
             let mesh = IndexedTriangles { vertices, indices };
             let surface = surface(&path, &hit, exponent.x, &mesh, normals);
             let material = material(hit.primitive, material_indices, materials);
+            let draw = Draw {
+                sample: path.sample,
+                sample_count: params.x,
+                bounce: params.y,
+            };
             let light = unpacked(light).scaled(&PowerOfTwo::new(exponent.x as i32));
+            let light = light.sampled(&draw);
             shadow = direct_light(&surface, hit.primitive, &material, &light);
         }
         shadows[i] = shadow;
@@ -135,20 +144,27 @@ fn material(primitive: u32, material_indices: &[u32], materials: &[Material]) ->
 
 /// A [`Light`] from its words: uniforms hold no arrays of three floats.
 #[inline(always)]
-fn unpacked(light: &[UVec4; 2]) -> Light {
-    let (a, b) = (light[0], light[1]);
+fn unpacked(light: &[UVec4; 5]) -> Light {
     Light {
-        point: [
-            f32::from_bits(a.x),
-            f32::from_bits(a.y),
-            f32::from_bits(a.z),
-        ],
-        is_position: a.w,
-        color: [
-            f32::from_bits(b.x),
-            f32::from_bits(b.y),
-            f32::from_bits(b.z),
-        ],
-        range: f32::from_bits(b.w),
+        point: three(light[0]),
+        is_position: light[0].w,
+        color: three(light[1]),
+        range: f32::from_bits(light[1].w),
+        edge_1: three(light[2]),
+        shape: light[2].w,
+        edge_2: three(light[3]),
+        number: light[3].w,
+        normal: three(light[4]),
+        padding: light[4].w,
     }
+}
+
+/// The first three words, as numbers.
+#[inline(always)]
+fn three(words: UVec4) -> [f32; 3] {
+    [
+        f32::from_bits(words.x),
+        f32::from_bits(words.y),
+        f32::from_bits(words.z),
+    ]
 }

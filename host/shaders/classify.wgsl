@@ -20,7 +20,7 @@ struct type_25 {
 }
 
 struct type_35 {
-    member: array<vec4<u32>, 2>,
+    member: array<vec4<u32>, 5>,
 }
 
 struct type_39 {
@@ -31,11 +31,11 @@ struct type_39 {
 }
 
 struct type_42 {
-    member: array<i32>,
+    member: array<vec4<u32>, 2>,
 }
 
-struct type_47 {
-    member: array<vec4<u32>, 5>,
+struct type_45 {
+    member: array<i32>,
 }
 
 struct type_53 {
@@ -49,10 +49,10 @@ var<private> global_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_2: type_16;
 @group(0) @binding(1) 
-var<uniform> global_3: type_35;
+var<uniform> global_3: type_42;
 var<workgroup> global_4: array<u32, 64>;
 @group(0) @binding(2) 
-var<uniform> global_5: type_47;
+var<uniform> global_5: type_35;
 @group(0) @binding(3) 
 var<uniform> global_6: type_16;
 @group(0) @binding(4) 
@@ -62,7 +62,7 @@ var<storage> global_8: type_25;
 @group(0) @binding(6) 
 var<storage> global_9: type_5;
 @group(0) @binding(7) 
-var<storage> global_10: type_42;
+var<storage> global_10: type_45;
 @group(0) @binding(8) 
 var<storage, read_write> global_11: type_5;
 

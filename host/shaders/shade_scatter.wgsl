@@ -77,14 +77,14 @@ var<storage> global_2: type_15;
 var<storage> global_3: type_19;
 @group(0) @binding(3) 
 var<storage> global_4: type_15;
-@group(0) @binding(7) 
-var<storage> global_5: type_29;
 @group(0) @binding(4) 
-var<storage> global_6: type_4;
+var<storage> global_5: type_4;
 @group(0) @binding(5) 
-var<storage> global_7: type_40;
+var<storage> global_6: type_40;
 @group(0) @binding(6) 
-var<storage> global_8: type_45;
+var<storage> global_7: type_45;
+@group(0) @binding(7) 
+var<storage> global_8: type_29;
 @group(0) @binding(8) 
 var<storage, read_write> global_9: type_34;
 
@@ -134,12 +134,12 @@ fn function_() {
             let _e41 = global;
             let _e44 = arrayLength((&global_2.member));
             let _e49 = arrayLength((&global_4.member));
-            let _e53 = arrayLength((&global_7.member));
-            let _e55 = arrayLength((&global_8.member));
+            let _e53 = arrayLength((&global_6.member));
+            let _e55 = arrayLength((&global_7.member));
             let _e63 = (_e41.x + (_e41.y * 2097152u));
             let _e64 = (_e63 < arrayLength((&global_9.member)));
             if _e64 {
-                let _e65 = (_e63 < arrayLength((&global_5.member)));
+                let _e65 = (_e63 < arrayLength((&global_8.member)));
                 if _e65 {
                     if (_e53 == 0u) {
                     } else {
@@ -154,7 +154,7 @@ fn function_() {
                             } else {
                                 break;
                             }
-                            let _e73 = global_5.member[_e63];
+                            let _e73 = global_8.member[_e63];
                             if (_e70.member.member_1 <= _e70.member.member_3) {
                                 if (_e73.member_3 != 4294967295u) {
                                     let _e221 = global_1.member[0u];
@@ -368,13 +368,13 @@ fn function_() {
                                     }
                                     let _e606 = phi_946_;
                                     let _e621 = select(_e508, (_e606 * _e504), vec3((((((_e606.x * _e504) * (_e494.x * _e504)) + ((_e606.y * _e504) * (_e494.y * _e504))) + ((_e606.z * _e504) * (_e494.z * _e504))) > 0f)));
-                                    let _e622 = (_e73.member_3 < arrayLength((&global_6.member)));
+                                    let _e622 = (_e73.member_3 < arrayLength((&global_5.member)));
                                     if _e622 {
                                         if _e622 {
                                         } else {
                                             break;
                                         }
-                                        let _e625 = global_6.member[_e73.member_3];
+                                        let _e625 = global_5.member[_e73.member_3];
                                         phi_988_ = _e625;
                                     } else {
                                         phi_988_ = 0u;
@@ -385,12 +385,12 @@ fn function_() {
                                     } else {
                                         break;
                                     }
-                                    let _e633 = global_7.member[_e629];
+                                    let _e633 = global_6.member[_e629];
                                     if (0u < _e55) {
                                     } else {
                                         break;
                                     }
-                                    let _e638 = global_8.member[0u].member;
+                                    let _e638 = global_7.member[0u].member;
                                     let _e648 = ((1f - _e633.member_1) * 0.31830987f);
                                     let _e669 = array<f32, 3>((_e70.member_3[0] + ((_e638[0] * (_e633.member[0] * _e648)) * _e70.member_1[0])), (_e70.member_3[1] + ((_e638[1] * (_e633.member[1] * _e648)) * _e70.member_1[1])), (_e70.member_3[2] + ((_e638[2] * (_e633.member[2] * _e648)) * _e70.member_1[2])));
                                     if (_e633.member_1 <= 0f) {
@@ -566,11 +566,11 @@ fn function_() {
                                         phi_1229_ = vec3<f32>((_e146 / _e154), (_e147 / _e154), (_e148 / _e154));
                                     }
                                     let _e160 = phi_1229_;
-                                    let _e164 = global_8.member[0u].member_6;
+                                    let _e164 = global_7.member[0u].member_6;
                                     let _e175 = (((_e160.x * _e164[0]) + (_e160.y * _e164[1])) + (_e160.z * _e164[2]));
                                     let _e177 = select(0f, _e175, (_e175 > 0f));
-                                    let _e181 = global_8.member[0u].member_4;
-                                    let _e188 = global_8.member[0u].member_2;
+                                    let _e181 = global_7.member[0u].member_4;
+                                    let _e188 = global_7.member[0u].member_2;
                                     phi_1286_ = type_32(type_31(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e70.member_1, _e70.member_2, array<f32, 3>((_e70.member_3[0] + ((_e181[0] + ((_e188[0] - _e181[0]) * _e177)) * _e70.member_1[0])), (_e70.member_3[1] + ((_e181[1] + ((_e188[1] - _e181[1]) * _e177)) * _e70.member_1[1])), (_e70.member_3[2] + ((_e181[2] + ((_e188[2] - _e181[2]) * _e177)) * _e70.member_1[2]))), _e70.member_4);
                                 }
                                 let _e863 = phi_1286_;

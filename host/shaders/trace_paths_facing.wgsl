@@ -63,25 +63,25 @@ struct type_42 {
 }
 
 struct type_46 {
-    member: array<vec4<u32>, 2>,
-}
-
-struct type_49 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: f32,
     member_3: array<u32, 3>,
 }
 
-struct type_54 {
+struct type_51 {
     member: type_28,
     member_1: f32,
 }
 
-struct type_57 {
+struct type_54 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
+}
+
+struct type_56 {
+    member: array<vec4<u32>, 2>,
 }
 
 struct type_59 {
@@ -96,7 +96,7 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_12;
 @group(0) @binding(1) 
-var<uniform> global_2: type_46;
+var<uniform> global_2: type_56;
 @group(0) @binding(2) 
 var<storage> global_3: type_42;
 @group(0) @binding(3) 
@@ -115,7 +115,7 @@ var<storage, read_write> global_9: type_66;
 fn function_() {
     var local: array<u32, 128>;
     var local_1: array<f32, 128>;
-    var phi_268_: type_49;
+    var phi_268_: type_46;
     var phi_378_: i32;
     var phi_379_: i32;
     var phi_389_: bool;
@@ -144,7 +144,7 @@ fn function_() {
     var phi_740_: f32;
     var phi_741_: f32;
     var phi_2540_: bool;
-    var phi_752_: type_54;
+    var phi_752_: type_51;
     var phi_755_: u32;
     var phi_757_: u32;
     var phi_759_: bool;
@@ -153,7 +153,7 @@ fn function_() {
     var phi_802_: u32;
     var phi_803_: bool;
     var phi_804_: u32;
-    var phi_1983_: type_57;
+    var phi_1983_: type_54;
     var phi_2327_: u32;
     var phi_2353_: u32;
     var phi_2354_: u32;
@@ -164,7 +164,7 @@ fn function_() {
     var phi_2368_: u32;
     var phi_2373_: u32;
     var phi_2374_: bool;
-    var phi_820_: type_54;
+    var phi_820_: type_51;
     var phi_823_: type_8;
     var phi_824_: type_8;
     var phi_846_: type_8;
@@ -195,39 +195,39 @@ fn function_() {
     var phi_1895_: bool;
     var phi_1914_: bool;
     var phi_1915_: bool;
-    var phi_1921_: type_54;
-    var phi_1922_: type_54;
-    var phi_1923_: type_54;
-    var phi_821_: type_54;
+    var phi_1921_: type_51;
+    var phi_1922_: type_51;
+    var phi_1923_: type_51;
+    var phi_821_: type_51;
     var phi_2534_: bool;
     var phi_2664_: bool;
-    var phi_2376_: type_54;
+    var phi_2376_: type_51;
     var phi_2377_: u32;
     var phi_2378_: bool;
     var phi_2379_: u32;
     var phi_2663_: bool;
-    var phi_2380_: type_54;
+    var phi_2380_: type_51;
     var phi_2381_: u32;
     var phi_2382_: u32;
     var phi_2383_: bool;
     var phi_2384_: u32;
     var phi_2662_: bool;
-    var phi_2385_: type_54;
+    var phi_2385_: type_51;
     var phi_2386_: u32;
     var phi_2387_: u32;
     var phi_2388_: bool;
     var phi_2389_: u32;
     var phi_2661_: bool;
-    var phi_753_: type_54;
+    var phi_753_: type_51;
     var phi_756_: u32;
     var phi_758_: u32;
     var phi_760_: bool;
     var phi_762_: u32;
     var phi_2390_: bool;
     var phi_2660_: bool;
-    var local_2: type_54;
+    var local_2: type_51;
     var phi_2442_: type_28;
-    var local_3: type_54;
+    var local_3: type_51;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -259,9 +259,9 @@ fn function_() {
                     let _e144 = bitcast<f32>((bitcast<u32>((_e139 + 127i)) << bitcast<u32>(23i)));
                     let _e150 = bitcast<f32>((bitcast<u32>(((_e138 - _e139) + 127i)) << bitcast<u32>(23i)));
                     if (_e114 == 0u) {
-                        phi_268_ = type_49(array<f32, 3>(_e131, _e132, _e133), _e114, _e135, _e136);
+                        phi_268_ = type_46(array<f32, 3>(_e131, _e132, _e133), _e114, _e135, _e136);
                     } else {
-                        phi_268_ = type_49(array<f32, 3>(((_e131 * _e144) * _e150), ((_e132 * _e144) * _e150), ((_e133 * _e144) * _e150)), _e114, ((_e135 * _e144) * _e150), _e136);
+                        phi_268_ = type_46(array<f32, 3>(((_e131 * _e144) * _e150), ((_e132 * _e144) * _e150), ((_e133 * _e144) * _e150)), _e114, ((_e135 * _e144) * _e150), _e136);
                     }
                     let _e163 = phi_268_;
                     if _e94 {
@@ -497,7 +497,7 @@ fn function_() {
                     local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     phi_2540_ = false;
-                    phi_752_ = type_54(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e460);
+                    phi_752_ = type_51(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e460);
                     phi_755_ = select(0u, 2147483648u, (_e75 == 0u));
                     phi_757_ = ((3u * _e75) + 1u);
                     phi_759_ = (_e462 <= _e460);
@@ -934,7 +934,7 @@ fn function_() {
                                                         }
                                                         let _e1348 = phi_1915_;
                                                         if _e1348 {
-                                                            phi_1921_ = type_54(_e1078, _e1078.member);
+                                                            phi_1921_ = type_51(_e1078, _e1078.member);
                                                         } else {
                                                             phi_1921_ = _e698;
                                                         }
@@ -951,7 +951,7 @@ fn function_() {
                                                 let _e1355 = phi_1923_;
                                                 phi_821_ = _e1355;
                                             } else {
-                                                phi_821_ = type_54();
+                                                phi_821_ = type_51();
                                             }
                                             let _e1357 = phi_821_;
                                             continue;
@@ -975,7 +975,7 @@ fn function_() {
                                         phi_2379_ = _e499;
                                     } else {
                                         if (_e495 >= _e75) {
-                                            phi_1983_ = type_57(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1983_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e495 < _e75) {
                                             } else {
@@ -1005,7 +1005,7 @@ fn function_() {
                                             let _e539 = global_3.member[_e495].member[_e533];
                                             let _e549 = global_3.member[_e495].member_1;
                                             let _e553 = global_3.member[_e495].member_2;
-                                            phi_1983_ = type_57(array<vec4<f32>, 3>(vec4<f32>(_e515[0], _e515[1], _e515[2], _e515[3]), vec4<f32>(_e527[0], _e527[1], _e527[2], _e527[3]), vec4<f32>(_e539[0], _e539[1], _e539[2], _e539[3])), _e549, _e553);
+                                            phi_1983_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e515[0], _e515[1], _e515[2], _e515[3]), vec4<f32>(_e527[0], _e527[1], _e527[2], _e527[3]), vec4<f32>(_e539[0], _e539[1], _e539[2], _e539[3])), _e549, _e553);
                                         }
                                         let _e556 = phi_1983_;
                                         let _e568 = ((_e556.member[0].x - _e339) * _e344);
@@ -1148,7 +1148,7 @@ fn function_() {
                                 phi_2389_ = _e1382;
                             } else {
                                 phi_2662_ = _e470;
-                                phi_2385_ = type_54();
+                                phi_2385_ = type_51();
                                 phi_2386_ = u32();
                                 phi_2387_ = u32();
                                 phi_2388_ = bool();
@@ -1169,7 +1169,7 @@ fn function_() {
                             phi_2390_ = _e484;
                         } else {
                             phi_2661_ = _e470;
-                            phi_753_ = type_54();
+                            phi_753_ = type_51();
                             phi_756_ = u32();
                             phi_758_ = u32();
                             phi_760_ = bool();

@@ -58,36 +58,36 @@ struct type_39 {
     member: array<type_37>,
 }
 
-struct type_43 {
-    member: array<vec4<u32>, 2>,
-}
-
-struct type_45 {
+struct type_42 {
     member: type_29,
     member_1: array<f32, 3>,
     member_2: u32,
 }
 
-struct type_47 {
-    member: array<type_45>,
+struct type_44 {
+    member: array<type_42>,
 }
 
-struct type_50 {
+struct type_47 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: f32,
     member_3: array<u32, 3>,
 }
 
-struct type_57 {
+struct type_54 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_58 {
+struct type_55 {
     member: f32,
     member_1: bool,
+}
+
+struct type_57 {
+    member: array<vec4<u32>, 2>,
 }
 
 struct type_60 {
@@ -102,7 +102,7 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_12;
 @group(0) @binding(1) 
-var<uniform> global_2: type_43;
+var<uniform> global_2: type_57;
 @group(0) @binding(2) 
 var<storage> global_3: type_39;
 @group(0) @binding(3) 
@@ -114,14 +114,14 @@ var<storage> global_6: type_60;
 @group(0) @binding(8) 
 var<storage, read_write> global_7: type_67;
 @group(0) @binding(6) 
-var<storage> global_8: type_47;
+var<storage> global_8: type_44;
 @group(0) @binding(7) 
 var<storage, read_write> global_9: type_32;
 
 fn function_() {
     var local: array<u32, 128>;
     var local_1: array<f32, 128>;
-    var phi_313_: type_50;
+    var phi_313_: type_47;
     var phi_423_: i32;
     var phi_424_: i32;
     var phi_434_: bool;
@@ -150,7 +150,7 @@ fn function_() {
     var phi_785_: f32;
     var phi_786_: f32;
     var phi_2483_: bool;
-    var phi_797_: type_58;
+    var phi_797_: type_55;
     var phi_800_: u32;
     var phi_802_: u32;
     var phi_804_: bool;
@@ -159,7 +159,7 @@ fn function_() {
     var phi_847_: u32;
     var phi_848_: bool;
     var phi_849_: u32;
-    var phi_2007_: type_57;
+    var phi_2007_: type_54;
     var phi_2351_: u32;
     var phi_2377_: u32;
     var phi_2378_: u32;
@@ -170,7 +170,7 @@ fn function_() {
     var phi_2392_: u32;
     var phi_2397_: u32;
     var phi_2398_: bool;
-    var phi_865_: type_58;
+    var phi_865_: type_55;
     var phi_868_: type_8;
     var phi_869_: type_8;
     var phi_891_: type_8;
@@ -199,38 +199,38 @@ fn function_() {
     var phi_1938_: bool;
     var phi_1939_: bool;
     var phi_1940_: bool;
-    var phi_1945_: type_58;
-    var phi_1946_: type_58;
-    var phi_866_: type_58;
+    var phi_1945_: type_55;
+    var phi_1946_: type_55;
+    var phi_866_: type_55;
     var phi_2477_: bool;
-    var local_2: type_58;
+    var local_2: type_55;
     var phi_2607_: bool;
-    var phi_2400_: type_58;
+    var phi_2400_: type_55;
     var phi_2401_: u32;
     var phi_2402_: bool;
     var phi_2403_: u32;
     var phi_2606_: bool;
-    var phi_2404_: type_58;
+    var phi_2404_: type_55;
     var phi_2405_: u32;
     var phi_2406_: u32;
     var phi_2407_: bool;
     var phi_2408_: u32;
     var phi_2605_: bool;
-    var phi_2409_: type_58;
+    var phi_2409_: type_55;
     var phi_2410_: u32;
     var phi_2411_: u32;
     var phi_2412_: bool;
     var phi_2413_: u32;
     var phi_2604_: bool;
-    var phi_798_: type_58;
+    var phi_798_: type_55;
     var phi_801_: u32;
     var phi_803_: u32;
     var phi_805_: bool;
     var phi_807_: u32;
     var phi_2414_: bool;
     var phi_2603_: bool;
-    var local_3: type_58;
-    var local_4: type_58;
+    var local_3: type_55;
+    var local_4: type_55;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -284,9 +284,9 @@ fn function_() {
                         let _e165 = bitcast<f32>((bitcast<u32>((_e160 + 127i)) << bitcast<u32>(23i)));
                         let _e171 = bitcast<f32>((bitcast<u32>(((_e159 - _e160) + 127i)) << bitcast<u32>(23i)));
                         if (_e135 == 0u) {
-                            phi_313_ = type_50(array<f32, 3>(_e152, _e153, _e154), _e135, _e156, _e157);
+                            phi_313_ = type_47(array<f32, 3>(_e152, _e153, _e154), _e135, _e156, _e157);
                         } else {
-                            phi_313_ = type_50(array<f32, 3>(((_e152 * _e165) * _e171), ((_e153 * _e165) * _e171), ((_e154 * _e165) * _e171)), _e135, ((_e156 * _e165) * _e171), _e157);
+                            phi_313_ = type_47(array<f32, 3>(((_e152 * _e165) * _e171), ((_e153 * _e165) * _e171), ((_e154 * _e165) * _e171)), _e135, ((_e156 * _e165) * _e171), _e157);
                         }
                         let _e184 = phi_313_;
                         if _e94 {
@@ -520,7 +520,7 @@ fn function_() {
                         local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         phi_2483_ = false;
-                        phi_797_ = type_58(_e471, false);
+                        phi_797_ = type_55(_e471, false);
                         phi_800_ = select(0u, 2147483648u, (_e75 == 0u));
                         phi_802_ = ((3u * _e75) + 1u);
                         phi_804_ = (_e473 <= _e471);
@@ -945,7 +945,7 @@ fn function_() {
                                                         }
                                                         let _e1347 = phi_1940_;
                                                         if _e1347 {
-                                                            phi_1945_ = type_58(_e709.member, true);
+                                                            phi_1945_ = type_55(_e709.member, true);
                                                         } else {
                                                             phi_1945_ = _e709;
                                                         }
@@ -957,7 +957,7 @@ fn function_() {
                                                     let _e1354 = phi_1946_;
                                                     phi_866_ = _e1354;
                                                 } else {
-                                                    phi_866_ = type_58();
+                                                    phi_866_ = type_55();
                                                 }
                                                 let _e1356 = phi_866_;
                                                 continue;
@@ -982,7 +982,7 @@ fn function_() {
                                             phi_2403_ = select(_e510, 0u, _e1361.member_1);
                                         } else {
                                             if (_e506 >= _e75) {
-                                                phi_2007_ = type_57(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                                phi_2007_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
                                                 if (_e506 < _e75) {
                                                 } else {
@@ -1012,7 +1012,7 @@ fn function_() {
                                                 let _e550 = global_3.member[_e506].member[_e544];
                                                 let _e560 = global_3.member[_e506].member_1;
                                                 let _e564 = global_3.member[_e506].member_2;
-                                                phi_2007_ = type_57(array<vec4<f32>, 3>(vec4<f32>(_e526[0], _e526[1], _e526[2], _e526[3]), vec4<f32>(_e538[0], _e538[1], _e538[2], _e538[3]), vec4<f32>(_e550[0], _e550[1], _e550[2], _e550[3])), _e560, _e564);
+                                                phi_2007_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e526[0], _e526[1], _e526[2], _e526[3]), vec4<f32>(_e538[0], _e538[1], _e538[2], _e538[3]), vec4<f32>(_e550[0], _e550[1], _e550[2], _e550[3])), _e560, _e564);
                                             }
                                             let _e567 = phi_2007_;
                                             let _e579 = ((_e567.member[0].x - _e350) * _e355);
@@ -1155,7 +1155,7 @@ fn function_() {
                                     phi_2413_ = _e1385;
                                 } else {
                                     phi_2605_ = _e481;
-                                    phi_2409_ = type_58();
+                                    phi_2409_ = type_55();
                                     phi_2410_ = u32();
                                     phi_2411_ = u32();
                                     phi_2412_ = bool();
@@ -1176,7 +1176,7 @@ fn function_() {
                                 phi_2414_ = _e495;
                             } else {
                                 phi_2604_ = _e481;
-                                phi_798_ = type_58();
+                                phi_798_ = type_55();
                                 phi_801_ = u32();
                                 phi_803_ = u32();
                                 phi_805_ = bool();

@@ -1,5 +1,9 @@
 //! Pictures and what a render is asked for.
 
+mod mean;
+
+pub use mean::PictureMean;
+
 use crate::Stages;
 use slimbvh_core::color::srgb_bytes;
 

@@ -1,5 +1,7 @@
 //! Scenes that move: cameras and lights on a circle, meshes that bend, and trees that are kept up with them.
 //!
+//! A [`Shutter`] that stays open blurs what moves: a frame is then the mean of pictures at several times.
+//!
 //! All motions come round: frame `n + frame_count` is frame `n`, and the last frame leads on to the first as any frame
 //! leads on to the next.
 //!
@@ -25,10 +27,12 @@ mod anchor;
 mod deform;
 mod motion;
 mod quality;
+mod shutter;
 mod turn;
 mod upkeep;
 
 pub use deform::Deform;
 pub use motion::{Animation, Motion};
 pub use quality::sah_cost;
+pub use shutter::Shutter;
 pub use upkeep::{Action, MOST_COST, MOST_REFITS, Update, Upkeep};

@@ -69,7 +69,12 @@ impl Animation {
     ///
     /// In frame 0 camera and lights are where they were at first.
     pub fn pose(&self, frame: u32, scene: &mut Scene) -> bool {
-        let moment = self.moment(frame);
+        self.pose_at(f64::from(frame), scene)
+    }
+
+    /// [`Self::pose`] at any time, in frames: 2.5 is halfway from frame 2 to frame 3. It must be finite.
+    pub fn pose_at(&self, time: f64, scene: &mut Scene) -> bool {
+        let moment = self.moment(time);
         let turn = Turn::new(self.anchor, moment);
         if let (true, Some(camera), Some(to)) =
             (self.motion.orbit, &self.camera, scene.cameras.first_mut())
@@ -99,10 +104,22 @@ impl Animation {
     /// # Errors
     /// The first frame's whose camera or lights make no picture.
     pub fn check(&self, settings: &RenderSettings) -> Result<(), ViewError> {
+        let frames = 0..self.motion.frame_count.max(1);
+        self.check_at(frames.map(f64::from), settings)
+    }
+
+    /// [`Self::check`] at some times, in frames.
+    ///
+    /// # Errors
+    /// The first time's whose camera or lights make no picture.
+    pub fn check_at(
+        &self,
+        times: impl IntoIterator<Item = f64>,
+        settings: &RenderSettings,
+    ) -> Result<(), ViewError> {
         let camera = self.camera.ok_or(ViewError::NoCamera)?;
-        let count = self.motion.frame_count.max(1);
-        for frame in 0..count {
-            let turn = Turn::new(self.anchor, self.moment(frame));
+        for time in times {
+            let turn = Turn::new(self.anchor, self.moment(time));
             let camera = if self.motion.orbit {
                 turn.camera(&camera)
             } else {
@@ -121,10 +138,10 @@ impl Animation {
         Ok(())
     }
 
-    /// How much of the round is over when a frame begins, from 0 up to but not including 1.
-    fn moment(&self, frame: u32) -> f64 {
-        let count = self.motion.frame_count.max(1);
-        f64::from(frame % count) / f64::from(count)
+    /// How much of the round is over at a time, from 0 to 1.
+    fn moment(&self, time: f64) -> f64 {
+        let count = f64::from(self.motion.frame_count.max(1));
+        time.rem_euclid(count) / count
     }
 }
 

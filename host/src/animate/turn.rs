@@ -45,6 +45,19 @@ impl Turn {
                 color,
                 range,
             },
+            Light::Area {
+                center,
+                half_edges,
+                shape,
+                color,
+                range,
+            } => Light::Area {
+                center: self.point(center),
+                half_edges: half_edges.map(|edge| self.direction(edge)),
+                shape,
+                color,
+                range,
+            },
         }
     }
 

@@ -14,23 +14,28 @@ use machine::{Cpu, Machine};
 use place::Place;
 use record::Record;
 use report::Run;
-use slimbvh::animate::{Animation, Deform, Motion, Update, Upkeep};
-use slimbvh::{Picture, Scene};
+use slimbvh::animate::{Animation, Deform, Motion, Shutter, Update, Upkeep};
+use slimbvh::{Picture, PictureMean, Scene};
 use std::path::PathBuf;
 use std::time::Instant;
 
 /// Pictures are numbered with four digits.
 const MOST_FRAMES: u32 = 9999;
 
+/// More pictures in a frame differ by less than what a screen shows.
+const MOST_TIMES: u32 = 1024;
+
 const EXAMPLES: &str = "\
 Examples:
   slimbvh animate --frames 48 --orbit --out turn.gif --size 480x270
   slimbvh animate model.ply --frames 100 --deform wave --out frames
-  slimbvh animate model.glb --frames 24 --deform twist --update rebuild --json -";
+  slimbvh animate model.glb --frames 24 --deform twist --update rebuild --json -
+  slimbvh animate --frames 48 --orbit --shutter 0.5 --shutter-times 8 --out blurred.gif --size 480x270";
 
 const NOTES: &str = "\
 The vertical is the axis nearest to the camera's up. What lies on the scene's floor is not deformed. The picture does not
-depend on --update; the heat map aside.";
+depend on --update; the heat map aside. Each time of an open shutter is a picture and a tree of its own: 8 times take 8 times
+as long, and their samples add up.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = format!("{NOTES}\n\n{EXAMPLES}"))]
@@ -58,6 +63,14 @@ pub struct AnimateArguments {
     #[arg(long, value_enum, default_value_t = Update::Auto)]
     update: Update,
 
+    /// The share of the time to the next frame that the shutter is open, 0 to 1: what moves is blurred
+    #[arg(long, value_name = "SHARE", default_value_t = 0.0, value_parser = options::share)]
+    shutter: f64,
+
+    /// At how many times of an open shutter, evenly apart, the scene is seen; a frame is their mean, in linear light
+    #[arg(long, value_name = "K", default_value_t = 1, value_parser = |text: &str| options::whole(text, 1..=MOST_TIMES))]
+    shutter_times: u32,
+
     /// Where pictures go: a folder for frame-0000.png and so on, or one looping GIF. Without it none are kept
     #[arg(long, value_name = "FOLDER|FILE.gif")]
     out: Option<PathBuf>,
@@ -78,6 +91,15 @@ pub struct AnimateArguments {
     /// Write what was done in each frame as JSON, to standard output for "-"
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+}
+
+impl AnimateArguments {
+    fn shutter(&self) -> Shutter {
+        Shutter {
+            share: self.shutter,
+            time_count: self.shutter_times,
+        }
+    }
 }
 
 pub fn run(arguments: &AnimateArguments) -> Result<()> {
@@ -111,7 +133,8 @@ fn animate(
         deform: arguments.deform,
     };
     let animation = Animation::new(scene, motion);
-    animation.check(&arguments.picture.settings())?;
+    let times = (0..arguments.frames).flat_map(|frame| arguments.shutter().times(frame));
+    animation.check_at(times, &arguments.picture.settings())?;
     let config = arguments.picture.build_config();
     match chosen {
         Chosen::Cpu => frames(arguments, &mut Cpu::new(config), scene, &animation, place),
@@ -146,29 +169,35 @@ fn frames(
     let settings = arguments.picture.settings();
     let mut sink = place.open(settings.size, arguments.fps)?;
     let mut upkeep = Upkeep::new(arguments.update);
-    let mut picture = Picture::default();
+    let is_blurred = arguments.shutter_times > 1;
+    let (mut picture, mut mean) = (Picture::default(), PictureMean::new());
     let mut records = Vec::with_capacity(arguments.frames as usize);
     let progress = output::bar("animating");
     for frame in 0..arguments.frames {
-        let begin = Instant::now();
-        let vertices_moved = animation.pose(frame, scene);
-        let pose = begin.elapsed();
-        let action = upkeep.next(vertices_moved);
-        let done = machine.frame(scene, vertices_moved, action, &settings, &mut picture)?;
-        if let Some(cost) = done.cost {
-            upkeep.measured(cost);
+        let mut record = Record::default();
+        for time in arguments.shutter().times(frame) {
+            let begin = Instant::now();
+            let vertices_moved = animation.pose_at(time, scene);
+            let pose = begin.elapsed();
+            let action = upkeep.next(vertices_moved);
+            let done = machine.frame(scene, vertices_moved, action, &settings, &mut picture)?;
+            if let Some(cost) = done.cost {
+                upkeep.measured(cost);
+            }
+            if is_blurred {
+                mean.add(&picture);
+            }
+            record.add(action, pose, &done);
+            record.total += begin.elapsed();
         }
-        let total = begin.elapsed();
 
         let begin = Instant::now();
-        sink.add(frame, &picture)?;
-        records.push(Record {
-            action,
-            pose,
-            done,
-            total,
-            write: begin.elapsed(),
-        });
+        let blurred = is_blurred.then(|| mean.take());
+        record.total += begin.elapsed();
+        let begin = Instant::now();
+        sink.add(frame, blurred.as_ref().unwrap_or(&picture))?;
+        record.write = begin.elapsed();
+        records.push(record);
         progress.set(f64::from(frame + 1) / f64::from(arguments.frames));
     }
     sink.finish()?;

@@ -1,6 +1,10 @@
 //! Values of options that have parts.
 
-use slimbvh::{Camera, Light, Projection};
+mod light;
+
+pub use light::light;
+
+use slimbvh::{Camera, Projection};
 use std::str::FromStr;
 
 /// Parses `WIDTHxHEIGHT`.
@@ -35,6 +39,14 @@ pub fn whole(text: &str, range: std::ops::RangeInclusive<u32>) -> Result<u32, St
     }
 }
 
+/// Parses a number from 0 to 1.
+pub fn share(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(share) if (0.0..=1.0).contains(&share) => Ok(share),
+        _ => Err("it must be a number from 0 to 1".into()),
+    }
+}
+
 /// What `--camera` gives; the rest is filled in from the scene's camera or the default one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CameraOption {
@@ -42,16 +54,48 @@ pub struct CameraOption {
     target: Option<[f32; 3]>,
     up: Option<[f32; 3]>,
     projection: Option<Projection>,
+    lens: Option<f32>,
+    focus: Option<f32>,
 }
 
 impl CameraOption {
-    /// Replaces what is given.
-    pub fn apply(&self, camera: &mut Camera) {
+    /// Replaces what is given. A lens without a distance is sharp at the target.
+    ///
+    /// # Errors
+    /// For a lens before parallel rays.
+    pub fn apply(&self, camera: &mut Camera) -> Result<(), String> {
         camera.eye = self.eye.unwrap_or(camera.eye);
         camera.target = self.target.unwrap_or(camera.target);
         camera.up = self.up.unwrap_or(camera.up);
         camera.projection = self.projection.unwrap_or(camera.projection);
+        let Some(radius) = self.lens else {
+            return Ok(());
+        };
+        match camera.projection {
+            Projection::Perspective { vertical_fov }
+            | Projection::ThinLens { vertical_fov, .. } => {
+                camera.projection = Projection::ThinLens {
+                    vertical_fov,
+                    radius,
+                    focus_distance: self.focus.unwrap_or_else(|| distance(camera)),
+                };
+                Ok(())
+            }
+            Projection::Orthographic { .. } => Err(
+                "parallel rays have no lens; give the camera fov=DEGREES as well, or leave lens away"
+                    .into(),
+            ),
+        }
     }
+}
+
+/// From the eye to the target.
+fn distance(camera: &Camera) -> f32 {
+    let squares = (0..3).map(|axis| {
+        let way = f64::from(camera.target[axis]) - f64::from(camera.eye[axis]);
+        way * way
+    });
+    squares.sum::<f64>().sqrt() as f32
 }
 
 impl FromStr for CameraOption {
@@ -74,45 +118,23 @@ impl FromStr for CameraOption {
                         height: number(value)?,
                     });
                 }
+                "lens" => camera.lens = Some(number(value)?),
+                "focus" => camera.focus = Some(number(value)?),
                 _ => {
                     return Err(format!(
-                        "a camera has no {key:?}; it has eye, target, up, fov or height"
+                        "a camera has no {key:?}; it has eye, target, up, fov or height, lens, and focus"
                     ));
                 }
             }
         }
-        Ok(camera)
-    }
-}
-
-/// Parses a light.
-pub fn light(text: &str) -> Result<Light, String> {
-    let (mut sun, mut point, mut color, mut range) = (None, None, None, None);
-    for (key, value) in pairs(text)? {
-        match key {
-            "sun" => sun = Some(vector(value)?),
-            "point" => point = Some(vector(value)?),
-            "color" => color = Some(vector(value)?),
-            "range" => range = Some(number(value)?),
-            _ => {
-                return Err(format!(
-                    "a light has no {key:?}; it has sun or point, color, and range"
-                ));
-            }
+        let is_parallel = matches!(camera.projection, Some(Projection::Orthographic { .. }));
+        if camera.lens.is_some() && is_parallel {
+            return Err("parallel rays have no lens; give fov=DEGREES instead of height".into());
         }
-    }
-    match (sun, point) {
-        (Some(direction), None) if range.is_none() => Ok(Light::Directional {
-            direction,
-            color: color.unwrap_or([3.0; 3]),
-        }),
-        (Some(_), None) => Err("a sun has no range".into()),
-        (None, Some(position)) => Ok(Light::Point {
-            position,
-            color: color.unwrap_or([10.0; 3]),
-            range: range.unwrap_or(f32::INFINITY),
-        }),
-        _ => Err("give either sun=X,Y,Z, where its light goes, or point=X,Y,Z, where it is".into()),
+        if camera.focus.is_some() && camera.lens.is_none() {
+            return Err("a focus needs a lens=RADIUS".into());
+        }
+        Ok(camera)
     }
 }
 
@@ -171,7 +193,7 @@ mod tests {
             up: [0.0, 0.0, 1.0],
             projection: Projection::Orthographic { height: 2.0 },
         };
-        option.apply(&mut camera);
+        assert_eq!(option.apply(&mut camera), Ok(()));
         assert_eq!(
             (camera.eye, camera.target),
             ([1.0, 2.0, 3.0], [4.0, 5.0, 6.0])
@@ -180,35 +202,41 @@ mod tests {
             camera.projection,
             Projection::Perspective { vertical_fov: 50.0 }
         );
-        for bad in ["eye=1,2", "eye=1,2,x", "nose=1,2,3", "eye", "fov=nan"] {
+        for bad in [
+            "eye=1,2",
+            "eye=1,2,x",
+            "nose=1,2,3",
+            "eye",
+            "fov=nan",
+            "focus=3",
+            "height=2 lens=0.5",
+            "lens=wide",
+        ] {
             assert!(bad.parse::<CameraOption>().is_err(), "{bad}");
         }
     }
 
     #[test]
-    fn lights() {
-        assert_eq!(
-            light("sun=0,-1,0.5"),
-            Ok(Light::Directional {
-                direction: [0.0, -1.0, 0.5],
-                color: [3.0; 3]
-            })
-        );
-        assert_eq!(
-            light("point=1,2,3 color=4,5,6 range=7"),
-            Ok(Light::Point {
-                position: [1.0, 2.0, 3.0],
-                color: [4.0, 5.0, 6.0],
-                range: 7.0
-            })
-        );
-        for bad in [
-            "",
-            "color=1,1,1",
-            "sun=0,1,0 point=0,1,0",
-            "sun=0,1,0 range=2",
-        ] {
-            assert!(light(bad).is_err(), "{bad}");
-        }
+    fn lenses() {
+        let parallel = Camera {
+            eye: [1.0, 2.0, 3.0],
+            target: [1.0, 5.0, 7.0],
+            up: [0.0, 1.0, 0.0],
+            projection: Projection::Orthographic { height: 2.0 },
+        };
+        let mut camera = parallel;
+        let option: CameraOption = "lens=0.25 fov=50".parse().unwrap();
+        assert_eq!(option.apply(&mut camera), Ok(()));
+        // The target is 5 away.
+        let expected = |radius, focus_distance| Projection::ThinLens {
+            vertical_fov: 50.0,
+            radius,
+            focus_distance,
+        };
+        assert_eq!(camera.projection, expected(0.25, 5.0));
+        let option: CameraOption = "lens=0.5;focus=2".parse().unwrap();
+        assert_eq!(option.apply(&mut camera), Ok(()));
+        assert_eq!(camera.projection, expected(0.5, 2.0));
+        assert!(option.apply(&mut parallel.clone()).is_err());
     }
 }

@@ -20,12 +20,14 @@ pub struct PictureArguments {
     #[arg(long, value_enum, default_value_t = View::Color)]
     pub view: View,
 
-    /// Camera, parts as needed: "eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES", or height=H for parallel rays
+    /// Camera, parts as needed: "eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES lens=RADIUS focus=DISTANCE", or height=H for
+    /// parallel rays. A lens without a focus is sharp at the target
     #[arg(long, value_name = "PARTS")]
     camera: Option<CameraOption>,
 
     /// Light instead of the scene's, may be repeated: "sun=X,Y,Z color=R,G,B", where the light goes, or
-    /// "point=X,Y,Z color=R,G,B range=D"
+    /// "point=X,Y,Z color=R,G,B range=D", or with soft shadows "disc=X,Y,Z normal=X,Y,Z radius=R" or
+    /// "rectangle=X,Y,Z edge1=X,Y,Z edge2=X,Y,Z", half the sides, which shines to edge1 x edge2
     #[arg(long, value_name = "PARTS", value_parser = options::light)]
     light: Vec<Light>,
 
@@ -80,7 +82,8 @@ impl PictureArguments {
         scene.mesh.validate().with_context(|| name.to_owned())?;
         scene.complete(scene.mesh.bounds(), self.size);
         if let Some(camera) = &self.camera {
-            camera.apply(&mut scene.cameras[0]);
+            let applied = camera.apply(&mut scene.cameras[0]);
+            applied.map_err(anyhow::Error::msg)?;
         }
         Ok(())
     }

@@ -20,10 +20,17 @@ const EXAMPLES: &str = "\
 Examples:
   slimbvh render
   slimbvh render model.glb -o model.png --spp 16
-  slimbvh render model.ply --view heatmap --camera \"eye=0,1,5 target=0,0,0\" --light \"sun=-1,-2,-1\"";
+  slimbvh render model.ply --view heatmap --camera \"eye=0,1,5 target=0,0,0\" --light \"sun=-1,-2,-1\"
+  slimbvh render --spp 64 --light \"disc=-4,5,3 normal=4,-5,-3 radius=1 color=50,48,45\"
+  slimbvh render --spp 64 --camera \"lens=0.15 focus=6\"";
+
+const NOTES: &str = "\
+Soft shadows and blur are drawn at random for each sample: 16 samples a pixel are grainy, 64 and more are smooth. A disc's or
+a rectangle's color is its irradiance at distance 1 straight ahead, whatever its size; it shines to one side, and is not seen
+itself.";
 
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{NOTES}\n\n{EXAMPLES}"))]
 pub struct RenderArguments {
     #[command(flatten)]
     scene: SceneArguments,

@@ -10,6 +10,7 @@ use slimbvh_core::camera::Camera as CoreCamera;
 use slimbvh_core::classify::Except;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::ray::{Hit, PreparedRay};
+use slimbvh_core::sampling::Draw;
 use slimbvh_core::shade::{
     Environment, Light as CoreLight, Material as CoreMaterial, Path, Shadow, ambient_light,
     direct_light,
@@ -188,7 +189,7 @@ impl Renderer {
             let blocks = self.paths.par_chunks_mut(BLOCK).enumerate();
             blocks.for_each(|(block, paths)| {
                 for (path, sample) in paths.iter_mut().zip(first + (block * BLOCK) as u32..) {
-                    *path = Path::new(stage.camera.ray(sample));
+                    *path = Path::new(stage.camera.ray(sample), sample);
                 }
             });
         });
@@ -232,7 +233,9 @@ impl Renderer {
             for (index, light) in stage.lights.iter().enumerate() {
                 // Who reaches nothing has no turn.
                 let stages = &mut report.stages;
-                if turns.is_due(index) && !stages.time("shade", || self.reaches(stage, light)) {
+                if turns.is_due(index)
+                    && !stages.time("shade", || self.reaches(stage, (light, depth)))
+                {
                     continue;
                 }
                 let tree = match turns.take(index) {
@@ -240,7 +243,7 @@ impl Renderer {
                     None => stage.trees.lights[index],
                 };
                 report.stages.time("trace shadow", || {
-                    report.shadow_ray_count += self.add_light(stage, light, &tree);
+                    report.shadow_ray_count += self.add_light(stage, (light, depth), &tree);
                 });
             }
             let alive = report.stages.time("shade", || self.scatter(stage));
@@ -258,7 +261,7 @@ impl Renderer {
     }
 
     /// Whether a light reaches anything, as far as nothing stands in its way.
-    fn reaches(&self, stage: &Stage, light: &CoreLight) -> bool {
+    fn reaches(&self, stage: &Stage, light: (&CoreLight, u32)) -> bool {
         let blocks = self
             .paths
             .par_chunks(BLOCK)
@@ -271,8 +274,8 @@ impl Renderer {
         })
     }
 
-    /// Adds one light to all hits that it reaches. Returns the number of shadow rays.
-    fn add_light(&mut self, stage: &Stage, light: &CoreLight, tree: &Tree) -> u64 {
+    /// Adds one light to all hits that it reaches, of paths that have met so many mirrors. Returns the number of shadow rays.
+    fn add_light(&mut self, stage: &Stage, (light, bounce): (&CoreLight, u32), tree: &Tree) -> u64 {
         let ray_count = AtomicU64::new(0);
         let blocks = self
             .paths
@@ -284,7 +287,7 @@ impl Renderer {
                 if !path.is_alive() || !hit.is_hit() {
                     continue;
                 }
-                let shadow = stage.shadow(path, hit, light);
+                let shadow = stage.shadow(path, hit, (light, bounce));
                 if shadow.is_possible() {
                     rays += 1;
                     if !tree.any_hit(&shadow.ray, shadow.skip) {
@@ -418,10 +421,15 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// What a light may add to a hit.
-    fn shadow(&self, path: &Path, hit: &Hit, light: &CoreLight) -> Shadow {
+    /// What a light may add to a hit, of a path that has met so many mirrors.
+    fn shadow(&self, path: &Path, hit: &Hit, (light, bounce): (&CoreLight, u32)) -> Shadow {
         let (surface, material) = self.surface(path, hit);
-        direct_light(&surface, hit.primitive, &material, light)
+        let draw = Draw {
+            sample: path.sample,
+            sample_count: self.camera.sample_count,
+            bounce,
+        };
+        direct_light(&surface, hit.primitive, &material, &light.sampled(&draw))
     }
 
     /// The point that a path hit, and what it is made of.

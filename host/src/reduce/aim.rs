@@ -1,7 +1,7 @@
 //! Rays of one kind, and where they go.
 
 use super::Asked;
-use crate::scene::frustum;
+use crate::scene::{camera_target, frustum, light_target};
 use crate::{RenderSettings, Scene, View, ViewError};
 use slimbvh_core::Aabb;
 use slimbvh_core::frustum::Frustum;
@@ -119,19 +119,10 @@ pub fn aims(asked: &Asked) -> Result<Vec<Aim>, ViewError> {
     } = asked.scene;
     let camera = cameras.first().ok_or(ViewError::NoCamera)?;
     let core = camera.to_core(size, sample_count)?;
-    let eye = if core.is_parallel == 1 {
-        Target::direction(core.forward.map(|x| -x))
-    } else {
-        Target::position(core.eye)
-    };
-    let mut aims = vec![Aim::new(AimKind::Camera, Vec::new(), eye)];
+    let mut aims = vec![Aim::new(AimKind::Camera, Vec::new(), camera_target(&core))];
     for (index, light) in lights.iter().enumerate() {
         let light = light.to_core(index)?;
-        let target = Target {
-            is_position: light.is_position,
-            ..Target::direction(light.point)
-        };
-        let mut aim = Aim::new(AimKind::Lights, vec![index], target);
+        let mut aim = Aim::new(AimKind::Lights, vec![index], light_target(&light));
         let is_used = asked.settings.view == View::Color && light.color != [0.0; 3];
         if !is_used {
             aim.choice = Choice::Unused;

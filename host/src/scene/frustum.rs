@@ -28,7 +28,9 @@ pub fn frustum(camera: &Camera) -> Frustum {
         let plane = if camera.is_parallel == 1 {
             parallel_side(eye, toward, length(along))
         } else {
-            perspective_side(forward, toward, along)
+            let spread = f64::from(camera.lens_slope) / length(toward);
+            let [x, y, z] = perspective_side(forward, toward, along, spread);
+            [x, y, z, lens_offset(eye, camera.lens_radius)]
         };
         let plane = plane.map(|x| x as f32);
         if plane.iter().all(|x| x.is_finite()) {
@@ -44,8 +46,9 @@ pub fn frustum(camera: &Camera) -> Frustum {
     }
 }
 
-/// The plane through the eye and the edge of the picture that lies `toward` its middle, and runs `along`.
-fn perspective_side(forward: [f64; 3], toward: [f64; 3], along: [f64; 3]) -> [f64; 4] {
+/// The plane through the eye and the edge of the picture that lies `toward` its middle, and runs `along`. Behind what is in
+/// focus the rays through a lens spread by more than the picture's half: by this share of it.
+fn perspective_side(forward: [f64; 3], toward: [f64; 3], along: [f64; 3], spread: f64) -> [f64; 3] {
     let longest = length(forward) + length(toward) + length(along);
     let edge_at = |share: f64| std::array::from_fn(|i| forward[i] + share * toward[i]);
     let plane_at = |share: f64| {
@@ -57,11 +60,23 @@ fn perspective_side(forward: [f64; 3], toward: [f64; 3], along: [f64; 3]) -> [f6
         }
     };
     // A ray at share s of the way to the edge is (edge − s) times this above the plane.
-    let slope = -dot(plane_at(1.0 + MARGIN), toward);
-    let share = 1.0 + MARGIN + ROUNDING * longest / slope;
-    let [x, y, z] = plane_at(share);
-    let is_sound = slope > 0.0 && share < 2.0;
-    if is_sound { [x, y, z, 0.0] } else { [0.0; 4] }
+    let edge = 1.0 + MARGIN + spread;
+    let slope = -dot(plane_at(edge), toward);
+    let rounding = ROUNDING * longest / slope;
+    if slope > 0.0 && rounding < 1.0 {
+        plane_at(edge + rounding)
+    } else {
+        [0.0; 3]
+    }
+}
+
+/// How far a lens's rays may start beyond a plane through the eye.
+fn lens_offset(eye: [f64; 3], radius: f32) -> f64 {
+    if radius == 0.0 {
+        return 0.0;
+    }
+    let largest = eye.iter().fold(0.0, |most: f64, x| x.abs().max(most));
+    f64::from(radius) * (1.0 + MARGIN) + ROUNDING * largest
 }
 
 /// The plane at the edge of the picture that lies `toward` its middle. The farther a ray goes, the farther rounding of its
@@ -98,13 +113,23 @@ mod tests {
             up,
             projection,
         };
-        camera.to_core([7, 5], 1).unwrap()
+        camera.to_core([7, 5], SAMPLE_COUNT).unwrap()
     }
 
     fn projections() -> impl Strategy<Value = Projection> {
         let perspective = prop_oneof![1e-3f32..1.0, 1.0f32..179.0, 179.0f32..179.99];
         let height = prop_oneof![1e-4f32..1e-2, 1e-2f32..10.0];
+        let fov = prop_oneof![1e-3f32..1.0, 1.0f32..170.0];
+        let lens = (fov, 1e-4f32..0.5, 0.1f32..10.0);
+        let lens = lens.prop_map(
+            |(vertical_fov, radius, focus_distance)| Projection::ThinLens {
+                vertical_fov,
+                radius,
+                focus_distance,
+            },
+        );
         prop_oneof![
+            lens,
             perspective.prop_map(|vertical_fov| Projection::Perspective { vertical_fov }),
             height.prop_map(|height| Projection::Orthographic { height }),
         ]
@@ -132,7 +157,7 @@ mod tests {
             let leaf = leaf_triangle(0, &mesh.triangles(), &scale);
             if frustum(&camera).scaled(&scale).is_certainly_outside(&leaf.triangle()) {
                 let camera = camera.scaled(&scale);
-                for sample in 0..35 {
+                for sample in 0..35 * SAMPLE_COUNT {
                     let ray = camera.ray(sample);
                     let hit = closest_hit(&BruteForce(1), &LeafTriangles(&[leaf]), &ray, 0, &Except::NOTHING);
                     prop_assert!(!hit.is_hit(), "sample {sample} {hit:?}");

@@ -1,5 +1,6 @@
 //! Scenes: a mesh, its materials, cameras and lights.
 
+mod area;
 #[cfg(feature = "scenes")]
 mod contain;
 #[cfg(feature = "scenes")]
@@ -19,6 +20,7 @@ mod off;
 mod ply;
 #[cfg(feature = "scenes")]
 mod stl;
+mod target;
 #[cfg(all(test, feature = "scenes"))]
 mod tests;
 mod view;
@@ -31,6 +33,7 @@ pub use gltf::GltfError;
 pub use load::{LoadOptions, load};
 
 pub use frustum::frustum;
+pub use target::{camera_target, light_target};
 pub use view::ViewError;
 
 use crate::Mesh;
@@ -89,14 +92,24 @@ pub enum Projection {
         /// Full vertical angle of view in degrees, above 0 and below 180.
         vertical_fov: f32,
     },
-    /// All rays are parallel.
+    /// Rays leave a disc around the eye, across the view: a thin lens, which is sharp at one distance only. Blurred parts
+    /// need many samples a pixel.
+    ThinLens {
+        /// As in [`Self::Perspective`].
+        vertical_fov: f32,
+        /// The disc's radius in the scene's unit; 0 makes the picture of [`Self::Perspective`].
+        radius: f32,
+        /// Distance of what is sharp, along the view; above 0.
+        focus_distance: f32,
+    },
+    /// All rays are parallel. There is no lens for them.
     Orthographic {
         /// Height of the picture in the scene's unit.
         height: f32,
     },
 }
 
-/// A light source without extent.
+/// A light source.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
     /// Parallel light, as from the sun.
@@ -115,4 +128,30 @@ pub enum Light {
         /// Distance beyond which it lights nothing; `f32::INFINITY` for no limit.
         range: f32,
     },
+    /// Light from one side of a flat surface, which casts soft shadows: each sample sees one of its points, so that many
+    /// samples a pixel make them smooth. No ray sees the surface itself, and none is stopped by it.
+    Area {
+        /// Its middle.
+        center: [f32; 3],
+        /// From the middle to the rim in two directions: of a rectangle to the middles of two sides, else it is a
+        /// parallelogram; of a disc two radii, else it is an ellipse. It shines to the side where the first turns to the
+        /// second counter-clockwise. Two lights with the edges in either order shine to both sides.
+        half_edges: [[f32; 3]; 2],
+        /// Its outline.
+        shape: AreaShape,
+        /// Linear RGB radiant intensity straight ahead, whatever its size: far away, irradiance at distance 1. To the
+        /// sides it falls off with the cosine (Lambert).
+        color: [f32; 3],
+        /// Distance beyond which none of its points lights anything; `f32::INFINITY` for no limit.
+        range: f32,
+    },
+}
+
+/// The outline of a light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AreaShape {
+    /// A disc or an ellipse.
+    Disc,
+    /// A rectangle or a parallelogram.
+    Rectangle,
 }

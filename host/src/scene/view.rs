@@ -1,5 +1,6 @@
 //! From a scene's camera and lights to core's. Both are in the caller's unit; core scales them to the scene's magnitude.
 
+use super::area::normal;
 use super::{Camera, Light, Material, Projection, Scene};
 use crate::wide::{cross, dot, normalized};
 use glam::Vec3;
@@ -79,7 +80,18 @@ pub enum ViewError {
         /// Asked for.
         height: f32,
     },
-    /// A light with a NaN, a negative color, or a zero direction.
+    /// The lens makes no picture.
+    #[error(
+        "the camera's lens has radius {radius} and is sharp at distance {focus_distance}; the radius must be 0 or more, the \
+         distance above 0"
+    )]
+    Lens {
+        /// Asked for.
+        radius: f32,
+        /// Asked for.
+        focus_distance: f32,
+    },
+    /// A light with a NaN, a negative color, a zero direction, or no area.
     #[error("light {} {fault}", .index + 1)]
     Light {
         /// Which, counted from 0; the message counts from 1.
@@ -180,7 +192,8 @@ impl Camera {
         let up = right.cross(toward);
         // A height in the caller's unit is brought to magnitude 1 and back.
         let (half_height, magnitude, is_parallel) = match self.projection {
-            Projection::Perspective { vertical_fov } => {
+            Projection::Perspective { vertical_fov }
+            | Projection::ThinLens { vertical_fov, .. } => {
                 if !(vertical_fov > 0.0 && vertical_fov < 180.0) {
                     return Err(ViewError::AngleOfView {
                         degrees: vertical_fov,
@@ -197,6 +210,7 @@ impl Camera {
                 (height / 2.0, magnitude, 1)
             }
         };
+        let (lens_radius, lens_slope) = self.lens()?;
         let half_width = half_height * width as f32 / height as f32;
         let edge = |v: Vec3| {
             v.to_array()
@@ -211,7 +225,33 @@ impl Camera {
             height,
             up: edge(up * half_height),
             sample_count,
+            lens_right: right.to_array(),
+            lens_radius,
+            lens_up: up.to_array(),
+            lens_slope,
         })
+    }
+
+    /// The radius of the lens, and that by the distance of what is sharp; zeros without a lens.
+    fn lens(&self) -> Result<(f32, f32), ViewError> {
+        let Projection::ThinLens {
+            radius,
+            focus_distance,
+            ..
+        } = self.projection
+        else {
+            return Ok((0.0, 0.0));
+        };
+        let slope = radius / focus_distance;
+        let is_sound = radius >= 0.0 && focus_distance > 0.0 && focus_distance.is_finite();
+        if is_sound && slope.is_finite() {
+            Ok((radius, slope))
+        } else {
+            Err(ViewError::Lens {
+                radius,
+                focus_distance,
+            })
+        }
     }
 
     /// Whether a scene of this exponent can be seen from where the camera is.
@@ -219,7 +259,11 @@ impl Camera {
     /// # Errors
     /// [`ViewError::TooFar`] where it is farther away than numbers reach in the scene's magnitude.
     pub fn check_reach(&self, scene_exponent: i32) -> Result<(), ViewError> {
-        let reaches = |&x: &f32| scale_by_power_of_two(x, scene_exponent).is_finite();
+        let radius = match self.projection {
+            Projection::ThinLens { radius, .. } => radius,
+            _ => 0.0,
+        };
+        let reaches = |&x: &f32| scale_by_power_of_two(abs(x) + radius, scene_exponent).is_finite();
         if self.eye.iter().all(reaches) {
             Ok(())
         } else {
@@ -247,13 +291,25 @@ impl Light {
     /// The light as core shades with it, in the caller's unit.
     ///
     /// # Errors
-    /// For a light with numbers that make no light; `index` is for the message.
+    /// For a light with numbers that make no light. `index` is for the message, and sets the points of its extent apart from
+    /// those of other lights.
     pub fn to_core(&self, index: usize) -> Result<slimbvh_core::shade::Light, ViewError> {
         let fault = |fault| ViewError::Light { index, fault };
-        let (Self::Directional { color, .. } | Self::Point { color, .. }) = *self;
+        let (Self::Directional { color, .. }
+        | Self::Point { color, .. }
+        | Self::Area { color, .. }) = *self;
         if color.iter().any(|x| !x.is_finite() || *x < 0.0) {
             return Err(fault("has a color that is negative or not finite"));
         }
+        let reach = |position: [f32; 3], range: f32| {
+            if position.iter().any(|x| !x.is_finite()) {
+                return Err(fault("has a position that is not finite"));
+            }
+            if range.is_nan() || range <= 0.0 {
+                return Err(fault("has a range that is not above 0"));
+            }
+            Ok(range.min(f32::MAX))
+        };
         match *self {
             Self::Directional { direction, .. } => {
                 let toward = unit(direction).ok_or(fault("has no direction"))?;
@@ -262,22 +318,41 @@ impl Light {
                     is_position: 0,
                     color,
                     range: f32::MAX,
+                    ..Default::default()
                 })
             }
             Self::Point {
                 position, range, ..
+            } => Ok(slimbvh_core::shade::Light {
+                point: position,
+                is_position: 1,
+                color,
+                range: reach(position, range)?,
+                ..Default::default()
+            }),
+            Self::Area {
+                center,
+                half_edges,
+                shape,
+                range,
+                ..
             } => {
-                if position.iter().any(|x| !x.is_finite()) {
-                    return Err(fault("has a position that is not finite"));
+                if half_edges.as_flattened().iter().any(|x| !x.is_finite()) {
+                    return Err(fault("has an edge that is not finite"));
                 }
-                if range.is_nan() || range <= 0.0 {
-                    return Err(fault("has a range that is not above 0"));
-                }
+                let normal = normal(half_edges).ok_or(fault("has no area"))?;
+                let [edge_1, edge_2] = half_edges;
                 Ok(slimbvh_core::shade::Light {
-                    point: position,
+                    point: center,
                     is_position: 1,
                     color,
-                    range: range.min(f32::MAX),
+                    range: reach(center, range)?,
+                    edge_1,
+                    shape: shape.to_core(),
+                    edge_2,
+                    number: index as u32,
+                    normal,
+                    padding: 0,
                 })
             }
         }
@@ -329,7 +404,7 @@ impl Scene {
 }
 
 /// The unit vector along three finite numbers, unless all are zero.
-fn unit(v: [f32; 3]) -> Option<Vec3> {
+pub(super) fn unit(v: [f32; 3]) -> Option<Vec3> {
     let finite = v.iter().all(|x| x.is_finite());
     let v = Vec3::from_array(v);
     // Tiny vectors are lengthened first: their directions count as well.

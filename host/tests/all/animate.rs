@@ -174,6 +174,44 @@ fn decode(png: &[u8]) -> Vec<u8> {
     bytes
 }
 
+/// The shutter's times are pictures of their own: with none of it open they are one, and what they took is summed.
+#[test]
+fn an_open_shutter_blurs_and_sums_up() {
+    let folder = folder(&["sharp", "closed", "open", "once"]);
+    let common = ["--frames=3", "--orbit", "--deform=wave"];
+    let run = |name: &str, options: &[&str]| {
+        let report = report(&folder, &[&common[..], &["--out", name], options].concat());
+        (frames(&folder, name, 3), report)
+    };
+    let (sharp, plain) = run("sharp", &[]);
+    assert_eq!(plain["shutter_times"], 1);
+    let (closed, report) = run("closed", &["--shutter-times=3"]);
+    assert_eq!(closed, sharp);
+    assert_eq!(actions(&report), ["rebuilt", "refitted", "refitted"]);
+    let (open, report) = run("open", &["--shutter=0.5", "--shutter-times=4"]);
+    let (once, _) = run("once", &["--shutter=0.5"]);
+    for frame in 0..3 {
+        assert!(open[frame] != sharp[frame] && once[frame] != sharp[frame]);
+        assert!(open[frame] != once[frame]);
+        assert_eq!(report["frames"][frame]["primary_rays"], 4 * 64 * 36);
+    }
+    let totals = &report["totals"];
+    assert_eq!(
+        (&totals["rebuilt"], &totals["refitted"]),
+        (&1.into(), &11.into())
+    );
+    assert_eq!(
+        (&report["shutter"], &report["shutter_times"]),
+        (&0.5.into(), &4.into())
+    );
+    let text =
+        folder.succeed([&SMALL[..], &common, &["--shutter=0.5", "--shutter-times=4"]].concat());
+    assert!(
+        text.contains("open for 0.5 of a frame, seen at 4 times"),
+        "{text}"
+    );
+}
+
 #[test]
 fn reports_have_every_frame() {
     let folder = Folder::new();

@@ -13,6 +13,7 @@ use slimbvh_core::launch::carries;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
 use slimbvh_core::orientation::{Orientation, Target};
 use slimbvh_core::refit::{PyramidBox, group_bounds, parent_bounds, refit_node};
+use slimbvh_core::sampling::Draw;
 use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
 use slimbvh_core::shade::{
     Environment, Light, Material, Path, Shadow, ambient_light, direct_light, mean_radiance,
@@ -173,14 +174,24 @@ pub fn shade(
 ) {
     let (light, material, environment, target) = scene;
     let scale = PowerOfTwo::new(9);
-    let path = Path::new(camera.scaled(&scale).ray(hit.primitive));
+    let path = Path::new(camera.scaled(&scale).ray(hit.primitive), hit.primitive);
+    let draw = Draw {
+        sample: hit.primitive,
+        sample_count: camera.sample_count,
+        bounce: 1,
+    };
     let normal = triangle.normal();
     let surface = Surface::new(*triangle, hit, normal, [normal; 3]);
     *to = (
         path.with_light(ambient_light(material, environment))
             .scattered(&surface, material, hit.primitive),
         path.escaped(environment),
-        direct_light(&surface, hit.primitive, material, &light.scaled(&scale)),
+        direct_light(
+            &surface,
+            hit.primitive,
+            material,
+            &light.scaled(&scale).sampled(&draw),
+        ),
         Orientation::new(triangle, target),
         mean_radiance(&[path], hit.primitive, 2),
     );

@@ -92,7 +92,7 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "camera",
         what: "from samples to rays, and to pixels",
-        core: &["camera", "color"],
+        core: &["camera", "sampling", "color"],
         shaders: &["camera"],
         cpu: &["render", "paint"],
         gpu: &["render/wave", "render/target"],
@@ -115,7 +115,7 @@ const STAGES: &[Stage] = &[
     Stage {
         name: "shade",
         what: "light, shadow rays, mirrors",
-        core: &["shade", "surface"],
+        core: &["shade", "light", "surface"],
         shaders: &["shade"],
         cpu: &["render"],
         gpu: &["render/wave"],

@@ -7,7 +7,7 @@ use glam::Vec3;
 
 const COUNT: u32 = 24;
 
-/// A camera, both kinds of lights, and a mesh that has normals.
+/// A camera, all kinds of lights, and a mesh that has normals.
 fn scene() -> Scene {
     let mut mesh = subdivide(
         &cuboid(Vec3::new(1.0, 0.0, -1.0), Vec3::new(2.0, 3.0, 4.0)),
@@ -26,6 +26,7 @@ fn scene() -> Scene {
                 color: [2.0; 3],
                 range: 9.0,
             },
+            Light::disc([4.0, 5.0, 6.0], [0.6, -0.8, 0.0], 0.5, [2.0; 3]),
         ],
         ..Scene::default()
     };
@@ -49,8 +50,14 @@ fn numbers(animation: &Animation, scene: &mut Scene, frame: u32) -> Vec<f32> {
     let camera = &scene.cameras[0];
     numbers.extend(camera.eye.iter().chain(&camera.target).chain(&camera.up));
     for light in &scene.lights {
-        let (Light::Directional { direction: v, .. } | Light::Point { position: v, .. }) = light;
-        numbers.extend(v);
+        match light {
+            Light::Directional { direction: v, .. } | Light::Point { position: v, .. } => {
+                numbers.extend(v);
+            }
+            Light::Area {
+                center, half_edges, ..
+            } => numbers.extend(center.iter().chain(half_edges.as_flattened())),
+        }
     }
     numbers.extend(scene.mesh.vertices.as_flattened());
     numbers.extend(scene.mesh.normals.as_flattened());
@@ -89,6 +96,30 @@ fn the_last_frame_leads_on_to_the_first_as_any_to_the_next() {
         let halfway = COUNT as usize / 2;
         assert!(largest_step(&frames[0], &frames[halfway]) > last);
     }
+}
+
+/// A moment is the same by its frame or by its time, and between two frames all is between.
+#[test]
+fn frames_have_moments_between_them() {
+    let mut scene = scene();
+    let animation = Animation::new(&scene, motion(Deform::Twist));
+    let mut at = |time: f64| {
+        animation.pose_at(time, &mut scene);
+        let mut numbers = scene.cameras[0].eye.to_vec();
+        numbers.extend(scene.mesh.vertices.as_flattened());
+        numbers
+    };
+    let (two, half, three) = (at(2.0), at(2.5), at(3.0));
+    let step = largest_step(&two, &three);
+    for near in [&two, &three] {
+        let part = largest_step(near, &half);
+        assert!((0.4 * step..0.6 * step).contains(&part), "{part} of {step}");
+    }
+    // Rounds come round, a time before the first frame too.
+    let round = f64::from(COUNT);
+    assert_eq!((at(2.5 + round), at(2.5 - round)), (half.clone(), half));
+    animation.pose(2, &mut scene);
+    assert_eq!(scene.mesh.vertices.as_flattened(), &two[3..]);
 }
 
 #[test]

@@ -5,16 +5,39 @@ use slimbvh::animate::Action;
 use slimbvh::{RenderReport, Stages};
 use std::time::Duration;
 
-/// One frame.
-#[derive(Debug)]
+/// One frame: sums over the times that its shutter is open at.
+#[derive(Debug, Default)]
 pub struct Record {
-    pub action: Action,
+    /// How many trees were rebuilt, refitted and kept.
+    pub actions: Actions,
     /// Camera, lights and vertices were moved.
     pub pose: Duration,
-    pub done: Done,
+    pub build: Stages,
+    pub report: RenderReport,
+    /// The latest tree's cost, where it is known.
+    pub cost: Option<f64>,
     /// All of the frame by the clock, without writing it.
     pub total: Duration,
     pub write: Duration,
+}
+
+/// How often each was done.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Actions {
+    pub rebuilt: usize,
+    pub refitted: usize,
+    pub kept: usize,
+}
+
+impl Actions {
+    /// What cost most.
+    pub fn most(&self) -> Action {
+        match (self.rebuilt, self.refitted) {
+            (0, 0) => Action::Kept,
+            (0, _) => Action::Refitted,
+            _ => Action::Rebuilt,
+        }
+    }
 }
 
 /// Times of a frame in milliseconds, as a table shows them.
@@ -28,15 +51,28 @@ pub struct Times {
 }
 
 impl Record {
+    /// Adds a picture of the frame.
+    pub fn add(&mut self, action: Action, pose: Duration, done: &Done) {
+        match action {
+            Action::Rebuilt => self.actions.rebuilt += 1,
+            Action::Refitted => self.actions.refitted += 1,
+            Action::Kept => self.actions.kept += 1,
+        }
+        self.pose += pose;
+        self.build.merge(&done.build);
+        add_report(&mut self.report, &done.report);
+        self.cost = done.cost;
+    }
+
     pub fn times(&self) -> Times {
-        let render = &self.done.report.stages;
+        let render = &self.report.stages;
         let traced = render
             .iter()
             .filter(|(stage, _)| stage.starts_with("trace"));
         let trace: Duration = traced.map(|(_, time)| time).sum();
         Times {
             pose: ms(self.pose),
-            build: ms(self.done.build.total()),
+            build: ms(self.build.total()),
             trace: ms(trace),
             shade: ms(render.total().saturating_sub(trace)),
             total: ms(self.total),
@@ -75,9 +111,7 @@ pub fn worst(column: &mut [f64]) -> f64 {
 /// All frames together.
 #[derive(Debug, Default)]
 pub struct Sums {
-    pub rebuilt: usize,
-    pub refitted: usize,
-    pub kept: usize,
+    pub actions: Actions,
     pub pose: Duration,
     pub build: Stages,
     pub report: RenderReport,
@@ -89,24 +123,25 @@ impl Sums {
     pub fn of(records: &[Record]) -> Self {
         let mut sums = Self::default();
         for record in records {
-            match record.action {
-                Action::Rebuilt => sums.rebuilt += 1,
-                Action::Refitted => sums.refitted += 1,
-                Action::Kept => sums.kept += 1,
-            }
-            let (sum, report) = (&mut sums.report, &record.done.report);
-            sum.stages.merge(&report.stages);
-            sum.primary_ray_count += report.primary_ray_count;
-            sum.primary_hit_count += report.primary_hit_count;
-            sum.shadow_ray_count += report.shadow_ray_count;
-            sum.mirror_ray_count += report.mirror_ray_count;
-            sums.build.merge(&record.done.build);
+            sums.actions.rebuilt += record.actions.rebuilt;
+            sums.actions.refitted += record.actions.refitted;
+            sums.actions.kept += record.actions.kept;
+            add_report(&mut sums.report, &record.report);
+            sums.build.merge(&record.build);
             sums.pose += record.pose;
             sums.total += record.total;
             sums.write += record.write;
         }
         sums
     }
+}
+
+fn add_report(sum: &mut RenderReport, report: &RenderReport) {
+    sum.stages.merge(&report.stages);
+    sum.primary_ray_count += report.primary_ray_count;
+    sum.primary_hit_count += report.primary_hit_count;
+    sum.shadow_ray_count += report.shadow_ray_count;
+    sum.mirror_ray_count += report.mirror_ray_count;
 }
 
 /// A time in milliseconds.

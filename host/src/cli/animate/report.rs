@@ -38,6 +38,8 @@ pub struct Summary {
     orbit_light: bool,
     deform: Option<String>,
     update: String,
+    shutter: f64,
+    shutter_times: u32,
     frames: Vec<Frame>,
     totals: Totals,
 }
@@ -97,11 +99,13 @@ pub fn summarize(arguments: &AnimateArguments, scene: &Scene, run: &Run) -> Summ
         orbit_light: arguments.orbit_light,
         deform: arguments.deform.map(|deform| name(&deform)),
         update: name(&arguments.update),
+        shutter: arguments.shutter,
+        shutter_times: arguments.shutter_times,
         frames: run.records.iter().map(frame).collect(),
         totals: Totals {
-            rebuilt: sums.rebuilt,
-            refitted: sums.refitted,
-            kept: sums.kept,
+            rebuilt: sums.actions.rebuilt,
+            refitted: sums.actions.refitted,
+            kept: sums.actions.kept,
             pose_ms: ms(sums.pose),
             build_ms: by_stage(&sums.build),
             render_ms: by_stage(&sums.report.stages),
@@ -115,14 +119,14 @@ pub fn summarize(arguments: &AnimateArguments, scene: &Scene, run: &Run) -> Summ
 
 fn frame(record: &Record) -> Frame {
     Frame {
-        tree: done(record.action),
-        sah_cost: record.done.cost,
+        tree: done(record.actions.most()),
+        sah_cost: record.cost,
         pose_ms: ms(record.pose),
-        build_ms: by_stage(&record.done.build),
-        render_ms: by_stage(&record.done.report.stages),
+        build_ms: by_stage(&record.build),
+        render_ms: by_stage(&record.report.stages),
         total_ms: ms(record.total),
         write_ms: ms(record.write),
-        rays: rays(&record.done.report),
+        rays: rays(&record.report),
     }
 }
 
@@ -197,6 +201,17 @@ fn head(text: &mut String, arguments: &AnimateArguments, scene: &Scene, run: &Ru
             run.records.len()
         ),
     );
+    if arguments.shutter > 0.0 || arguments.shutter_times > 1 {
+        let times = things(arguments.shutter_times, "time");
+        line(
+            text,
+            "shutter",
+            &format!(
+                "open for {} of a frame, seen at {times}; all is their sum",
+                arguments.shutter
+            ),
+        );
+    }
     if let Some(out) = &arguments.out {
         line(text, "out", &out.display().to_string());
     }
@@ -225,14 +240,14 @@ fn table(text: &mut String, records: &[Record]) {
         for (i, record) in records.iter().enumerate() {
             row(
                 &i.to_string(),
-                done(record.action),
-                record.done.cost,
+                done(record.actions.most()),
+                record.cost,
                 times[i],
             );
         }
         return;
     }
-    let costs: Option<Vec<f64>> = records.iter().map(|record| record.done.cost).collect();
+    let costs: Option<Vec<f64>> = records.iter().map(|record| record.cost).collect();
     let cost = |pick: fn(&mut [f64]) -> f64| costs.clone().map(|mut costs| pick(&mut costs));
     row("median", "", cost(median), Times::by_column(&times, median));
     row("worst", "", cost(worst), Times::by_column(&times, worst));
@@ -246,7 +261,7 @@ fn foot(text: &mut String, run: &Run) {
         "tree",
         &format!(
             "{} rebuilt, {} refitted, {} kept",
-            sums.rebuilt, sums.refitted, sums.kept
+            sums.actions.rebuilt, sums.actions.refitted, sums.actions.kept
         ),
     );
     let stages = |stages: &Stages| format!("{:.2} ms: {stages}", ms(stages.total()));

@@ -148,6 +148,7 @@ impl Plan<'_> {
         let exponent = Uniform::Stored(&self.trees.primary.built.exponent);
         let each = || threads(wave.sample_count);
         for depth in 0..=self.mirror_depth {
+            let draw = [self.settings.sample_count, depth, 0, 0];
             for i in 0..self.light_count as u64 {
                 let light = all
                     .view
@@ -155,7 +156,7 @@ impl Plan<'_> {
                 recorder.stage("shade");
                 recorder.dispatch(
                     Kernel::shade_light,
-                    &[exponent, Uniform::Stored(&light)],
+                    &[exponent, Uniform::Stored(&light), Uniform::Params(draw)],
                     &[
                         &scene.mesh.vertices,
                         &scene.mesh.indices,

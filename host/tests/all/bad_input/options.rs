@@ -99,6 +99,10 @@ fn cameras_that_see_nothing() {
         ("fov=1e9", ["angle of view", "1000000000 degrees"]),
         ("height=0", ["height", "0 high"]),
         ("height=-2", ["height", "-2 high"]),
+        ("lens=-1", ["radius -1", "0 or more"]),
+        ("lens=1 focus=0", ["distance 0", "above 0"]),
+        ("lens=1 focus=-2", ["distance -2", "above 0"]),
+        ("lens=3e38 focus=1e-30", ["radius", "above 0"]),
     ] {
         for scene in ["sound.obj", ""] {
             let scene = if scene.is_empty() { &[][..] } else { &[scene] };
@@ -119,6 +123,9 @@ fn cameras_that_see_nothing() {
         "eye 1,2,3",
         "nose=1,2,3",
         "eye=1, 2, 3",
+        "focus=2",
+        "lens=",
+        "lens=0.1 height=2",
     ] {
         refuses_usage(
             &folder,
@@ -137,6 +144,11 @@ fn lights_that_do_not_shine() {
         ("point=0,1,0 color=0,0,-1e-30", "color"),
         ("point=0,1,0 range=0", "range"),
         ("point=0,1,0 range=-3", "range"),
+        ("disc=0,1,0 normal=0,0,0 radius=1", "no area"),
+        ("disc=0,1,0 normal=0,1,0 radius=1 range=0", "range"),
+        ("disc=0,1,0 normal=0,1,0 radius=1 color=-1,1,1", "color"),
+        ("rectangle=0,1,0 edge1=1,0,0 edge2=-2,0,0", "no area"),
+        ("rectangle=0,1,0 edge1=0,0,0 edge2=0,0,1", "no area"),
     ] {
         for output in OUTPUTS {
             // The second light is at fault.
@@ -155,6 +167,11 @@ fn lights_that_do_not_shine() {
         "sun=0,1,0 range=2",
         "sun=0,1,0 colour=1,1,1",
         "lamp",
+        "disc=0,1,0",
+        "disc=0,1,0 normal=0,1,0 radius=0",
+        "rectangle=0,1,0 edge1=1,0,0",
+        "rectangle=0,1,0 edge1=1,0,0 edge2=0,0,inf",
+        "point=0,1,0 radius=1",
     ] {
         refuses_usage(
             &folder,

@@ -57,6 +57,9 @@ fn help_has_every_option() {
         "eye=",
         "sun=",
         "point=",
+        "disc=",
+        "rectangle=",
+        "lens=",
         "fov=",
         "range=",
         "gltf, glb, obj, ply, stl",
@@ -71,6 +74,8 @@ fn help_has_every_option() {
         "--orbit",
         "--orbit-light",
         "--out",
+        "--shutter",
+        "--shutter-times",
         "--update",
     ];
     expected_too.extend(

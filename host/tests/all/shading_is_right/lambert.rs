@@ -75,6 +75,7 @@ fn unshadowed(light: &Light, point: Wide, normal: Wide) -> Option<(Wide, Wide)> 
                 way,
             ))
         }
+        Light::Area { .. } => panic!("`area.rs` has those"),
     }
 }
 

@@ -1,10 +1,13 @@
 //! Pictures against closed forms, worked out here in f64 from the scene alone.
 
+mod area;
 mod camera;
 mod closed;
 mod lambert;
+mod lens;
 mod mirror;
 mod scaled;
+mod shutter;
 
 use crate::wide::Wide;
 use slimbvh::{
@@ -52,7 +55,7 @@ fn pixel_ray(camera: &Camera, [width, height]: [u32; 2], [x, y]: [f64; 2]) -> (W
     let right = forward.cross(Wide::from(camera.up)).normalize();
     let up = right.cross(forward);
     let half_height = match camera.projection {
-        Projection::Perspective { vertical_fov } => {
+        Projection::Perspective { vertical_fov } | Projection::ThinLens { vertical_fov, .. } => {
             (f64::from(vertical_fov).to_radians() / 2.0).tan()
         }
         Projection::Orthographic { height } => f64::from(height) / 2.0,
@@ -61,7 +64,9 @@ fn pixel_ray(camera: &Camera, [width, height]: [u32; 2], [x, y]: [f64; 2]) -> (W
     let s = (x / width * 2.0 - 1.0) * half_height * width / height;
     let t = (1.0 - y / height * 2.0) * half_height;
     match camera.projection {
-        Projection::Perspective { .. } => (Wide::from(camera.eye), forward + right * s + up * t),
+        Projection::Perspective { .. } | Projection::ThinLens { .. } => {
+            (Wide::from(camera.eye), forward + right * s + up * t)
+        }
         Projection::Orthographic { .. } => (Wide::from(camera.eye) + right * s + up * t, forward),
     }
 }

@@ -4,7 +4,7 @@ use super::render;
 use slimbvh::generate::default_scene;
 use slimbvh::{Camera, Light, Projection, RenderSettings, Scene, View};
 
-/// Everything times a power of two. Of a point light the color too, twice: it is irradiance at distance 1.
+/// Everything times a power of two. Of a light at a place the color too, twice: it is irradiance at distance 1.
 fn scaled(mut scene: Scene, factor: f32) -> Scene {
     let scale = |v: [f32; 3]| v.map(|x| x * factor);
     for vertex in &mut scene.mesh.vertices {
@@ -14,6 +14,15 @@ fn scaled(mut scene: Scene, factor: f32) -> Scene {
         let projection = match camera.projection {
             Projection::Orthographic { height } => Projection::Orthographic {
                 height: height * factor,
+            },
+            Projection::ThinLens {
+                vertical_fov,
+                radius,
+                focus_distance,
+            } => Projection::ThinLens {
+                vertical_fov,
+                radius: radius * factor,
+                focus_distance: focus_distance * factor,
             },
             perspective @ Projection::Perspective { .. } => perspective,
         };
@@ -25,15 +34,29 @@ fn scaled(mut scene: Scene, factor: f32) -> Scene {
         };
     }
     for light in &mut scene.lights {
-        if let Light::Point {
-            position,
-            color,
-            range,
-        } = light
-        {
-            *position = scale(*position);
-            *color = scale(scale(*color));
-            *range *= factor;
+        match light {
+            Light::Directional { .. } => {}
+            Light::Point {
+                position,
+                color,
+                range,
+            } => {
+                *position = scale(*position);
+                *color = scale(scale(*color));
+                *range *= factor;
+            }
+            Light::Area {
+                center,
+                half_edges,
+                color,
+                range,
+                ..
+            } => {
+                *center = scale(*center);
+                *half_edges = half_edges.map(scale);
+                *color = scale(scale(*color));
+                *range *= factor;
+            }
         }
     }
     scene
@@ -52,7 +75,21 @@ fn any_power_of_two_makes_the_same_picture() {
         projection: Projection::Orthographic { height: 5.0 },
         ..scene.cameras[0]
     };
-    for camera in [scene.cameras[0], parallel] {
+    scene.lights.push(Light::disc(
+        [-2.0, 4.0, 3.0],
+        [0.5, -1.0, -0.8],
+        0.75,
+        [9.0; 3],
+    ));
+    let lens = Camera {
+        projection: Projection::ThinLens {
+            vertical_fov: 30.0,
+            radius: 0.1,
+            focus_distance: 6.0,
+        },
+        ..scene.cameras[0]
+    };
+    for camera in [scene.cameras[0], parallel, lens] {
         scene.cameras[0] = camera;
         for view in [
             View::Color,

@@ -4,7 +4,7 @@ use glam::Vec3;
 use slimbvh::generate::{append, cuboid, default_scene, icosphere, soup, terrain};
 use slimbvh::gpu::{self, Gpu};
 use slimbvh::{
-    BuildConfig, Camera, CodeBits, Light, Material, Picture, Projection, RenderReport,
+    AreaShape, BuildConfig, Camera, CodeBits, Light, Material, Picture, Projection, RenderReport,
     RenderSettings, Scene, View,
 };
 use slimbvh_tests::build;
@@ -139,6 +139,34 @@ pub fn hall_of_mirrors() -> Scene {
     }
 }
 
+/// The hall seen through a lens, under lights with an extent.
+pub fn soft_hall() -> Scene {
+    let mut scene = hall_of_mirrors();
+    scene.cameras[0].projection = Projection::ThinLens {
+        vertical_fov: 40.0,
+        radius: 0.1,
+        focus_distance: 3.0,
+    };
+    scene.lights = vec![
+        Light::disc([-1.5, 1.5, 1.0], [1.5, -1.5, -1.0], 0.4, [2.0, 3.0, 4.0]),
+        Light::Area {
+            center: [1.2, 1.9, 1.0],
+            half_edges: [[0.5, 0.0, 0.1], [0.0, 0.1, 0.3]],
+            shape: AreaShape::Rectangle,
+            color: [4.0, 3.5, 3.0],
+            range: f32::INFINITY,
+        },
+        Light::Area {
+            center: [-1.2, 0.4, 1.6],
+            half_edges: [[0.0, 0.5, 0.0], [0.3, 0.0, 0.3]],
+            shape: AreaShape::Disc,
+            color: [1.0, 3.5, 3.0],
+            range: 2.5,
+        },
+    ];
+    scene
+}
+
 /// An open surface without normals, seen by parallel rays, with indices of materials that are not all there.
 pub fn open_and_flat() -> Scene {
     let mut mesh = terrain(4.0, 40, 3);
@@ -201,6 +229,22 @@ fn mirrors_lights_and_parallel_views_are_those_of_the_cpu() {
 }
 
 #[test]
+fn soft_shadows_and_lenses_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for view in VIEWS {
+        check(gpu, "soft hall", &soft_hall(), &settings(view));
+    }
+    for (size, sample_count) in [([64, 48], 4), ([33, 17], 7), ([16, 9], 64)] {
+        let settings = RenderSettings {
+            size,
+            sample_count,
+            ..settings(View::Color)
+        };
+        check(gpu, "soft hall", &soft_hall(), &settings);
+    }
+}
+
+#[test]
 fn samples_and_odd_sizes_are_those_of_the_cpu() {
     let Some(gpu) = gpu() else { return };
     for (size, sample_count) in [([1, 1], 1), ([65, 3], 1), ([63, 7], 4), ([13, 17], 5)] {
@@ -238,24 +282,49 @@ fn scenes_of_little_or_nothing_are_those_of_the_cpu() {
 #[test]
 fn scenes_of_any_magnitude_are_those_of_the_cpu() {
     let Some(gpu) = gpu() else { return };
-    for scale in [1e-12, 1e-3, 1e9] {
-        let mut scene = hall_of_mirrors();
+    for (scale, mut scene) in [1e-12, 1e-3, 1e9]
+        .into_iter()
+        .flat_map(|scale| [(scale, hall_of_mirrors()), (scale, soft_hall())])
+    {
         let scaled = |p: [f32; 3]| p.map(|x| x * scale);
         for vertex in &mut scene.mesh.vertices {
             *vertex = scaled(*vertex);
         }
         let camera = &mut scene.cameras[0];
         (camera.eye, camera.target) = (scaled(camera.eye), scaled(camera.target));
+        if let Projection::ThinLens {
+            radius,
+            focus_distance,
+            ..
+        } = &mut camera.projection
+        {
+            *radius *= scale;
+            *focus_distance *= scale;
+        }
         for light in &mut scene.lights {
-            if let Light::Point {
-                position,
-                color,
-                range,
-            } = light
-            {
-                *position = scaled(*position);
-                *color = color.map(|x| x * scale * scale);
-                *range *= scale;
+            match light {
+                Light::Directional { .. } => {}
+                Light::Point {
+                    position,
+                    color,
+                    range,
+                } => {
+                    *position = scaled(*position);
+                    *color = color.map(|x| x * scale * scale);
+                    *range *= scale;
+                }
+                Light::Area {
+                    center,
+                    half_edges,
+                    color,
+                    range,
+                    ..
+                } => {
+                    *center = scaled(*center);
+                    *half_edges = half_edges.map(scaled);
+                    *color = color.map(|x| x * scale * scale);
+                    *range *= scale;
+                }
             }
         }
         check(

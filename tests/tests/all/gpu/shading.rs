@@ -2,13 +2,15 @@
 //! a millionth.
 
 use super::kernels::groups;
-use super::pictures::{hall_of_mirrors, open_and_flat, settings};
+use super::pictures::{hall_of_mirrors, open_and_flat, settings, soft_hall};
 use bytemuck::{bytes_of, cast_slice};
 use slimbvh::gpu::{Gpu, Kernel};
 use slimbvh::{Bvh, CodeBits, Scene, View};
 use slimbvh_core::camera::Camera;
 use slimbvh_core::classify::Except;
 use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::light::NO_EXTENT;
+use slimbvh_core::sampling::Draw;
 use slimbvh_core::shade::{
     Environment, Light, Material, Path, Shadow, ambient_light, direct_light,
 };
@@ -42,7 +44,7 @@ impl Lit {
         let scaled = camera.scaled(&PowerOfTwo::new(bvh.scene_exponent()));
         let samples = 0..settings.size[0] * settings.size[1];
         let paths: Vec<Path> = samples
-            .map(|sample| Path::new(scaled.ray(sample)))
+            .map(|sample| Path::new(scaled.ray(sample), sample))
             .collect();
         let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
         let hit =
@@ -61,8 +63,8 @@ impl Lit {
         }
     }
 
-    pub fn all() -> [Self; 2] {
-        [Self::new(hall_of_mirrors()), Self::new(open_and_flat())]
+    pub fn all() -> [Self; 3] {
+        [hall_of_mirrors(), open_and_flat(), soft_hall()].map(Self::new)
     }
 
     pub fn exponent(&self) -> [u32; 4] {
@@ -103,15 +105,20 @@ impl Lit {
         (Surface::new(triangle, hit, direction, normals), *material)
     }
 
-    /// What each hit may get from a light.
-    fn shadows(&self, light: &Light) -> Vec<Shadow> {
+    /// What each hit may get from a light, after so many mirrors.
+    fn shadows(&self, light: &Light, bounce: u32) -> Vec<Shadow> {
         let light = light.scaled(&PowerOfTwo::new(self.bvh.scene_exponent()));
         let shadow = |(path, hit): (&Path, &Hit)| {
             if !hit.is_hit() {
                 return Shadow::NONE;
             }
             let (surface, material) = self.surface(path, hit);
-            direct_light(&surface, hit.primitive, &material, &light)
+            let draw = Draw {
+                sample: path.sample,
+                sample_count: self.camera.sample_count,
+                bounce,
+            };
+            direct_light(&surface, hit.primitive, &material, &light.sampled(&draw))
         };
         self.paths.iter().zip(&self.hits).map(shadow).collect()
     }
@@ -123,13 +130,17 @@ pub fn close_words<T: bytemuck::NoUninit>(gpu: &[u8], cpu: &[T]) -> Result<(), S
     close(&gpu, &cpu, SHARE, 1.0)
 }
 
-fn shade_light(gpu: &Gpu, lit: &Lit, light: &Light) -> Vec<u8> {
+fn shade_light(gpu: &Gpu, lit: &Lit, light: &Light, bounce: u32) -> Vec<u8> {
     let [vertices, indices, normals] = lit.mesh();
     let nothing = vec![Shadow::default(); lit.paths.len()];
     let stored = Dispatch {
         kernel: Kernel::shade_light,
         group_count: groups(lit.paths.len()),
-        uniforms: &[&lit.exponent(), cast_slice(&[*light])],
+        uniforms: &[
+            &lit.exponent(),
+            cast_slice(&[*light]),
+            &[lit.camera.sample_count, bounce, 0, 0],
+        ],
         reads: &[
             vertices,
             indices,
@@ -170,7 +181,7 @@ fn light_on_hits_is_that_of_core() {
     let Some(gpu) = gpu() else { return };
     for lit in Lit::all() {
         for light in &lit.lights {
-            let expected = lit.shadows(light);
+            let expected = lit.shadows(light, 0);
             assert!(
                 expected
                     .iter()
@@ -178,13 +189,17 @@ fn light_on_hits_is_that_of_core() {
                     .count()
                     > 500
             );
-            let stored = shade_light(gpu, &lit, light);
+            let stored = shade_light(gpu, &lit, light, 0);
             done(close_words(&stored, &expected));
+            // After a mirror, other points of a light with an extent are seen.
+            let mirrored = shade_light(gpu, &lit, light, 1);
+            done(close_words(&mirrored, &lit.shadows(light, 1)));
+            assert_eq!(mirrored == stored, light.shape == NO_EXTENT);
 
             // A light a little stronger.
             let mut stronger = *light;
             stronger.color = light.color.map(|x| x * 1.001);
-            assert!(close_words(&stored, &lit.shadows(&stronger)).is_err());
+            assert!(close_words(&stored, &lit.shadows(&stronger, 0)).is_err());
         }
     }
 }
@@ -196,7 +211,7 @@ fn shadow_rays_let_light_through_as_in_core() {
     for lit in Lit::all() {
         let (nodes, triangles) = (lit.bvh.node_source(), lit.bvh.triangle_source());
         for light in &lit.lights {
-            let shadows = lit.shadows(light);
+            let shadows = lit.shadows(light, 0);
             let mut ray_count = 0;
             let expected: Vec<Path> = lit
                 .paths

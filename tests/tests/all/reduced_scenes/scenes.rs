@@ -2,7 +2,7 @@
 
 use glam::{Quat, Vec3};
 use slimbvh::generate::{append, cuboid, default_scene, ground, icosphere, transformed};
-use slimbvh::{Camera, Light, Mesh, Projection, Scene};
+use slimbvh::{AreaShape, Camera, Light, Mesh, Projection, Scene};
 use slimbvh_tests::closed::small_torus_knot;
 
 const EYE: [f32; 3] = [0.4, 0.9, 4.5];
@@ -18,6 +18,29 @@ fn lamp(position: [f32; 3]) -> Light {
         color: [9.0; 3],
         range: f32::INFINITY,
     }
+}
+
+/// A rectangle around a place, which shines at the scene's middle.
+fn panel(center: [f32; 3], half_width: f32) -> Light {
+    let toward = -Vec3::from(center).normalize();
+    let (right, up) = toward.any_orthonormal_pair();
+    Light::Area {
+        center,
+        half_edges: [right * half_width, up * half_width / 2.0].map(|edge| edge.to_array()),
+        shape: AreaShape::Rectangle,
+        color: [12.0; 3],
+        range: f32::INFINITY,
+    }
+}
+
+/// The eye, through a lens that is sharp at the scene's middle.
+fn lens(radius: f32) -> Camera {
+    let projection = Projection::ThinLens {
+        vertical_fov: 50.0,
+        radius,
+        focus_distance: 4.5,
+    };
+    camera(EYE, [0.0; 3], projection)
 }
 
 fn camera(eye: [f32; 3], target: [f32; 3], projection: Projection) -> Camera {
@@ -179,6 +202,70 @@ pub fn scenes() -> Vec<(&'static str, Scene)> {
         ("many lights near and far", lights()),
         ("seen in part", close()),
         ("room", room(SUN)),
+        (
+            "disc light",
+            scene(
+                vec![ball([0.0; 3], 1.0), small_torus_knot(), floor()],
+                front(),
+                &[
+                    SUN,
+                    Light::disc([2.5, 2.0, 1.5], [-2.5, -2.0, -1.5], 0.6, [9.0; 3]),
+                ],
+            ),
+        ),
+        (
+            "rectangle light",
+            scene(
+                vec![
+                    ball([-0.8, 0.0, 0.0], 0.7),
+                    turned_box([0.1, -0.5, -0.5], [1.0, 0.5, 0.5]),
+                    floor(),
+                ],
+                front(),
+                &[panel([-2.0, 2.5, 1.0], 0.8), panel([2.5, 2.0, 1.5], 0.1)],
+            ),
+        ),
+        (
+            // The middle is outside of the small ball, a part is not.
+            "rectangle light partly inside",
+            scene(
+                vec![ball([0.0; 3], 1.0), ball([2.6, 1.9, 1.3], 0.3), floor()],
+                front(),
+                &[SUN, panel([2.5, 2.0, 1.9], 0.9)],
+            ),
+        ),
+        (
+            "lens",
+            scene(
+                vec![
+                    ball([0.0; 3], 0.8),
+                    ball([0.5, 0.9, 2.0], 0.4),
+                    ball([-0.9, 0.4, -2.0], 0.9),
+                    floor(),
+                ],
+                lens(0.25),
+                &both,
+            ),
+        ),
+        (
+            "lens partly inside",
+            scene(
+                vec![ball([0.0; 3], 1.0), ball([0.75, 0.9, 4.45], 0.25), floor()],
+                lens(0.2),
+                &both,
+            ),
+        ),
+        (
+            "lens and lights",
+            scene(
+                vec![ball([0.0; 3], 1.0), small_torus_knot(), floor()],
+                lens(0.15),
+                &[
+                    panel([-2.0, 2.5, 1.0], 0.8),
+                    Light::disc([2.5, 2.0, 1.5], [-2.5, -2.0, -1.5], 0.6, [9.0; 3]),
+                ],
+            ),
+        ),
     ]
 }
 
