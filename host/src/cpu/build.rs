@@ -4,6 +4,7 @@ use super::order::{Order, gather_again, scene_bounds};
 use super::refit::{fill_boxes, fill_pyramid};
 use super::topology::Connections;
 use crate::{Bvh, Mesh, MeshError, Stages};
+use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::Sides;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
@@ -111,23 +112,61 @@ impl Builder {
     /// # Errors
     /// Those of [`Mesh::validate`].
     pub fn sort(&mut self, mesh: &Mesh) -> Result<Stages, MeshError> {
+        self.sort_some(mesh, None)
+    }
+
+    /// Sorts all of a mesh's triangles, or only those in a set.
+    fn sort_some(
+        &mut self,
+        mesh: &Mesh,
+        reach: Option<(&Sides, &Target)>,
+    ) -> Result<Stages, MeshError> {
         let mut stages = Stages::default();
         stages.time("validate", || mesh.validate())?;
         let triangles = mesh.triangles();
         let bounds = stages.time("bounds", || scene_bounds(&triangles));
         self.bounds = Some(bounds);
+        let scale = PowerOfTwo::new(scene_exponent(&bounds));
+        let to = &mut stages;
         match self.config.code_bits {
             CodeBits::Bits30 => {
                 let frame = Frame::new(&bounds, 10);
                 let code = |bounds: &Aabb| [morton_code_30(bounds, &frame)];
-                self.order_30.sort(&mut stages, [30], &triangles, code);
+                let order = &mut self.order_30;
+                match reach {
+                    None => order.sort(to, [30], &triangles, code),
+                    Some(reach) => order.sort_set(to, [30], &triangles, (&scale, reach), code),
+                }
             }
             CodeBits::Bits63 => {
                 let frame = Frame::new(&bounds, 21);
                 let code = |bounds: &Aabb| morton_code_63(bounds, &frame);
-                self.order_63.sort(&mut stages, [31, 32], &triangles, code);
+                let order = &mut self.order_63;
+                match reach {
+                    None => order.sort(to, [31, 32], &triangles, code),
+                    Some(reach) => order.sort_set(to, [31, 32], &triangles, (&scale, reach), code),
+                }
             }
         }
+        Ok(stages)
+    }
+
+    /// Builds a hierarchy over a subset of a mesh's triangles, which are sorted alone: less work than [`Self::sort`] and
+    /// [`Self::build_sorted`] where this is the only hierarchy, with the same outcome.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::validate`]; the earlier hierarchy stays as it was.
+    pub fn build_subset(
+        &mut self,
+        mesh: &Mesh,
+        subset: Subset,
+        bvh: &mut Bvh,
+    ) -> Result<Stages, MeshError> {
+        let Subset::Facing { sides, target } = subset else {
+            return self.build_into(mesh, bvh);
+        };
+        let mut stages = self.sort_some(mesh, Some((&sides, &target)))?;
+        stages.merge(&self.build_sorted(mesh, Subset::All, bvh));
         Ok(stages)
     }
 
@@ -143,15 +182,27 @@ impl Builder {
         bvh.mesh_triangle_count = mesh.indices.len();
         let scale = PowerOfTwo::new(bvh.scene_exponent);
         let triangles = mesh.triangles();
-        let leaves = &mut bvh.triangles;
+        let (to, leaves) = (&mut stages, &mut bvh.triangles);
         match self.config.code_bits {
             CodeBits::Bits30 => {
                 let order = &mut self.order_30;
-                order.gather(&mut stages, &triangles, &scale, subset, leaves);
+                match subset {
+                    Subset::All => order.gather(to, &triangles, &scale, leaves),
+                    Subset::Facing { sides, target } => {
+                        let reach = (&sides, &target);
+                        order.gather_set(to, &triangles, (&scale, reach), leaves);
+                    }
+                }
             }
             CodeBits::Bits63 => {
                 let order = &mut self.order_63;
-                order.gather(&mut stages, &triangles, &scale, subset, leaves);
+                match subset {
+                    Subset::All => order.gather(to, &triangles, &scale, leaves),
+                    Subset::Facing { sides, target } => {
+                        let reach = (&sides, &target);
+                        order.gather_set(to, &triangles, (&scale, reach), leaves);
+                    }
+                }
             }
         }
         let count = bvh.triangles.len() as u32;

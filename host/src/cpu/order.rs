@@ -1,14 +1,14 @@
 //! Stages `bounds` to `snap` on the CPU: triangles in the order of the curve.
 
 use super::BLOCK;
-use super::build::Subset;
 use super::select::Selection;
-use super::sort::{Item, Sorter};
+use super::sort::Sorter;
 use crate::Stages;
 use rayon::prelude::*;
 use slimbvh_core::bounds::run_bounds;
-use slimbvh_core::classify::is_in_set;
+use slimbvh_core::classify::{Sides, is_in_set};
 use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::orientation::Target;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::{Aabb, IndexedTriangles, LeafTriangle};
 
@@ -24,17 +24,20 @@ pub fn scene_bounds(triangles: &IndexedTriangles) -> Aabb {
         .reduce(|| Aabb::EMPTY, Aabb::union)
 }
 
-/// Triangles in the order of their codes of W words, and a subset of them. Keeps its buffers.
+/// Triangles in the order of their codes of W words, all or a subset. Keeps its buffers.
 #[derive(Debug, Default)]
 pub struct Order<const W: usize> {
     sorter: Sorter<W>,
+    /// By triangle: which are in the set.
+    members: Selection,
+    /// By place in the order: the same.
     selection: Selection,
     /// The codes of the triangles that were gathered last.
     pub codes: Vec<[u32; W]>,
 }
 
 impl<const W: usize> Order<W> {
-    /// Stages `morton` and `sort`.
+    /// Stages `morton` and `sort`, of all triangles.
     pub fn sort(
         &mut self,
         stages: &mut Stages,
@@ -54,55 +57,96 @@ impl<const W: usize> Order<W> {
         stages.time("sort", || self.sorter.sort(key_bits));
     }
 
-    /// Stages `classify` and `snap`: triangles in leaf order, and the sorted codes as the topology reads them.
+    /// Stages `classify`, `morton` and `sort`: only what is in the set is sorted.
+    pub fn sort_set(
+        &mut self,
+        stages: &mut Stages,
+        key_bits: [u32; W],
+        triangles: &IndexedTriangles,
+        (scale, reach): (&PowerOfTwo, (&Sides, &Target)),
+        code: impl Fn(&Aabb) -> [u32; W] + Sync,
+    ) {
+        let count = stages.time("classify", || self.classify(triangles, scale, reach));
+        stages.time("morton", || {
+            self.sorter.resize(count);
+            let items = self.sorter.items();
+            self.members
+                .for_each(items, &mut vec![(); count], |i, item, ()| {
+                    item.set(code(&triangles.triangle(i as u32).bounds()), i as u32);
+                });
+        });
+        stages.time("sort", || self.sorter.sort(key_bits));
+    }
+
+    /// Stage `snap`: triangles in leaf order, and the sorted codes as the topology reads them.
     pub fn gather(
         &mut self,
         stages: &mut Stages,
         triangles: &IndexedTriangles,
         scale: &PowerOfTwo,
-        subset: Subset,
         leaves: &mut Vec<LeafTriangle>,
     ) {
         let items = self.sorter.items();
-        let store = |leaf: &mut LeafTriangle, code: &mut [u32; W], item: &Item<W>| {
-            *leaf = leaf_triangle(item.index(), triangles, scale);
-            *code = item.key();
-        };
-        let Subset::Facing { sides, target } = subset else {
-            stages.time("snap", || {
-                leaves.resize(items.len(), LeafTriangle::default());
-                self.codes.resize(items.len(), [0; W]);
-                let blocks = leaves
-                    .par_chunks_mut(BLOCK)
-                    .zip(self.codes.par_chunks_mut(BLOCK))
-                    .zip(items.par_chunks(BLOCK));
-                blocks.for_each(|((leaves, codes), items)| {
-                    for ((leaf, code), item) in leaves.iter_mut().zip(codes).zip(items) {
-                        store(leaf, code, item);
-                    }
-                });
+        stages.time("snap", || {
+            leaves.resize(items.len(), LeafTriangle::default());
+            self.codes.resize(items.len(), [0; W]);
+            let blocks = leaves
+                .par_chunks_mut(BLOCK)
+                .zip(self.codes.par_chunks_mut(BLOCK))
+                .zip(items.par_chunks(BLOCK));
+            blocks.for_each(|((leaves, codes), items)| {
+                for ((leaf, code), item) in leaves.iter_mut().zip(codes).zip(items) {
+                    *leaf = leaf_triangle(item.index(), triangles, scale);
+                    *code = item.key();
+                }
             });
-            return;
-        };
-        let target = target.scaled(scale);
-        let count = stages.time("classify", || {
-            self.selection.select(items.len(), |i| {
-                is_in_set(items[i].index(), triangles, scale, &sides, &target)
-            })
         });
+    }
+
+    /// Stages `classify` and `snap`: as [`Self::gather`], of what is in the set.
+    pub fn gather_set(
+        &mut self,
+        stages: &mut Stages,
+        triangles: &IndexedTriangles,
+        (scale, reach): (&PowerOfTwo, (&Sides, &Target)),
+        leaves: &mut Vec<LeafTriangle>,
+    ) {
+        let count = stages.time("classify", || {
+            self.classify(triangles, scale, reach);
+            let (items, members) = (self.sorter.items(), &self.members);
+            let is_member = |i: usize| members.is_taken(items[i].index());
+            self.selection.select(items.len(), is_member)
+        });
+        let items = self.sorter.items();
         stages.time("snap", || {
             leaves.resize(count, LeafTriangle::default());
             self.codes.resize(count, [0; W]);
             let codes = self.codes.as_mut_slice();
             self.selection.for_each(leaves, codes, |i, leaf, code| {
-                store(leaf, code, &items[i]);
+                *leaf = leaf_triangle(items[i].index(), triangles, scale);
+                *code = items[i].key();
             });
         });
     }
 
+    /// Stage `classify` proper, in the mesh's order, as memory likes it. Returns how many are in the set.
+    fn classify(
+        &mut self,
+        triangles: &IndexedTriangles,
+        scale: &PowerOfTwo,
+        (sides, target): (&Sides, &Target),
+    ) -> usize {
+        let target = target.scaled(scale);
+        let is_in_set = |i: usize| is_in_set(i as u32, triangles, scale, sides, &target);
+        self.members.select(triangles.indices.len(), is_in_set)
+    }
+
     /// Bytes of the buffers that the last build used.
     pub fn bytes(&self) -> usize {
-        self.sorter.bytes() + self.selection.bytes() + size_of_val(self.codes.as_slice())
+        self.sorter.bytes()
+            + self.members.bytes()
+            + self.selection.bytes()
+            + size_of_val(self.codes.as_slice())
     }
 }
 
