@@ -19,7 +19,9 @@ pub mod topology;
 mod wide;
 
 pub use bvh::Bvh;
-pub use cpu::{BuildConfig, Builder, CodeBits, RefitError, Renderer, Subset, Tree, Trees, Turns};
+pub use cpu::{
+    BuildConfig, Builder, CodeBits, Division, RefitError, Renderer, Subset, Tree, Trees, Turns,
+};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
 pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError};

@@ -14,6 +14,20 @@ pub struct BackendArguments {
     adapter: Option<String>,
 }
 
+impl BackendArguments {
+    /// As they are written on the command line.
+    pub fn words(&self) -> Vec<String> {
+        let backend = self.backend.to_possible_value();
+        let backend = backend.filter(|_| self.backend != Backend::Auto);
+        let backend = backend.map(|backend| format!("--backend {}", backend.get_name()));
+        let adapter = self
+            .adapter
+            .as_ref()
+            .map(|name| format!("--adapter {name:?}"));
+        backend.into_iter().chain(adapter).collect()
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Backend {
     /// A GPU where there is a real one, else the CPU

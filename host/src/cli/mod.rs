@@ -10,6 +10,7 @@ mod output;
 mod picture;
 mod reduce;
 mod render;
+mod reproduce;
 
 use anyhow::{Context, Result};
 use clap::{Args, Parser, Subcommand};
@@ -38,6 +39,8 @@ enum Command {
     Animate(animate::AnimateArguments),
     /// Tell what is in a scene: counts, extents, which parts are closed
     Info(info::InfoArguments),
+    /// Measure what a paper's tables show, and print ours beside the printed figures
+    Reproduce(reproduce::ReproduceArguments),
 }
 
 /// Where the scene comes from.
@@ -81,6 +84,12 @@ struct ThreadArguments {
 }
 
 impl ThreadArguments {
+    /// As they are written on the command line.
+    fn words(&self) -> Vec<String> {
+        let threads = self.threads.map(|threads| format!("--threads {threads}"));
+        threads.into_iter().collect()
+    }
+
     /// Runs work on that many threads.
     fn run<R: Send>(&self, work: impl FnOnce() -> R + Send) -> Result<R> {
         // 0 is rayon's own default.
@@ -99,5 +108,6 @@ pub fn run(arguments: Arguments) -> Result<()> {
         Command::Render(arguments) => render::run(&arguments),
         Command::Animate(arguments) => animate::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
+        Command::Reproduce(arguments) => reproduce::run(&arguments),
     }
 }

@@ -21,17 +21,28 @@ pub struct Selection {
 impl Selection {
     /// Takes the items that count. Returns how many these are.
     pub fn select(&mut self, item_count: usize, counts: impl Fn(usize) -> bool + Sync) -> usize {
-        let word_count = item_count.div_ceil(32);
-        self.fill(word_count, |word| {
-            let first = 32 * word as usize;
-            let items = first..item_count.min(first + 32);
-            let bits = items.map(|i| u32::from(counts(i)) << (i - first));
-            bits.sum()
-        })
+        self.mark(item_count, counts);
+        self.scan()
     }
 
     /// Takes the items whose bit is set in the words that a kernel returns. Returns how many these are.
     pub fn fill(&mut self, word_count: usize, word: impl Fn(u32) -> u32 + Sync) -> usize {
+        self.mark_words(word_count, word);
+        self.scan()
+    }
+
+    /// First half of [`Self::select`]: the bits, and how many are set in each word.
+    pub fn mark(&mut self, item_count: usize, counts: impl Fn(usize) -> bool + Sync) {
+        let word_count = item_count.div_ceil(32);
+        self.mark_words(word_count, |word| {
+            let first = 32 * word as usize;
+            let items = first..item_count.min(first + 32);
+            let bits = items.map(|i| u32::from(counts(i)) << (i - first));
+            bits.sum()
+        });
+    }
+
+    fn mark_words(&mut self, word_count: usize, word: impl Fn(u32) -> u32 + Sync) {
         self.bits.resize(word_count, 0);
         self.before.resize(word_count, 0);
         let bits = self.bits.par_chunks_mut(WORDS);
@@ -42,7 +53,12 @@ impl Selection {
                 *count = bits.count_ones();
             }
         });
-        self.count = run_scan(&mut self.before, 0, word_count as u32, 0) as usize;
+    }
+
+    /// Second half: how many come before each word. Returns how many there are.
+    pub fn scan(&mut self) -> usize {
+        let word_count = self.before.len() as u32;
+        self.count = run_scan(&mut self.before, 0, word_count, 0) as usize;
         self.count
     }
 

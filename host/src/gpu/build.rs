@@ -79,8 +79,8 @@ struct Scratch {
 
 impl Builder {
     /// The stages that a build may have.
-    pub const STAGES: [&str; 7] = [
-        "bounds", "morton", "sort", "classify", "snap", "topology", "refit",
+    pub const STAGES: [&str; 9] = [
+        "bounds", "morton", "sort", "classify", "scan", "compact", "snap", "topology", "refit",
     ];
 
     /// A builder without buffers yet.
@@ -379,7 +379,9 @@ impl Builder {
             &[bits, before],
             each(),
         );
+        recorder.stage("scan");
         self.scratch.scan.record(gpu, recorder, before, &bvh.count);
+        recorder.stage("compact");
         recorder.dispatch(
             self.of_bits(Kernel::classify_compact_30, Kernel::classify_compact_63),
             &[],

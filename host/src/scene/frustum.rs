@@ -105,6 +105,9 @@ mod tests {
     use slimbvh_core::snap::leaf_triangle;
     use slimbvh_core::trace::{BruteForce, LeafTriangles, closest_hit};
 
+    /// Samples a pixel.
+    const SAMPLE_COUNT: u32 = 4;
+
     fn camera(eye: [f32; 3], target: [f32; 3], projection: Projection) -> Camera {
         let up = [0.1, 1.0, 0.0];
         let camera = SceneCamera {

@@ -2,6 +2,7 @@
 
 mod options;
 mod places;
+mod reproduce;
 mod scenes;
 
 use crate::files::TwoTriangles;

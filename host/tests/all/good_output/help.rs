@@ -94,6 +94,30 @@ fn help_has_every_option() {
         ["--adapters", "--all", "--help", "--json", "--lenient"],
         "{info}"
     );
+    let reduced = folder.succeed(["reproduce", "reduced", "--help"]);
+    let expected = [
+        "--adapter",
+        "--backend",
+        "--help",
+        "--json",
+        "--only",
+        "--out",
+        "--quick",
+        "--scenes",
+        "--threads",
+    ];
+    assert_eq!(options_in(&reduced), expected, "{reduced}");
+    for word in [
+        "24-cell",
+        "armadillo",
+        "SLIMBVH_SCENES",
+        "FILE.md",
+        "Examples:",
+    ] {
+        assert!(reduced.contains(word), "{word} is not in {reduced}");
+    }
+    let papers = folder.succeed(["reproduce", "--help"]);
+    assert!(papers.contains("Wong, Cheng and Lii"), "{papers}");
     let top = folder.succeed(["--help"]);
     assert!(top.contains("render") && top.contains("info"), "{top}");
     assert_eq!(options_in(&top), ["--help", "--version"], "{top}");

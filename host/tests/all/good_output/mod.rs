@@ -3,6 +3,7 @@
 mod help;
 mod info;
 mod outputs;
+mod reproduce;
 mod scenes;
 mod views;
 

@@ -1,0 +1,172 @@
+//! Lights that are near each other, and sets that they share.
+
+use super::aim::Aim;
+use super::layout::{Layout, Sorting};
+use anyhow::Result;
+use glam::Vec3;
+use slimbvh::reduce::{self, Asked, Choice, Cull, Half, Plan, Switches};
+use slimbvh::topology::Topology;
+use slimbvh::{Light, RenderSettings, Scene};
+
+/// Lights in a square above a scene.
+pub struct Rig {
+    pub lights: Vec<Light>,
+    pub center: [f32; 3],
+    /// From the middle to the farthest light.
+    pub radius: f32,
+    /// From one light to the next.
+    pub spacing: f32,
+    /// The share of the triangles that the set of all of them keeps.
+    pub share: f64,
+}
+
+/// How far above the model the lights are, in diagonals of its box.
+const HEIGHT: f32 = 2.5;
+
+/// Halvings of the range in which the spacing is looked for.
+const HALVINGS: u32 = 24;
+
+impl Rig {
+    /// Puts `side * side` lights so far apart that one set for all of them keeps this share of the triangles, or the nearest
+    /// that there is.
+    pub fn new(scene: &Scene, topology: &Topology, side: u32, share: f64) -> Self {
+        let bounds = scene.mesh.bounds().unwrap_or(slimbvh::Aabb::EMPTY);
+        let middle = 0.5 * bounds.min + 0.5 * bounds.max;
+        let diagonal = (bounds.max - bounds.min).length();
+        let center = middle + Vec3::new(0.0, HEIGHT * diagonal, 0.0);
+        // The set keeps the more, the farther apart they are; the ball around them must not touch the model.
+        // No light is outside, whatever was rounded.
+        let reach = |spacing: f32| 0.5 * (side - 1) as f32 * spacing * 2.0f32.sqrt() * 1.000_001;
+        let count = scene.mesh.indices.len().max(1) as f64;
+        let share_of = |spacing: f32| {
+            let aim = Aim::ball(center.to_array(), reach(spacing), topology);
+            aim.count(scene, topology) as f64 / count
+        };
+        let mut low = 0.0;
+        let mut high = (HEIGHT - 0.6) * diagonal / reach(1.0).max(f32::MIN_POSITIVE);
+        for _ in 0..HALVINGS {
+            let spacing = 0.5 * (low + high);
+            if share_of(spacing) < share {
+                low = spacing;
+            } else {
+                high = spacing;
+            }
+        }
+        let spacing = high;
+        let place = |i: u32| spacing * (i as f32 - 0.5 * (side - 1) as f32);
+        let brightness = 3.0 * (HEIGHT * diagonal).powi(2) / (side * side) as f32;
+        let lights = (0..side * side).map(|i| Light::Point {
+            position: (center + Vec3::new(place(i % side), 0.0, place(i / side))).to_array(),
+            color: [brightness; 3],
+            range: f32::INFINITY,
+        });
+        Self {
+            lights: lights.collect(),
+            center: center.to_array(),
+            radius: reach(spacing),
+            spacing,
+            share: share_of(spacing),
+        }
+    }
+
+    /// The set that all of them share.
+    pub fn group(&self, topology: &Topology) -> Aim {
+        Aim::ball(self.center, self.radius, topology)
+    }
+}
+
+/// What the plan decides for one frame of a scene whose surfaces are known, in words, and as trees.
+pub fn plan(
+    scene: &Scene,
+    topology: &Topology,
+    settings: &RenderSettings,
+) -> Result<(String, Layout)> {
+    let switches = Switches {
+        cull: Some(Cull::On),
+        ..Switches::default()
+    };
+    let asked = Asked {
+        scene,
+        settings,
+        switches,
+        frame_count: 1,
+    };
+    let plan = Plan::new(topology, &asked)?;
+    let set = |aim: &reduce::Aim| {
+        let is_set = aim.choice == Choice::Set;
+        is_set.then(|| Aim {
+            target: aim.target,
+            sides: aim.sides.clone(),
+        })
+    };
+    // The whole tree, if any light needs it, is the last.
+    let (camera, lights) = plan.aims.split_at(1);
+    let mut shadows: Vec<Option<Aim>> = lights.iter().map(set).filter(Option::is_some).collect();
+    let sets = shadows.len();
+    let mut next = 0..sets;
+    let trees: Vec<usize> = lights
+        .iter()
+        .map(|aim| match aim.choice {
+            Choice::Set => next.next().unwrap_or(sets),
+            Choice::Whole | Choice::Unused => sets,
+        })
+        .collect();
+    if trees.contains(&sets) {
+        shadows.push(None);
+    }
+    let camera = camera.first().and_then(set);
+    let camera_tree = match &camera {
+        Some(_) => "a set",
+        None => "the whole tree",
+    };
+    let name = |aim: &reduce::Aim| match (aim.choice, aim.half) {
+        (Choice::Set, Half::Toward) => format!("a set L+ for {}", aim.name()),
+        (Choice::Set, Half::Away) => format!("a set L- for {}", aim.name()),
+        _ => format!("the whole tree for {}", aim.name()),
+    };
+    let names: Vec<String> = lights.iter().map(name).collect();
+    let places = plan.aim_of_light().into_iter();
+    let layout = Layout {
+        camera,
+        shadows,
+        lights: places.map(|place| trees[place - 1]).collect(),
+        sorting: Sorting::Once,
+    };
+    let name = format!("{camera_tree} for the camera, {}", names.join(", "));
+    Ok((name, layout))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use slimbvh::generate::icosphere;
+
+    /// A ball of radius 2 under lights: what is kept is a cap, whose share is known.
+    #[test]
+    fn the_set_of_all_lights_keeps_the_share_that_is_asked_for() {
+        let scene = Scene {
+            mesh: icosphere(Vec3::new(1.0, 2.0, 3.0), 2.0, 5),
+            ..Scene::default()
+        };
+        let topology = Topology::new(&scene.mesh);
+        for (side, share) in [(2, 0.55), (3, 0.69)] {
+            let rig = Rig::new(&scene, &topology, side, share);
+            assert!((rig.share - share).abs() < 0.002, "{}", rig.share);
+            assert_eq!(rig.lights.len() as u32, side * side);
+            let distance = f64::from(rig.center[1] - 2.0);
+            let cap = 0.5 * (1.0 - (2.0 - f64::from(rig.radius)) / distance);
+            assert!((cap - share).abs() < 0.01, "{cap}");
+            for light in &rig.lights {
+                let Light::Point { position, .. } = light else {
+                    unreachable!("they are points");
+                };
+                let away = Vec3::from(*position).distance(Vec3::from(rig.center));
+                assert!(away <= rig.radius * 1.000_001);
+            }
+            // More would be kept if they were farther apart.
+            let wider = Aim::ball(rig.center, rig.radius * 1.1, &topology);
+            let count = wider.count(&scene, &topology);
+            assert!(count as f64 / scene.mesh.indices.len() as f64 > share + 0.01);
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Papers that nobody wrote, scenes that nobody made, reports with no place to go.
+
+use super::{folder, refuses, refuses_usage};
+
+const REDUCED: [&str; 3] = ["reproduce", "reduced", "--quick"];
+
+#[test]
+fn papers_and_scenes_that_there_are_none_of() {
+    let folder = folder();
+    refuses_usage(&folder, &["reproduce", "widened"], &["widened"]);
+    let only = [&REDUCED[..], &["--only", "dolls"]].concat();
+    refuses_usage(
+        &folder,
+        &only,
+        &["dolls", "doll, toasters, 24-cell, armadillo, dragon"],
+    );
+    refuses_usage(&folder, &[&REDUCED[..], &["--only"]].concat(), &["--only"]);
+    refuses_usage(
+        &folder,
+        &[&REDUCED[..], &["--threads", "0"]].concat(),
+        &["--threads"],
+    );
+}
+
+#[test]
+fn folders_of_scenes() {
+    let folder = folder();
+    for (scenes, expected) in [
+        ("nowhere", "\"nowhere\""),
+        ("sound.obj", "\"sound.obj\""),
+        ("", "\"\""),
+    ] {
+        let arguments = [&REDUCED[..], &["--scenes", scenes]].concat();
+        refuses(&folder, &arguments, &["there is no folder", expected]);
+    }
+}
+
+/// A file that is there, but broken, is not stood in for.
+#[test]
+fn broken_scenes_are_told() {
+    let folder = folder();
+    std::fs::create_dir(folder.path().join("models")).unwrap();
+    folder.write("models/armadillo.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
+    let arguments = [&REDUCED[..], &["--scenes", "models", "--only", "armadillo"]].concat();
+    refuses(&folder, &arguments, &["armadillo.off"]);
+}
+
+#[test]
+fn reports_without_a_place() {
+    let folder = folder();
+    folder.write("kept.md", "an older report");
+    for (option, place, expected) in [
+        ("--out", "no folder/new.md", "\"no folder\""),
+        ("--out", "new.txt", "\"new.txt\" does not end in .md"),
+        ("--out", "new", "\"new\" does not end in .md"),
+        ("--json", "no folder/new.json", "\"no folder\""),
+        ("--json", "sound.obj/new.json", "\"sound.obj\""),
+    ] {
+        let arguments = [&REDUCED[..], &["--only", "doll", option, place]].concat();
+        refuses(&folder, &arguments, &[expected]);
+    }
+    let same = [&REDUCED[..], &["--out", "kept.md", "--json", "./kept.md"]].concat();
+    refuses(&folder, &same, &["has another use already"]);
+}
+
+#[test]
+fn gpus_that_are_not_there() {
+    let folder = folder();
+    let named = [&REDUCED[..], &["--adapter", "no such GPU"]].concat();
+    refuses(&folder, &named, &["GPU"]);
+    let both = [&REDUCED[..], &["--adapter", "x", "--backend", "cpu"]].concat();
+    refuses(&folder, &both, &["--adapter", "leave one out"]);
+}

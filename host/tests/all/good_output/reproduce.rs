@@ -1,0 +1,156 @@
+//! The tables of a paper, measured again.
+
+use super::{keys, number, parse};
+use crate::process::Folder;
+use serde_json::Value;
+
+const QUICK: [&str; 5] = ["reproduce", "reduced", "--quick", "--backend", "cpu"];
+
+fn numbers(value: &Value) -> Vec<f64> {
+    let list = value.as_array().expect("it is a list");
+    list.iter()
+        .map(|x| x.as_f64().expect("it is a number"))
+        .collect()
+}
+
+/// The rows of a table in a report, cell by cell.
+fn rows<'a>(report: &'a str, title: &str) -> Vec<Vec<&'a str>> {
+    let (_, table) = report
+        .split_once(title)
+        .unwrap_or_else(|| panic!("{title} is not in {report}"));
+    let lines = table.lines().skip_while(|line| !line.starts_with('|'));
+    let lines = lines.take_while(|line| line.starts_with('|'));
+    let cells = lines.map(|line| line.trim_matches('|').split('|').map(str::trim).collect());
+    cells.collect()
+}
+
+#[test]
+fn tables_of_one_scene_as_text_markdown_and_json() {
+    let folder = Folder::new();
+    let options = [
+        "--only",
+        "doll",
+        "--threads",
+        "2",
+        "--out",
+        "doll.md",
+        "--json",
+        "doll.json",
+    ];
+    let text = folder.succeed([&QUICK[..], &options].concat());
+    assert_eq!(folder.contents().len(), 2);
+    for part in [
+        "Table I:",
+        "Table II:",
+        "Table III:",
+        "Table IV:",
+        "Table VI:",
+        "What a ray meets",
+        "Sort once",
+        "Targets",
+        "35,556",
+        "2 threads",
+        "quick",
+        "slimbvh reproduce reduced --quick --only doll --threads 2 --backend cpu",
+    ] {
+        assert!(text.contains(part), "{part} is not in {text}");
+    }
+    // Lights near each other are printed of the armadillo alone, and so is nothing of others.
+    assert!(
+        !text.contains("Table V:") && !text.contains("toasters") && !text.contains("NaN"),
+        "{text}"
+    );
+
+    let report = parse(&String::from_utf8(folder.read("doll.json")).unwrap());
+    let expected = [
+        "backend", "command", "machine", "paper", "protocol", "quick", "scenes", "threads",
+        "verdicts",
+    ];
+    let mut found = keys(&report);
+    found.sort_unstable();
+    assert_eq!(found, expected);
+    let scene = &report["scenes"][0];
+    assert_eq!(
+        (number(scene, "triangles"), number(scene, "seams")),
+        (71_450.0, 0.0)
+    );
+    assert!(scene["stand_in"].is_null());
+    let sizes = numbers(&scene["sizes"]);
+    assert!(
+        sizes[0] + sizes[1] >= 71_450.0 && sizes[2] + sizes[3] >= 71_450.0,
+        "{sizes:?}"
+    );
+    assert!(
+        sizes
+            .iter()
+            .all(|size| (0.45..0.55).contains(&(size / 71_450.0))),
+        "{sizes:?}"
+    );
+    for round in scene["sets"].as_array().unwrap() {
+        assert!(number(round, "all") > number(round, "sort"));
+        assert_eq!(round["sets"].as_array().unwrap().len(), 4);
+    }
+    for pictures in scene["pictures"].as_array().unwrap() {
+        assert_eq!(pictures["reduced"].as_array().unwrap().len(), 2);
+        let default = &pictures["default"][0];
+        assert!(number(default, "primary") > 0.0 && number(default, "shadow") > 0.0);
+        assert_eq!(number(&default["camera_build"], "division"), 0.0);
+        assert!(
+            number(
+                &pictures["reduced"][0]["rounds"][0]["camera_build"],
+                "division"
+            ) > 0.0
+        );
+    }
+    // The smaller tree is no deeper to walk, and what faces away from a light does not hold what its rays leave.
+    let visits = &scene["visits"];
+    let nodes = |of: &str| number(&visits[of], "nodes");
+    assert!(
+        nodes("primary_reduced") < nodes("primary_whole"),
+        "{visits}"
+    );
+    assert!(nodes("shadow_away") < nodes("shadow_reduced"), "{visits}");
+
+    // The file has the same tables, all rows of them as long as their heads.
+    let file = String::from_utf8(folder.read("doll.md")).unwrap();
+    for title in [
+        "Table I:",
+        "Table II:",
+        "Table III:",
+        "Table IV:",
+        "Table VI:",
+        "What a ray meets",
+        "Sort once",
+    ] {
+        let rows = rows(&file, title);
+        assert!(rows.len() >= 4, "{title}");
+        assert!(rows.iter().all(|row| row.len() == rows[0].len()), "{title}");
+    }
+    let sizes = rows(&file, "Table I:");
+    assert_eq!(sizes[2][..4], ["doll", "printed", "71,450", "35,556"]);
+    assert_eq!(sizes[3][..3], ["doll", "ours", "71,450"]);
+}
+
+/// Without the file of the armadillo, something like it is measured, and the report says so.
+#[test]
+fn what_is_missing_is_stood_in_for() {
+    let folder = Folder::new();
+    let options = ["--only", "armadillo", "--scenes", ".", "--json", "-"];
+    let report = parse(&folder.succeed([&QUICK[..], &options].concat()));
+    let scene = &report["scenes"][0];
+    let stand_in = scene["stand_in"].as_str().expect("it is a sentence");
+    assert!(
+        stand_in.contains("stands in for armadillo.off"),
+        "{stand_in}"
+    );
+    assert_eq!(number(scene, "triangles"), 331_906.0);
+    let lights = scene["lights"].as_array().unwrap();
+    assert_eq!(lights.len(), 2);
+    for (lights, count) in lights.iter().zip([4.0, 9.0]) {
+        assert_eq!(number(lights, "lights"), count);
+        assert!((number(lights, "share") - 0.694).abs() < 0.005, "{lights}");
+        let rows = lights["rows"].as_array().unwrap();
+        assert_eq!(rows[0]["triangles"], 331_906);
+        assert!(rows.len() >= 4);
+    }
+}
