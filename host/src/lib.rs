@@ -19,7 +19,9 @@ pub mod topology;
 mod wide;
 
 pub use bvh::Bvh;
-pub use cpu::{BuildConfig, Builder, CodeBits, RefitError, Renderer, Subset, Tree, Trees};
+pub use cpu::{
+    BuildConfig, Builder, CodeBits, Decisions, RefitError, Renderer, Subset, Tree, Trees,
+};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, RenderReport, RenderSettings, View};
 pub use scene::{Camera, Light, Material, Projection, Scene, ViewError};

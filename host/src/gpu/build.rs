@@ -78,8 +78,8 @@ struct Scratch {
 
 impl Builder {
     /// The stages that a build may have.
-    pub const STAGES: [&str; 7] = [
-        "bounds", "morton", "sort", "classify", "snap", "topology", "refit",
+    pub const STAGES: [&str; 8] = [
+        "bounds", "morton", "sort", "decide", "classify", "snap", "topology", "refit",
     ];
 
     /// A builder without buffers yet.
@@ -207,6 +207,15 @@ impl Builder {
     /// What the programs of the latest frames ask of the GPU, stage by stage: a sort and a build, or a refit.
     pub fn work(&self) -> impl Iterator<Item = &Work> {
         self.programs.iter().flat_map(|(_, program)| program.work())
+    }
+
+    /// Where the exponent of the mesh is that was sorted or refitted last.
+    pub(super) fn exponent(&self) -> Result<Range, GpuError> {
+        let kept = self.scratch.exponent.kept(16);
+        kept.ok_or_else(|| GpuError::Unfit {
+            what: "the builder",
+            fault: "has seen no mesh; sort, build or refit one first".into(),
+        })
     }
 
     fn key_bits(&self) -> u32 {

@@ -1,6 +1,7 @@
 //! What rays of one origin may hit, in buffers.
 
 use super::buffer::{Range, Slot, upload};
+use super::decide::Decider;
 use super::program::Uniform;
 use super::{Frame, Gpu, GpuError};
 use slimbvh_core::orientation::Target;
@@ -29,12 +30,15 @@ impl Components {
     }
 }
 
-/// A target of rays, and the outer side of each component as it matters to that. Filled by [`Self::set`], which can fill it
-/// again without allocating.
+/// A target of rays, and the outer side of each component as it matters to that. Filled by [`Self::set`], or on the GPU by
+/// [`Self::decide`], which can fill it again without allocating.
 #[derive(Debug)]
 pub struct Facing {
     target: Slot,
     sides: Slot,
+    /// How large both sets are that answer for a light.
+    pub(super) counts: Slot,
+    pub(super) decider: Option<Decider>,
     pub(super) ranges: Option<FacingRanges>,
 }
 
@@ -57,6 +61,11 @@ impl Default for Facing {
         Self {
             target: Slot::new("slimbvh target", BufferUsages::UNIFORM.union(copied)),
             sides: Slot::new("slimbvh sides", BufferUsages::STORAGE.union(copied)),
+            counts: Slot::new(
+                "slimbvh set counts of a light",
+                BufferUsages::STORAGE.union(copied),
+            ),
+            decider: None,
             ranges: None,
         }
     }
@@ -83,29 +92,36 @@ impl Facing {
         let gpu = frame.gpu();
         let sides: &[i32] = if sides.is_empty() { &[0] } else { sides };
         gpu.checked(|| {
-            let ranges = FacingRanges {
-                target: self.target.range(gpu, size_of::<Target>() as u64),
-                sides: self.sides.range(gpu, size_of_val(sides) as u64),
-            };
-            let parts: [(&[u8], &Range); 2] = [
-                (bytemuck::bytes_of(target), &ranges.target),
-                (bytemuck::cast_slice(sides), &ranges.sides),
-            ];
-            for (bytes, range) in parts {
-                let usage = BufferUsages::COPY_SRC;
-                let from = upload(gpu, "slimbvh facing to upload", usage, bytes);
-                let encoder = frame.encoder();
-                encoder.copy_buffer_to_buffer(&from, 0, &range.buffer, range.offset, range.size);
-            }
+            let ranges = self.reserve(gpu, sides.len());
+            Self::put(frame, bytemuck::bytes_of(target), &ranges.target);
+            Self::put(frame, bytemuck::cast_slice(sides), &ranges.sides);
+            // Nothing was counted for these.
+            self.decider = None;
             self.ranges = Some(ranges);
             Ok(())
         })
     }
 
+    /// Makes room for a target and so many sides.
+    pub(super) fn reserve(&mut self, gpu: &Gpu, side_count: usize) -> FacingRanges {
+        FacingRanges {
+            target: self.target.range(gpu, size_of::<Target>() as u64),
+            sides: self.sides.range(gpu, 4 * side_count as u64),
+        }
+    }
+
+    /// Records that bytes be put into a range.
+    pub(super) fn put(frame: &mut Frame, bytes: &[u8], to: &Range) {
+        let usage = BufferUsages::COPY_SRC;
+        let from = upload(frame.gpu(), "slimbvh facing to upload", usage, bytes);
+        let encoder = frame.encoder();
+        encoder.copy_buffer_to_buffer(&from, 0, &to.buffer, to.offset, to.size);
+    }
+
     pub(super) fn ranges(&self) -> Result<&FacingRanges, GpuError> {
         self.ranges.as_ref().ok_or_else(|| GpuError::Unfit {
             what: "the target",
-            fault: "is empty; set it first".into(),
+            fault: "is empty; set or decide it first".into(),
         })
     }
 }
