@@ -21,7 +21,7 @@ pub fn run_bounds(first: u32, count: u32, triangles: &IndexedTriangles) -> Aabb 
 
 /// Without −0, so that the order of unions does not tell.
 #[inline]
-fn positive_zeros(v: Vec3) -> Vec3 {
+pub(crate) fn positive_zeros(v: Vec3) -> Vec3 {
     let positive = |x: f32| if x == 0.0 { 0.0 } else { x };
     Vec3::new(positive(v.x), positive(v.y), positive(v.z))
 }

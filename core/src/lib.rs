@@ -16,6 +16,7 @@ pub mod camera;
 pub mod classify;
 pub mod color;
 pub mod compact;
+pub mod decide;
 pub mod float;
 pub mod frustum;
 pub mod lattice;

@@ -126,12 +126,12 @@ impl Orientation {
 
 /// A product that no compiler fuses with a sum: `zero` is 0, but only at run time.
 #[inline(always)]
-fn product(x: f32, y: f32, zero: u32) -> f32 {
+pub(crate) fn product(x: f32, y: f32, zero: u32) -> f32 {
     f32::from_bits((x * y).to_bits() ^ zero)
 }
 
 #[inline(always)]
-fn dot(a: Vec3, b: Vec3, zero: u32) -> f32 {
+pub(crate) fn dot(a: Vec3, b: Vec3, zero: u32) -> f32 {
     product(a.x, b.x, zero) + product(a.y, b.y, zero) + product(a.z, b.z, zero)
 }
 

@@ -22,6 +22,7 @@ pub mod bounds;
 pub mod camera;
 pub mod classify;
 pub mod compact;
+pub mod decide;
 pub mod morton;
 pub mod refit;
 pub mod scan;

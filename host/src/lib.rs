@@ -20,7 +20,8 @@ mod wide;
 
 pub use bvh::Bvh;
 pub use cpu::{
-    BuildConfig, Builder, CodeBits, Division, RefitError, Renderer, Subset, Tree, Trees, Turns,
+    BuildConfig, Builder, CodeBits, Decisions, Division, RefitError, Renderer, Subset, Tree, Trees,
+    Turns,
 };
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};

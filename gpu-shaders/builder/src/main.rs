@@ -47,7 +47,7 @@ const CRATES: [ShaderCrate; 2] = [
 const MANIFEST: &str = "host/shaders/manifest.json";
 
 /// The entry points of `gpu-shaders`.
-const ENTRY_POINTS: [&str; 53] = [
+const ENTRY_POINTS: [&str; 59] = [
     "bounds",
     "call_trace",
     "camera_encode",
@@ -60,6 +60,12 @@ const ENTRY_POINTS: [&str; 53] = [
     "classify_order_63",
     "compact",
     "compact_counts",
+    "decide_components",
+    "decide_counts",
+    "decide_sides",
+    "decide_smaller",
+    "decide_spans",
+    "decide_turn",
     "frame",
     "morton_30",
     "morton_63",

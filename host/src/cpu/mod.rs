@@ -1,6 +1,7 @@
 //! The CPU backend: core's kernels under rayon. The number of threads never changes a bit.
 
 mod build;
+mod decide;
 mod divide;
 mod order;
 mod paint;
@@ -12,6 +13,7 @@ mod topology;
 mod trees;
 
 pub use build::{BuildConfig, Builder, CodeBits, RefitError, Subset};
+pub use decide::Decisions;
 pub use divide::Division;
 pub(crate) use order::scene_bounds;
 pub use render::Renderer;

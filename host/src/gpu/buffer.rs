@@ -136,6 +136,12 @@ impl Slot {
         range
     }
 
+    /// The range that was made last, if it is as large as this.
+    pub fn kept(&self, bytes: u64) -> Option<Range> {
+        let buffer = self.buffer.as_ref().filter(|b| b.size() >= bytes)?;
+        Some(Range::new(buffer, 0, bytes))
+    }
+
     pub fn bytes(&self) -> u64 {
         self.buffer.as_ref().map_or(0, wgpu::Buffer::size)
     }

@@ -79,8 +79,9 @@ struct Scratch {
 
 impl Builder {
     /// The stages that a build may have.
-    pub const STAGES: [&str; 9] = [
-        "bounds", "morton", "sort", "classify", "scan", "compact", "snap", "topology", "refit",
+    pub const STAGES: [&str; 10] = [
+        "bounds", "morton", "sort", "decide", "classify", "scan", "compact", "snap", "topology",
+        "refit",
     ];
 
     /// A builder without buffers yet.
@@ -244,6 +245,15 @@ impl Builder {
     /// What the programs of the latest frames ask of the GPU, stage by stage: a sort and a build, or a refit.
     pub fn work(&self) -> impl Iterator<Item = &Work> {
         self.programs.iter().flat_map(|(_, program)| program.work())
+    }
+
+    /// Where the exponent of the mesh is that was sorted or refitted last.
+    pub(super) fn exponent(&self) -> Result<Range, GpuError> {
+        let kept = self.scratch.exponent.kept(16);
+        kept.ok_or_else(|| GpuError::Unfit {
+            what: "the builder",
+            fault: "has seen no mesh; sort, build or refit one first".into(),
+        })
     }
 
     fn key_bits(&self) -> u32 {

@@ -1,6 +1,7 @@
 //! What rays of one origin may hit, in buffers.
 
 use super::buffer::{Range, Slot, upload};
+use super::decide::Decider;
 use super::program::Uniform;
 use super::{Frame, Gpu, GpuError};
 use slimbvh_core::frustum::Frustum;
@@ -30,14 +31,17 @@ impl Components {
     }
 }
 
-/// A target of rays, and the outer side of each component as it matters to that. Filled by [`Self::set`], which can fill it
-/// again without allocating.
+/// A target of rays, and the outer side of each component as it matters to that. Filled by [`Self::set`], or on the GPU by
+/// [`Self::decide`], which can fill it again without allocating.
 #[derive(Debug)]
 pub struct Facing {
     target: Slot,
     frustum: Slot,
     needed: Slot,
     sides: Slot,
+    /// How large both sets are that answer for a light.
+    pub(super) counts: Slot,
+    pub(super) decider: Option<Decider>,
     pub(super) ranges: Option<FacingRanges>,
 }
 
@@ -81,6 +85,11 @@ impl Default for Facing {
                     .union(copied),
             ),
             sides: Slot::new("slimbvh sides", BufferUsages::STORAGE.union(copied)),
+            counts: Slot::new(
+                "slimbvh set counts of a light",
+                BufferUsages::STORAGE.union(copied),
+            ),
+            decider: None,
             ranges: None,
         }
     }
@@ -109,33 +118,47 @@ impl Facing {
         let gpu = frame.gpu();
         let sides: &[i32] = if sides.is_empty() { &[0] } else { sides };
         gpu.checked(|| {
-            let ranges = FacingRanges {
-                target: self.target.range(gpu, size_of::<Target>() as u64),
-                frustum: self.frustum.range(gpu, size_of::<Frustum>() as u64),
-                needed: self.needed.range(gpu, size_of_val(&NEEDED) as u64),
-                sides: self.sides.range(gpu, size_of_val(sides) as u64),
-            };
-            let parts: [(&[u8], &Range); 4] = [
-                (bytemuck::bytes_of(&NEEDED), &ranges.needed),
-                (bytemuck::bytes_of(target), &ranges.target),
-                (bytemuck::bytes_of(frustum), &ranges.frustum),
-                (bytemuck::cast_slice(sides), &ranges.sides),
-            ];
-            for (bytes, range) in parts {
-                let usage = BufferUsages::COPY_SRC;
-                let from = upload(gpu, "slimbvh facing to upload", usage, bytes);
-                let encoder = frame.encoder();
-                encoder.copy_buffer_to_buffer(&from, 0, &range.buffer, range.offset, range.size);
-            }
+            let ranges = self.reserve(frame, sides.len(), frustum);
+            Self::put(frame, bytemuck::bytes_of(target), &ranges.target);
+            Self::put(frame, bytemuck::cast_slice(sides), &ranges.sides);
+            // Nothing was counted for these.
+            self.decider = None;
             self.ranges = Some(ranges);
             Ok(())
         })
     }
 
+    /// Makes room for a target and so many sides, and records that later commands find this frustum, and the set needed.
+    pub(super) fn reserve(
+        &mut self,
+        frame: &mut Frame,
+        side_count: usize,
+        frustum: &Frustum,
+    ) -> FacingRanges {
+        let gpu = frame.gpu();
+        let ranges = FacingRanges {
+            target: self.target.range(gpu, size_of::<Target>() as u64),
+            frustum: self.frustum.range(gpu, size_of::<Frustum>() as u64),
+            needed: self.needed.range(gpu, size_of_val(&NEEDED) as u64),
+            sides: self.sides.range(gpu, 4 * side_count as u64),
+        };
+        Self::put(frame, bytemuck::bytes_of(frustum), &ranges.frustum);
+        Self::put(frame, bytemuck::bytes_of(&NEEDED), &ranges.needed);
+        ranges
+    }
+
+    /// Records that bytes be put into a range.
+    pub(super) fn put(frame: &mut Frame, bytes: &[u8], to: &Range) {
+        let usage = BufferUsages::COPY_SRC;
+        let from = upload(frame.gpu(), "slimbvh facing to upload", usage, bytes);
+        let encoder = frame.encoder();
+        encoder.copy_buffer_to_buffer(&from, 0, &to.buffer, to.offset, to.size);
+    }
+
     pub(super) fn ranges(&self) -> Result<&FacingRanges, GpuError> {
         self.ranges.as_ref().ok_or_else(|| GpuError::Unfit {
             what: "the target",
-            fault: "is empty; set it first".into(),
+            fault: "is empty; set or decide it first".into(),
         })
     }
 }

@@ -38,6 +38,7 @@ kernels! {
     morton_30, morton_63,
     sort_count_30, sort_count_63, sort_scatter_30, sort_scatter_63,
     scan_sums, scan_blocks, scan_apply,
+    decide_spans, decide_components, decide_sides, decide_counts, decide_smaller, decide_turn,
     classify, classify_order_30, classify_order_63, classify_compact_30, classify_compact_63,
     compact_counts, compact,
     snap_30, snap_63, snap_again,

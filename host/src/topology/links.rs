@@ -8,11 +8,11 @@ use rayon::prelude::*;
 /// the component meets its reverse; where an edge has two triangles, as in most meshes, only as long.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Link {
-    component: u32,
-    vertices: [u32; 2],
+    pub(super) component: u32,
+    pub(super) vertices: [u32; 2],
 }
 
-/// The links of all closed components. `triangles` are those of the mesh over welded vertices; `closed` tells the closed
+/// The links of all closed components, by component. `triangles` are those of the mesh over welded vertices; `closed` tells the closed
 /// component that a triangle belongs to, if any.
 pub(super) fn links(
     mesh: &Mesh,

@@ -11,6 +11,7 @@ mod contact;
 mod crossing;
 mod distance;
 mod links;
+mod runs;
 mod seams;
 mod shape;
 mod sides;
@@ -25,6 +26,7 @@ use crate::analysis::{Edges, Labels, NONE, excess, weld};
 use links::Link;
 use shape::{Shape, Span};
 
+pub(crate) use runs::Runs;
 pub use sides::Target;
 
 /// What a mesh's indices and positions say about its surfaces. Made once; [`Self::update`] follows moving vertices.
@@ -118,6 +120,20 @@ impl Topology {
         for component in links::broken(&self.links, &self.vertices) {
             self.shapes[component as usize].open();
         }
+    }
+
+    /// The links of a component.
+    fn links_of(&self, component: u32) -> &[Link] {
+        let first = |component| {
+            self.links
+                .partition_point(|link| link.component < component)
+        };
+        &self.links[first(component)..first(component + 1)]
+    }
+
+    /// How many vertices the mesh has.
+    pub(crate) fn vertex_count(&self) -> usize {
+        self.vertices.len()
     }
 
     /// The component of each triangle, numbered in the order of their first triangles; [`Self::component_count`] for

@@ -13,7 +13,8 @@ use std::ops::Range;
 pub(super) struct Shape {
     /// Its spans.
     pub(super) spans: Range<u32>,
-    triangle_count: u32,
+    /// How many triangles it has, seams included.
+    pub(super) triangle_count: u32,
     /// How many of its triangles are seams.
     pub(super) seam_count: u32,
     was_closed: bool,
@@ -43,6 +44,11 @@ impl Shape {
     pub(super) fn open(&mut self) {
         self.closed = false;
         self.outward = None;
+    }
+
+    /// Whether it may be reduced wherever its vertices are, as long as it is closed and has an outer side there.
+    pub(super) fn may_be_reduced(&self) -> bool {
+        self.was_closed && !self.barred
     }
 
     /// 1 or −1 for the side that faces out, front being 1.

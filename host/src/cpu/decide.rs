@@ -1,0 +1,150 @@
+//! Stage `decide` on the CPU.
+
+use crate::topology::{Runs, Topology};
+use crate::{Aabb, Mesh};
+use rayon::prelude::*;
+use slimbvh_core::bounds::scene_exponent;
+use slimbvh_core::classify::Sides;
+use slimbvh_core::decide::{
+    Choice, Measure, SetCounts, Unit, count_step, join_step, lane_counts, lane_joined,
+    lane_measure, lane_total,
+};
+use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::launch::{BLOCK, LANES};
+use slimbvh_core::orientation::Target;
+
+/// What can be said of a mesh's components wherever its vertices are, by the kernels that also run on a GPU: to the bit what
+/// [`crate::gpu::Decisions`] finds. [`Topology`] takes solid angles as well, and so knows more of targets that touch a
+/// component's box.
+#[derive(Clone, Debug)]
+pub struct Decisions {
+    runs: Runs,
+    /// The component of each triangle.
+    components: Vec<u32>,
+    component_count: u32,
+    vertex_count: usize,
+    measures: Vec<Measure>,
+    exponent: i32,
+}
+
+impl Decisions {
+    /// Takes from a topology what does not depend on positions. It must have looked for seams, if it is to.
+    #[must_use]
+    pub fn new(topology: &Topology) -> Self {
+        Self {
+            runs: topology.runs(),
+            components: topology.components().to_vec(),
+            component_count: topology.component_count(),
+            vertex_count: topology.vertex_count(),
+            measures: Vec::new(),
+            exponent: 0,
+        }
+    }
+
+    /// Measures all components where the mesh's vertices are now.
+    ///
+    /// # Panics
+    /// If it is another mesh, as far as the counts tell.
+    pub fn measure(&mut self, mesh: &Mesh) {
+        let counts = (mesh.vertices.len(), mesh.indices.len());
+        let expected = (self.vertex_count, self.components.len());
+        assert_eq!(counts, expected, "vertices and triangles of another mesh");
+        self.exponent = scene_exponent(&mesh.bounds().unwrap_or(Aabb::EMPTY));
+        let unit = Unit {
+            scale: PowerOfTwo::new(self.exponent),
+            zero: 0,
+        };
+        let surfaces = self.runs.surfaces(&mesh.vertices);
+        let spans = self.runs.spans.par_iter().map(|span| {
+            let own = |lane| lane_measure(lane, span, &surfaces, &unit);
+            reduce(Measure::NOTHING, own, join_step::<LANES>)
+        });
+        let spans: Vec<Measure> = spans.collect();
+        let components = self.runs.components.par_iter().map(|component| {
+            let own = |lane| lane_joined(lane, component, &spans);
+            reduce(Measure::NOTHING, own, join_step::<LANES>)
+        });
+        components.collect_into_vec(&mut self.measures);
+    }
+
+    /// What was measured of each component that may be reduced, with its number.
+    pub fn measures(&self) -> impl Iterator<Item = (u32, &Measure)> {
+        let components = self.runs.components.iter().zip(&self.measures);
+        components.map(|(component, measure)| (component.number, measure))
+    }
+
+    /// For each component the side that faces out, 1 for the front and −1 for the back; 0 where it must stay whole, or the
+    /// target, in the mesh's unit, touches its box. One more entry, 0, stands at the number of components.
+    #[must_use]
+    pub fn sides(&self, target: &Target) -> Vec<i32> {
+        let mut sides = vec![0; self.component_count as usize + 1];
+        for (number, measure) in self.measures() {
+            sides[number as usize] = measure.side(target);
+        }
+        sides
+    }
+
+    /// Counts the triangles that face a light and those that face away. Where these are fewer, and the eye is outside of all
+    /// components that the light is outside of, negates the light's sides. It must be true that every shadow ray starts
+    /// outside wherever the eye is: that nothing is transparent.
+    ///
+    /// # Panics
+    /// If sides are missing.
+    pub fn take_smaller(
+        &self,
+        mesh: &Mesh,
+        light: &Target,
+        eye_sides: &[i32],
+        sides: &mut [i32],
+    ) -> SetCounts {
+        let expected = self.component_count as usize + 1;
+        assert_eq!([eye_sides.len(), sides.len()], [expected; 2], "sides");
+        let scale = PowerOfTwo::new(self.exponent);
+        let choice = Choice {
+            mesh: mesh.triangles(),
+            scale,
+            sides: Sides {
+                components: &self.components,
+                sides,
+            },
+            eye_sides,
+            target: light.scaled(&scale),
+        };
+        let blocks = (0..(mesh.indices.len() as u32).div_ceil(BLOCK)).into_par_iter();
+        let nothing = SetCounts::default();
+        let blocks = blocks.map(|block| {
+            let own = |lane| lane_counts(block, lane, &choice);
+            reduce(nothing, own, count_step::<LANES>)
+        });
+        let blocks: Vec<SetCounts> = blocks.collect();
+        let own = |lane| lane_total(lane, &blocks);
+        let counts = reduce(nothing, own, count_step::<LANES>).decided();
+        if counts.is_minus == 1 {
+            for side in sides {
+                *side = -*side;
+            }
+        }
+        counts
+    }
+}
+
+/// What a workgroup's lanes have together, in the order of its steps.
+fn reduce<T: Copy>(
+    nothing: T,
+    own: impl Fn(u32) -> T,
+    step: impl Fn(u32, u32, &[T; LANES]) -> T,
+) -> T {
+    let mut all = [nothing; LANES];
+    for (lane, value) in (0..).zip(&mut all) {
+        *value = own(lane);
+    }
+    let mut distance = LANES as u32 / 2;
+    while distance > 0 {
+        // Lanes read only what no lane of the step stores, but for its own.
+        for lane in 0..distance {
+            all[lane as usize] = step(lane, distance, &all);
+        }
+        distance /= 2;
+    }
+    all[0]
+}

@@ -1,0 +1,217 @@
+//! Stage `decide`: which sides face out for a target, found by the GPU.
+
+use super::buffer::{Download, Range};
+use super::decisions::Decisions;
+use super::facing::{Facing, FacingRanges};
+use super::program::{Program, Recorder, Uniform, groups, threads};
+use super::{Frame, Gpu, GpuError, Kernel, Mesh};
+use slimbvh_core::decide::SetCounts;
+use slimbvh_core::frustum::Frustum;
+use slimbvh_core::launch::BLOCK;
+use slimbvh_core::orientation::Target;
+
+/// Which triangles of the components that a target is outside of answer for it.
+#[derive(Clone, Copy, Debug)]
+pub enum Answer<'a> {
+    /// Those that face it (L+).
+    Facing,
+    /// For a light: those that face it, or those that face away (L−), whichever are fewer. These are taken only where the eye
+    /// is outside of all components that the light is outside of. Whoever asks for it knows that then every shadow ray
+    /// starts outside: that nothing is transparent.
+    Smaller {
+        /// The eye, set or decided before in this frame.
+        eye: &'a Facing,
+    },
+}
+
+/// What a program was made for.
+#[derive(Debug, PartialEq)]
+struct Key {
+    ranges: FacingRanges,
+    measures: Range,
+    mesh: Mesh,
+    eye_sides: Option<Range>,
+}
+
+/// What finds a target's sides.
+#[derive(Debug)]
+pub struct Decider {
+    key: Key,
+    program: Program,
+    counts: Option<Range>,
+}
+
+impl Facing {
+    /// Records that later commands of the frame find this target, in the mesh's unit, and which sides of the components face
+    /// out for it, by what was measured last: see [`Decisions::measure`].
+    ///
+    /// # Errors
+    /// If nothing was measured, for an eye that was not set, or for other components, and if memory is exhausted.
+    pub fn decide(
+        &mut self,
+        frame: &mut Frame,
+        decisions: &Decisions,
+        target: &Target,
+        answer: Answer,
+    ) -> Result<(), GpuError> {
+        let gpu = frame.gpu();
+        let mesh = decisions.mesh.as_ref().ok_or_else(|| GpuError::Unfit {
+            what: "the decisions",
+            fault: "know no mesh; measure one first".into(),
+        })?;
+        let side_count = decisions.component_count + 1;
+        let eye_sides = match answer {
+            Answer::Facing => None,
+            Answer::Smaller { eye } => Some(eye_sides(eye, side_count)?),
+        };
+        gpu.checked(|| {
+            let ranges = self.reserve(frame, side_count as usize, &Frustum::EVERYWHERE);
+            Self::put(frame, bytemuck::bytes_of(target), &ranges.target);
+            let key = Key {
+                ranges: ranges.clone(),
+                measures: decisions.measures.clone(),
+                mesh: mesh.clone(),
+                eye_sides,
+            };
+            if self.decider.as_ref().is_none_or(|kept| kept.key != key) {
+                self.decider = None;
+                let counts = key.eye_sides.as_ref().map(|_| self.counts.range(gpu, 16));
+                let program = record(gpu, decisions, &key, counts.as_ref())?;
+                self.decider = Some(Decider {
+                    key,
+                    program,
+                    counts,
+                });
+            }
+            if let Some(decider) = &self.decider {
+                decider.program.encode(frame);
+            }
+            self.ranges = Some(ranges);
+            Ok(())
+        })
+    }
+
+    /// Copies what was decided by this point of the frame, to be read when the frame is done: to tell of it, never to decide
+    /// by it.
+    ///
+    /// # Errors
+    /// If nothing was set or decided, or memory is exhausted.
+    pub fn read_later(&self, frame: &mut Frame) -> Result<FacingDownload, GpuError> {
+        let sides = &self.ranges()?.sides;
+        let counts = self.decider.as_ref().and_then(|kept| kept.counts.as_ref());
+        frame.gpu().checked(|| {
+            Ok(FacingDownload {
+                sides: frame.download(sides),
+                counts: counts.map(|counts| frame.download(counts)),
+            })
+        })
+    }
+
+    /// What deciding asks of the GPU.
+    #[must_use]
+    pub fn work(&self) -> Option<&super::Work> {
+        self.decider.as_ref()?.program.work().first()
+    }
+}
+
+/// The sides that an eye was given.
+fn eye_sides(eye: &Facing, side_count: u32) -> Result<Range, GpuError> {
+    let sides = &eye.ranges()?.sides;
+    if sides.size == 4 * u64::from(side_count) {
+        return Ok(sides.clone());
+    }
+    Err(GpuError::Unfit {
+        what: "the eye",
+        fault: format!(
+            "has the sides of {} components, not of {side_count}",
+            sides.size / 4
+        ),
+    })
+}
+
+fn record(
+    gpu: &Gpu,
+    decisions: &Decisions,
+    key: &Key,
+    counts: Option<&Range>,
+) -> Result<Program, GpuError> {
+    let mut recorder = Recorder::default();
+    recorder.stage("decide");
+    let FacingRanges { sides, .. } = &key.ranges;
+    let target = key.ranges.target();
+    let (components, count) = (&decisions.components, decisions.reducible_count());
+    // All others stay whole.
+    recorder.clear(sides);
+    if count > 0 {
+        recorder.dispatch(
+            Kernel::decide_sides,
+            &[target],
+            &[components, &decisions.measures],
+            &[sides],
+            threads(count),
+        );
+    }
+    if let (Some(eye_sides), Some(counts)) = (&key.eye_sides, counts) {
+        let mesh = &key.mesh;
+        if count == 0 {
+            let all = mesh.triangle_count;
+            recorder.write(counts, &[all, all, 0, 0]);
+            return recorder.finish(gpu);
+        }
+        let blocks = &decisions.blocks;
+        recorder.dispatch(
+            Kernel::decide_counts,
+            &[Uniform::Stored(&decisions.exponent), target],
+            &[
+                &mesh.vertices,
+                &mesh.indices,
+                &decisions.triangle_components.0,
+                sides,
+                eye_sides,
+            ],
+            &[blocks],
+            groups(mesh.triangle_count.div_ceil(BLOCK)),
+        );
+        recorder.dispatch(Kernel::decide_smaller, &[], &[blocks], &[counts], groups(1));
+        recorder.update(
+            Kernel::decide_turn,
+            &[],
+            &[counts, components],
+            &[sides],
+            threads(count),
+        );
+    }
+    recorder.finish(gpu)
+}
+
+/// What was decided for a target, on its way.
+#[derive(Debug)]
+#[must_use]
+pub struct FacingDownload {
+    sides: Download,
+    counts: Option<Download>,
+}
+
+/// What was decided for a target.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Decided {
+    /// The side of each component that counts: the outer one, or the inner one for L−; 0 where all of it does. One more entry, 0,
+    /// stands at the number of components.
+    pub sides: Vec<i32>,
+    /// How large both sets are, where the smaller one was asked for.
+    pub counts: Option<SetCounts>,
+}
+
+impl FacingDownload {
+    /// Waits for it, and reads it.
+    ///
+    /// # Errors
+    /// If the device was lost.
+    pub fn read(self, gpu: &Gpu) -> Result<Decided, GpuError> {
+        let sides = self.sides.read(gpu)?;
+        let counts: Option<Vec<SetCounts>> =
+            self.counts.map(|counts| counts.read(gpu)).transpose()?;
+        let counts = counts.and_then(|counts| counts.first().copied());
+        Ok(Decided { sides, counts })
+    }
+}

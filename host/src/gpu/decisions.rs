@@ -1,0 +1,253 @@
+//! What is known of components whose vertices move on the GPU.
+
+use super::buffer::{Download, Range, Slot, upload};
+use super::facing::Components;
+use super::program::{Program, Recorder, Uniform, groups};
+use super::{Builder, Frame, Gpu, GpuError, Kernel, Mesh};
+use crate::topology::Topology;
+use slimbvh_core::decide::{Component, Measure};
+use slimbvh_core::launch::BLOCK;
+use wgpu::BufferUsages;
+
+/// What to do about a mesh that is too large.
+const TOO_LARGE: &str = "take a smaller mesh, or the CPU";
+
+/// Measures a mesh's components on the GPU, so that the vertices need never be known elsewhere: their boxes, which side
+/// faces out, and whether they are still closed. Then [`super::Facing::decide`] finds for each target which of their sides
+/// face out, to the bit as [`crate::Decisions`] does.
+#[derive(Debug)]
+pub struct Decisions {
+    pub(super) triangle_components: Components,
+    /// Those that may be reduced.
+    pub(super) components: Range,
+    pub(super) component_numbers: Vec<u32>,
+    /// How many components the mesh has.
+    pub(super) component_count: u32,
+    spans: Range,
+    span_count: u32,
+    faces: Range,
+    links: Range,
+    span_measures: Range,
+    pub(super) measures: Range,
+    /// The scene's exponent.
+    pub(super) exponent: Range,
+    /// A place for counts of sets.
+    pub(super) blocks: Range,
+    triangle_count: u32,
+    vertex_count: usize,
+    /// The mesh that was measured.
+    pub(super) mesh: Option<Mesh>,
+    /// What measures it, with where the exponent is.
+    program: Option<(Range, Program)>,
+}
+
+/// What is known of a component.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// Its number.
+    pub component: u32,
+    /// Its box, the sign of its volume, and whether it is closed.
+    pub measure: Measure,
+}
+
+impl Decisions {
+    /// Uploads from a topology what does not depend on positions. It must have looked for seams, if it is to.
+    ///
+    /// # Errors
+    /// For more triangles than the GPU takes.
+    pub fn new(gpu: &Gpu, topology: &Topology) -> Result<Self, GpuError> {
+        let runs = topology.runs();
+        let triangle_count = topology.components().len() as u32;
+        gpu.check_sizes(
+            &[
+                (
+                    "the faces by component",
+                    size_of_val(runs.faces.as_slice()) as u64,
+                ),
+                ("the links", size_of_val(runs.links.as_slice()) as u64),
+                (
+                    "the components",
+                    (runs.components.len() * size_of::<Measure>()) as u64,
+                ),
+            ],
+            TOO_LARGE,
+        )?;
+        let triangle_components = Components::upload(gpu, topology.components())?;
+        gpu.checked(|| {
+            let usage = BufferUsages::STORAGE;
+            let measures = |label, count: usize| {
+                let bytes = (count.max(1) * size_of::<Measure>()) as u64;
+                Slot::storage(label).range(gpu, bytes)
+            };
+            let state = BufferUsages::UNIFORM.union(BufferUsages::COPY_DST);
+            let block_count = u64::from(triangle_count.div_ceil(BLOCK).max(1));
+            let list = upload(gpu, "slimbvh decided components", usage, &runs.components);
+            let spans = upload(gpu, "slimbvh spans", usage, &runs.spans);
+            let faces = upload(gpu, "slimbvh faces by component", usage, &runs.faces);
+            let links = upload(gpu, "slimbvh links", usage, &runs.links);
+            Ok(Self {
+                triangle_components,
+                components: Range::whole(&list),
+                component_numbers: runs
+                    .components
+                    .iter()
+                    .map(|c: &Component| c.number)
+                    .collect(),
+                component_count: topology.component_count(),
+                spans: Range::whole(&spans),
+                span_count: runs.spans.len() as u32,
+                faces: Range::whole(&faces),
+                links: Range::whole(&links),
+                span_measures: measures("slimbvh span measures", runs.spans.len()),
+                measures: measures("slimbvh measures", runs.components.len()),
+                exponent: Slot::new("slimbvh decisions' exponent", state).range(gpu, 16),
+                blocks: Slot::storage("slimbvh set counts of blocks").range(gpu, 16 * block_count),
+                triangle_count,
+                vertex_count: topology.vertex_count(),
+                mesh: None,
+                program: None,
+            })
+        })
+    }
+
+    /// Records that all components be measured where the mesh's vertices are at this point of the frame. The builder must
+    /// have sorted, built or refitted this mesh with these vertices before, in this frame or an earlier one: it knows the
+    /// scene's magnitude.
+    ///
+    /// # Errors
+    /// For another mesh, as far as the counts tell, and for a builder that has seen none.
+    pub fn measure(
+        &mut self,
+        frame: &mut Frame,
+        builder: &Builder,
+        mesh: &Mesh,
+    ) -> Result<(), GpuError> {
+        let gpu = frame.gpu();
+        let expected = (self.triangle_count, (self.vertex_count.max(1) * 12) as u64);
+        if (mesh.triangle_count, mesh.vertices.size) != expected {
+            return Err(GpuError::Unfit {
+                what: "the mesh",
+                fault: format!(
+                    "has {} triangles and {} vertices, but its surfaces {} and {}",
+                    mesh.triangle_count,
+                    mesh.vertices.size / 12,
+                    self.triangle_count,
+                    self.vertex_count
+                ),
+            });
+        }
+        if self.span_count == 0 {
+            self.mesh = Some(mesh.clone());
+            return Ok(());
+        }
+        let from = builder.exponent()?;
+        let is_kept = |(other, _): &(Range, Program)| other.is_same(&from);
+        if self.mesh.as_ref() != Some(mesh) || !self.program.as_ref().is_some_and(is_kept) {
+            self.program = None;
+            let program = gpu.checked(|| self.record(gpu, &from, mesh))?;
+            self.program = Some((from, program));
+            self.mesh = Some(mesh.clone());
+        }
+        if let Some((_, program)) = &self.program {
+            gpu.checked(|| {
+                program.encode(frame);
+                Ok(())
+            })?;
+        }
+        Ok(())
+    }
+
+    fn record(&self, gpu: &Gpu, exponent: &Range, mesh: &Mesh) -> Result<Program, GpuError> {
+        let mut recorder = Recorder::default();
+        recorder.stage("decide");
+        recorder.copy(exponent, &self.exponent);
+        recorder.dispatch(
+            Kernel::decide_spans,
+            &[
+                Uniform::Stored(&self.exponent),
+                Uniform::Params([0, 0, 0, 0]),
+            ],
+            &[&mesh.vertices, &self.faces, &self.links, &self.spans],
+            &[&self.span_measures],
+            groups(self.span_count),
+        );
+        recorder.dispatch(
+            Kernel::decide_components,
+            &[],
+            &[&self.components, &self.span_measures],
+            &[&self.measures],
+            groups(self.reducible_count()),
+        );
+        recorder.finish(gpu)
+    }
+
+    /// The component of each triangle.
+    #[must_use]
+    pub fn components(&self) -> &Components {
+        &self.triangle_components
+    }
+
+    /// How many components may be reduced, as long as they are closed and have an outer side.
+    #[must_use]
+    pub fn reducible_count(&self) -> u32 {
+        self.component_numbers.len() as u32
+    }
+
+    /// Bytes of all buffers.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        let ranges = [
+            &self.triangle_components.0,
+            &self.components,
+            &self.spans,
+            &self.faces,
+            &self.links,
+            &self.span_measures,
+            &self.measures,
+            &self.exponent,
+            &self.blocks,
+        ];
+        ranges.iter().map(|range| range.size).sum()
+    }
+
+    /// What measuring asks of the GPU.
+    #[must_use]
+    pub fn work(&self) -> Option<&super::Work> {
+        self.program.as_ref()?.1.work().first()
+    }
+
+    /// Copies what is known of the components at this point of the frame, to be read when the frame is done: to tell of it,
+    /// never to decide by it.
+    ///
+    /// # Errors
+    /// If memory is exhausted.
+    pub fn read_later(&self, frame: &mut Frame) -> Result<MeasuresDownload, GpuError> {
+        let download = frame.gpu().checked(|| Ok(frame.download(&self.measures)))?;
+        Ok(MeasuresDownload {
+            numbers: self.component_numbers.clone(),
+            download,
+        })
+    }
+}
+
+/// What is known of the components, on its way.
+#[derive(Debug)]
+#[must_use]
+pub struct MeasuresDownload {
+    numbers: Vec<u32>,
+    download: Download,
+}
+
+impl MeasuresDownload {
+    /// Waits for it, and reads it: one entry for each component that may be reduced.
+    ///
+    /// # Errors
+    /// If the device was lost.
+    pub fn read(self, gpu: &Gpu) -> Result<Vec<Measured>, GpuError> {
+        let measures: Vec<Measure> = self.download.read(gpu)?;
+        let measures = self.numbers.into_iter().zip(measures);
+        Ok(measures
+            .map(|(component, measure)| Measured { component, measure })
+            .collect())
+    }
+}
