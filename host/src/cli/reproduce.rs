@@ -51,7 +51,7 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct ReducedArguments {
-    /// Half a minute: small pictures, few repeats, no 16×16 samples, no dragon
+    /// Half a minute on two cores: small pictures, few repeats, no 16×16 samples, no dragon
     #[arg(long)]
     quick: bool,
 

@@ -139,20 +139,24 @@ pub fn group_share(light_count: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// What is printed agrees with itself, to the digits that there are.
+    /// What is printed agrees with itself, to the digits that there are, but for two totals of Table IV.
     #[test]
     fn sums_are_those_of_their_parts() {
+        let mut differences = Vec::new();
         for printed in [DOLL, TOASTERS, TWENTY_FOUR_CELL, ARMADILLO] {
             let [front, back, lit, unlit] = printed.sizes;
-            assert_eq!(
-                (front + back, lit + unlit),
-                (printed.triangles, printed.triangles)
-            );
+            let sums = (front + back, lit + unlit);
+            assert_eq!(sums, (printed.triangles, printed.triangles));
             for row in printed.steps {
                 let sum = row.orientation + row.reduction + row.prefix_sum + row.compaction;
-                assert!((sum - row.total).abs() < 0.02, "{sum} {}", row.total);
+                differences.push((row.total - sum).round());
+                assert!(
+                    (row.total - sum).fract().abs() < 0.02
+                        || (row.total - sum).fract().abs() > 0.98
+                );
             }
         }
+        assert_eq!(differences, [10.0, -10.0, 0.0, 0.0, 0.0]);
         for row in [4, 9].into_iter().filter_map(lights).flatten() {
             let builds: f64 = row.division.iter().chain(&row.construction).sum();
             let sum = builds + row.primary + row.shadow;

@@ -38,7 +38,7 @@ impl Report {
         let (backend, adapter) = match chosen {
             Chosen::Cpu => ("cpu", None),
             #[cfg(feature = "gpu")]
-            Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => ("gpu", Some(gpu.name().to_owned())),
+            Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => ("gpu", Some(adapter(gpu))),
         };
         let threads = rayon::current_num_threads();
         let cores = || format!("{}, {}", processor(), things(threads, "thread"));
@@ -178,6 +178,18 @@ impl Report {
 
 fn list(parts: impl Iterator<Item = String>) -> String {
     parts.collect::<Vec<_>>().join(", ")
+}
+
+/// A GPU's name, and whether it is one.
+#[cfg(feature = "gpu")]
+fn adapter(gpu: &slimbvh::gpu::Gpu) -> String {
+    let name = gpu.name();
+    match gpu.device().adapter_info().device_type {
+        wgpu::DeviceType::Cpu => {
+            format!("{name}, a CPU that plays a GPU: the times say nothing about one")
+        }
+        _ => name.to_owned(),
+    }
 }
 
 /// The processor's name, as Linux tells it.

@@ -25,14 +25,15 @@ fn papers_and_scenes_that_there_are_none_of() {
 #[test]
 fn folders_of_scenes() {
     let folder = folder();
-    for (scenes, expected) in [
-        ("nowhere", "\"nowhere\""),
-        ("sound.obj", "\"sound.obj\""),
-        ("", "\"\""),
-    ] {
+    for (scenes, expected) in [("nowhere", "\"nowhere\""), ("sound.obj", "\"sound.obj\"")] {
         let arguments = [&REDUCED[..], &["--scenes", scenes]].concat();
         refuses(&folder, &arguments, &["there is no folder", expected]);
     }
+    refuses_usage(
+        &folder,
+        &[&REDUCED[..], &["--scenes", ""]].concat(),
+        &["--scenes"],
+    );
 }
 
 /// A file that is there, but broken, is not stood in for.
