@@ -2,16 +2,19 @@
 
 mod machine;
 mod place;
+mod planner;
 mod record;
 mod report;
 
 use super::backend::{BackendArguments, Chosen, choose};
 use super::picture::PictureArguments;
+use super::reduce::ReduceArguments;
 use super::{SceneArguments, ThreadArguments, options, output};
-use anyhow::Result;
+use anyhow::{Result, bail};
 use clap::Args;
 use machine::{Cpu, Machine};
 use place::Place;
+use planner::{Planner, Still};
 use record::Record;
 use report::Run;
 use slimbvh::animate::{Animation, Deform, Motion, Shutter, Update, Upkeep};
@@ -83,6 +86,9 @@ pub struct AnimateArguments {
     picture: PictureArguments,
 
     #[command(flatten)]
+    reduce: ReduceArguments,
+
+    #[command(flatten)]
     threads: ThreadArguments,
 
     #[command(flatten)]
@@ -103,6 +109,7 @@ impl AnimateArguments {
 }
 
 pub fn run(arguments: &AnimateArguments) -> Result<()> {
+    arguments.reduce.check()?;
     let place = Place::check(arguments)?;
     let chosen = choose(&arguments.backend)?;
     let mut scene = arguments.scene.load()?;
@@ -136,21 +143,37 @@ fn animate(
     let times = (0..arguments.frames).flat_map(|frame| arguments.shutter().times(frame));
     animation.check_at(times, &arguments.picture.settings())?;
     let config = arguments.picture.build_config();
+    let still = Still {
+        vertices: motion.deform.is_none(),
+        lights: !motion.orbit_light,
+    };
+    let picture_count = arguments.frames * arguments.shutter_times;
+    let made = (arguments.picture.settings(), config);
+    let planner = Planner::new(&arguments.reduce, scene, made, picture_count, still)?;
+    if planner.is_refused(scene) {
+        bail!("--reduce on with --deform needs --solid: what bends may come to cut itself");
+    }
+    let work = Work {
+        arguments,
+        animation: &animation,
+        place,
+    };
+    let mut planner = planner;
     match chosen {
-        Chosen::Cpu => frames(arguments, &mut Cpu::new(config), scene, &animation, place),
+        Chosen::Cpu => work.frames(&mut Cpu::new(config), scene, &mut planner),
         #[cfg(feature = "gpu")]
         Chosen::Gpu(gpu) => {
             let mut machine = machine::OnGpu::new(gpu, scene, config)?;
-            frames(arguments, &mut machine, scene, &animation, place)
+            work.frames(&mut machine, scene, &mut planner)
         }
         #[cfg(feature = "gpu")]
         Chosen::GpuIfItFits(gpu) => {
             let done = machine::OnGpu::new(gpu, scene, config)
-                .and_then(|mut machine| frames(arguments, &mut machine, scene, &animation, place));
+                .and_then(|mut machine| work.frames(&mut machine, scene, &mut planner));
             match done {
                 Err(error) if super::backend::is_the_gpus_fault(&error) => {
                     output::warn(&format!("{error:#}; the CPU does it"));
-                    frames(arguments, &mut Cpu::new(config), scene, &animation, place)
+                    work.frames(&mut Cpu::new(config), scene, &mut planner)
                 }
                 done => done,
             }
@@ -158,54 +181,88 @@ fn animate(
     }
 }
 
-/// Makes all frames on one machine.
-fn frames(
-    arguments: &AnimateArguments,
-    machine: &mut impl Machine,
-    scene: &mut Scene,
-    animation: &Animation,
-    place: &Place,
-) -> Result<Run> {
-    let settings = arguments.picture.settings();
-    let mut sink = place.open(settings.size, arguments.fps)?;
-    let mut upkeep = Upkeep::new(arguments.update);
-    let is_blurred = arguments.shutter_times > 1;
-    let (mut picture, mut mean) = (Picture::default(), PictureMean::new());
-    let mut records = Vec::with_capacity(arguments.frames as usize);
-    let progress = output::bar("animating");
-    for frame in 0..arguments.frames {
-        let mut record = Record::default();
-        for time in arguments.shutter().times(frame) {
-            let begin = Instant::now();
-            let vertices_moved = animation.pose_at(time, scene);
-            let pose = begin.elapsed();
-            let action = upkeep.next(vertices_moved);
-            let done = machine.frame(scene, vertices_moved, action, &settings, &mut picture)?;
-            if let Some(cost) = done.cost {
-                upkeep.measured(cost);
-            }
-            if is_blurred {
-                mean.add(&picture);
-            }
-            record.add(action, pose, &done);
-            record.total += begin.elapsed();
-        }
+/// What is to be made.
+struct Work<'a> {
+    arguments: &'a AnimateArguments,
+    animation: &'a Animation,
+    place: &'a Place,
+}
 
-        let begin = Instant::now();
-        let blurred = is_blurred.then(|| mean.take());
-        record.total += begin.elapsed();
-        let begin = Instant::now();
-        sink.add(frame, blurred.as_ref().unwrap_or(&picture))?;
-        record.write = begin.elapsed();
-        records.push(record);
-        progress.set(f64::from(frame + 1) / f64::from(arguments.frames));
+impl Work<'_> {
+    /// Makes all frames on one machine.
+    fn frames(
+        &self,
+        machine: &mut impl Machine,
+        scene: &mut Scene,
+        planner: &mut Planner,
+    ) -> Result<Run> {
+        let Self {
+            arguments,
+            animation,
+            place,
+        } = *self;
+        let mut first = None;
+        let settings = arguments.picture.settings();
+        let mut sink = place.open(settings.size, arguments.fps)?;
+        let mut upkeep = Upkeep::new(arguments.update);
+        let is_blurred = arguments.shutter_times > 1;
+        let (mut picture, mut mean) = (Picture::default(), PictureMean::new());
+        let mut records = Vec::with_capacity(arguments.frames as usize);
+        let progress = output::bar("animating");
+        for frame in 0..arguments.frames {
+            let mut record = Record::default();
+            for time in arguments.shutter().times(frame) {
+                let begin = Instant::now();
+                let vertices_moved = animation.pose_at(time, scene);
+                let pose = begin.elapsed();
+                let action = upkeep.next(vertices_moved);
+                let planning = Instant::now();
+                if vertices_moved && machine.follows_on_host() {
+                    planner.follow(scene);
+                }
+                let plan = planner.plan(scene)?;
+                let planning = planning.elapsed();
+                let update = machine::Update {
+                    plan: &plan,
+                    vertices_moved,
+                    action,
+                };
+                let mut done = machine.frame(scene, &update, &settings, &mut picture)?;
+                if !plan.is_plain() {
+                    done.build.add("plan", planning);
+                }
+                if first.is_none() {
+                    first = Some(plan.explain());
+                }
+                if let Some(cost) = done.cost {
+                    upkeep.measured(cost);
+                }
+                if is_blurred {
+                    mean.add(&picture);
+                }
+                record.add(action, pose, &done);
+                record.total += begin.elapsed();
+            }
+
+            let begin = Instant::now();
+            let blurred = is_blurred.then(|| mean.take());
+            record.total += begin.elapsed();
+            let begin = Instant::now();
+            sink.add(frame, blurred.as_ref().unwrap_or(&picture))?;
+            record.write = begin.elapsed();
+            records.push(record);
+            progress.set(f64::from(frame + 1) / f64::from(arguments.frames));
+        }
+        sink.finish()?;
+        let (backend, adapter) = machine.name();
+        Ok(Run {
+            backend,
+            adapter,
+            threads: rayon::current_num_threads(),
+            records,
+            survey: planner.survey_time(),
+            plan: first.unwrap_or_default(),
+            decided: machine.decided()?,
+        })
     }
-    sink.finish()?;
-    let (backend, adapter) = machine.name();
-    Ok(Run {
-        backend,
-        adapter,
-        threads: rayon::current_num_threads(),
-        records,
-    })
 }

@@ -3,8 +3,9 @@
 mod deciding;
 
 use super::plan::Plan;
-use super::trees::has_own_place;
+use super::trees::{SetKey, has_own_place};
 use super::{Aim, Choice};
+use crate::animate::Action;
 use crate::gpu::{
     Builder, Bvh, Components, Download, Facing, Frame, Gpu, GpuError, Mesh, Parts, Renderer, Scene,
     Subset, Tree, Trees, Turn, Turns,
@@ -19,6 +20,10 @@ pub use deciding::{DecisionsDownload, DecisionsReport, LightSets};
 #[derive(Debug, Default)]
 pub struct Hierarchies {
     whole: Bvh,
+    /// Whether the whole tree is that of the mesh as it is.
+    has_whole: bool,
+    /// What each set is of the mesh as it is.
+    built: Vec<Option<SetKey>>,
     /// As many as there are aims, or more.
     sets: Vec<(Bvh, Facing)>,
     /// The set whose turn it is.
@@ -56,10 +61,42 @@ impl Hierarchies {
         mesh: &Mesh,
         plan: &Plan,
     ) -> Result<(), GpuError> {
-        builder.sort(frame, mesh)?;
-        self.build_sorted(frame, builder, mesh, plan, |frame, aim, facing, _| {
+        self.update(frame, builder, mesh, plan, Action::Rebuilt)
+    }
+
+    /// Records that the trees be brought up to date for the next frame of the same mesh: where no vertex moved, only those
+    /// are built whose rays have moved or that are not there. The builder must have served these trees last.
+    ///
+    /// # Errors
+    /// Those of [`Builder::build`].
+    pub fn update(
+        &mut self,
+        frame: &mut Frame,
+        builder: &mut Builder,
+        mesh: &Mesh,
+        plan: &Plan,
+        action: Action,
+    ) -> Result<(), GpuError> {
+        if action != Action::Kept {
+            self.forget();
+            builder.sort(frame, mesh)?;
+        }
+        let recorded = self.build_sorted(frame, builder, mesh, plan, |frame, aim, facing, _| {
             facing.set(frame, &aim.target, &aim.frustum, &aim.sides)
-        })
+        });
+        recorded.inspect_err(|_| self.forget())
+    }
+
+    /// Whether the component of each triangle was uploaded.
+    #[must_use]
+    pub fn has_components(&self) -> bool {
+        self.components.is_some()
+    }
+
+    /// Takes note that no tree is that of the mesh as it is.
+    fn forget(&mut self) {
+        self.has_whole = false;
+        self.built.clear();
     }
 
     /// Records the trees over sorted triangles. `face` fills in the sides of an aim, and is shown those of the camera.
@@ -71,12 +108,13 @@ impl Hierarchies {
         plan: &Plan,
         face: impl Fn(&mut Frame<'g>, &Aim, &mut Facing, Option<&Facing>) -> Result<(), GpuError>,
     ) -> Result<(), GpuError> {
-        if plan.needs_whole {
+        if plan.needs_whole && !self.has_whole {
             builder.build_sorted(frame, mesh, Subset::All, &mut self.whole)?;
+            self.has_whole = true;
         }
-        let missing = plan.aims.len().saturating_sub(self.sets.len());
-        let nothing = || (Bvh::new(), Facing::new());
-        self.sets.extend((0..missing).map(|_| nothing()));
+        let count = plan.aims.len().max(self.sets.len());
+        self.sets.resize_with(count, || (Bvh::new(), Facing::new()));
+        self.built.resize_with(count, || None);
         let Some(components) = &self.components else {
             return Ok(());
         };
@@ -85,7 +123,8 @@ impl Hierarchies {
             let Some((bvh, facing)) = rest.first_mut() else {
                 continue;
             };
-            if aim.choice == Choice::Unused {
+            let key = SetKey::of(aim);
+            if aim.choice == Choice::Unused || self.built[place].as_ref() == Some(&key) {
                 continue;
             }
             let eye = before.first().map(|(_, facing)| facing);
@@ -93,6 +132,7 @@ impl Hierarchies {
             if has_own_place(plan, aim) {
                 let subset = Subset::Facing { components, facing };
                 builder.build_sorted(frame, mesh, subset, bvh)?;
+                self.built[place] = Some(key);
             }
         }
         if plan.in_turn {
@@ -255,6 +295,7 @@ impl ImageRenderer {
         let (builder, hierarchies, renderer) =
             (&mut self.builder, &mut self.hierarchies, &mut self.renderer);
         if plan.is_plain() {
+            hierarchies.forget();
             let parts = Parts {
                 builder,
                 bvh: &mut hierarchies.whole,

@@ -35,6 +35,7 @@ pub struct Plan<'a> {
     pub in_turn: bool,
     /// Whether a set is built in its turn even where its lights reach nothing.
     pub(super) builds_unseen: bool,
+    may_turn_away: bool,
     /// Why there was no survey.
     pub(super) no_survey: Option<String>,
 }
@@ -54,18 +55,30 @@ impl<'a> Plan<'a> {
             (None, Reduce::Auto) => decide::decline(asked, &candidates(&aims), has_mirrors),
             (Some(Cull::On), _) | (None, Reduce::On) => None,
         };
-        Ok(reason.map(|reason| Self {
+        match reason {
+            Some(reason) => Self::plain(asked, reason).map(Some),
+            None => Ok(None),
+        }
+    }
+
+    /// One whole tree, where all triangles count, for this reason.
+    ///
+    /// # Errors
+    /// For cameras and lights that make no picture.
+    pub fn plain(asked: &Asked, reason: String) -> Result<Self, ViewError> {
+        Ok(Self {
             topology: None,
-            aims,
+            aims: aim::aims(asked)?,
             needs_whole: true,
-            has_mirrors,
+            has_mirrors: has_mirrors(asked),
             triangle_count: asked.scene.mesh.indices.len(),
-            reduce: switches.reduce,
+            reduce: asked.switches.reduce,
             sorts_alone: false,
             in_turn: false,
             builds_unseen: false,
+            may_turn_away: false,
             no_survey: Some(reason),
-        }))
+        })
     }
 
     /// Decides, knowing the surfaces of the scene's mesh. What counts for which rays does not depend on
@@ -149,6 +162,7 @@ impl<'a> Plan<'a> {
             sorts_alone: savings.has(Saving::Alone) && !needs_whole && set_count == 1,
             in_turn: false,
             builds_unseen: !savings.has(Saving::Unseen),
+            may_turn_away: eye_sides.is_some(),
             no_survey: None,
         };
         // Each set has its turn once: all samples are in flight, no path goes on, and no light comes between two that share
@@ -168,6 +182,12 @@ impl<'a> Plan<'a> {
         let mut places = self.aim_of_light();
         places.dedup();
         places.len() + 1 == self.aims.len()
+    }
+
+    /// Whether sets for lights may hold what faces away from them, where the eye is outside.
+    #[must_use]
+    pub fn may_turn_away(&self) -> bool {
+        self.may_turn_away
     }
 
     /// Whether everything is traced through one whole tree in which all triangles count.

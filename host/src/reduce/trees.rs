@@ -2,17 +2,42 @@
 
 use super::plan::Plan;
 use super::{Aim, AimKind, Choice};
-use crate::{Builder, Bvh, Mesh, MeshError, Stages, Subset, Tree, Trees, Turns};
+use crate::animate::Action;
+use crate::{Builder, Bvh, Mesh, MeshError, RefitError, Stages, Subset, Tree, Trees, Turns};
 use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::frustum::Frustum;
+use slimbvh_core::orientation::Target;
 
 /// The trees of a plan, whose memory the next plan's use again.
 #[derive(Debug, Default)]
 pub struct Hierarchies {
     whole: Bvh,
+    /// Whether the whole tree is that of the mesh as it is.
+    has_whole: bool,
     /// As many as there are aims, or more.
     sets: Vec<Bvh>,
+    /// What each of these is of the mesh as it is.
+    built: Vec<Option<SetKey>>,
     /// The set whose turn it is.
     turn: Bvh,
+}
+
+/// What a set depends on besides the mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct SetKey {
+    target: Target,
+    frustum: Frustum,
+    sides: Vec<i32>,
+}
+
+impl SetKey {
+    pub(super) fn of(aim: &Aim) -> Self {
+        Self {
+            target: aim.target,
+            frustum: aim.frustum,
+            sides: aim.sides.clone(),
+        }
+    }
 }
 
 impl Hierarchies {
@@ -32,26 +57,79 @@ impl Hierarchies {
         mesh: &Mesh,
         plan: &Plan,
     ) -> Result<Stages, MeshError> {
-        let missing = plan.aims.len().saturating_sub(self.sets.len());
-        self.sets.extend((0..missing).map(|_| Bvh::default()));
-        let mut sets = plan.aims.iter().zip(&mut self.sets);
+        self.forget();
         if plan.sorts_alone {
-            let mut chosen = sets.filter(|(aim, _)| aim.choice == Choice::Set);
-            return match chosen.next() {
+            self.make_room(plan);
+            let mut chosen = plan.aims.iter().zip(&mut self.sets);
+            return match chosen.find(|(aim, _)| aim.choice == Choice::Set) {
                 Some((aim, bvh)) => builder.build_subset(mesh, subset(plan, aim), bvh),
                 None => Ok(Stages::default()),
             };
         }
         let mut stages = builder.sort(mesh)?;
-        if plan.needs_whole {
+        stages.merge(&self.fill(builder, mesh, plan));
+        Ok(stages)
+    }
+
+    /// Brings trees up to date for the next frame of the same mesh: builds them anew, keeps their order where vertices moved
+    /// a little, or where none moved builds only those whose rays have moved or that are not there. The builder must have
+    /// served these trees last. Returns the time of each stage.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::validate`], and for another mesh than the last.
+    pub fn update(
+        &mut self,
+        builder: &mut Builder,
+        mesh: &Mesh,
+        plan: &Plan,
+        action: Action,
+    ) -> Result<Stages, RefitError> {
+        let mut stages = match action {
+            Action::Rebuilt => return Ok(self.build(builder, mesh, plan)?),
+            Action::Refitted => {
+                let had_whole = std::mem::take(&mut self.has_whole);
+                self.forget();
+                let mut stages = builder.follow(mesh)?;
+                if had_whole && plan.needs_whole {
+                    stages.merge(&builder.refit(mesh, &mut self.whole)?);
+                    self.has_whole = true;
+                }
+                stages
+            }
+            Action::Kept => Stages::default(),
+        };
+        stages.merge(&self.fill(builder, mesh, plan));
+        Ok(stages)
+    }
+
+    fn forget(&mut self) {
+        self.has_whole = false;
+        self.built.clear();
+    }
+
+    fn make_room(&mut self, plan: &Plan) {
+        let count = plan.aims.len().max(self.sets.len());
+        self.sets.resize_with(count, Bvh::default);
+        self.built.resize_with(count, || None);
+    }
+
+    /// Builds what is not there.
+    fn fill(&mut self, builder: &mut Builder, mesh: &Mesh, plan: &Plan) -> Stages {
+        self.make_room(plan);
+        let mut stages = Stages::default();
+        if plan.needs_whole && !self.has_whole {
             stages.merge(&builder.build_sorted(mesh, Subset::All, &mut self.whole));
+            self.has_whole = true;
         }
-        for (aim, bvh) in sets.by_ref() {
-            if has_own_place(plan, aim) {
+        let sets = self.sets.iter_mut().zip(&mut self.built);
+        for (aim, (bvh, built)) in plan.aims.iter().zip(sets) {
+            let key = SetKey::of(aim);
+            if has_own_place(plan, aim) && built.as_ref() != Some(&key) {
                 stages.merge(&builder.build_sorted(mesh, subset(plan, aim), bvh));
+                *built = Some(key);
             }
         }
-        Ok(stages)
+        stages
     }
 
     /// What a renderer takes, after [`Self::build`] with the same plan: the trees that are there, and those that are built in
@@ -63,7 +141,9 @@ impl Hierarchies {
         mesh: &'a Mesh,
         plan: &'a Plan,
     ) -> (Trees<'a>, InTurn<'a>) {
-        let Self { whole, sets, turn } = self;
+        let Self {
+            whole, sets, turn, ..
+        } = self;
         let turns = InTurn {
             plan,
             aims: plan.aim_of_light(),

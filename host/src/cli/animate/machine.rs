@@ -2,8 +2,10 @@
 
 use anyhow::Result;
 use slimbvh::animate::{Action, sah_cost};
+use slimbvh::reduce::{Hierarchies, Plan};
 use slimbvh::{
     BuildConfig, Builder, Bvh, Picture, RenderReport, RenderSettings, Renderer, Scene, Stages,
+    Turns,
 };
 
 #[cfg(feature = "gpu")]
@@ -16,15 +18,31 @@ pub trait Machine {
     /// The backend, and the GPU's name.
     fn name(&self) -> (&'static str, Option<String>);
 
-    /// Brings the tree up to date and renders the scene as it is now.
+    /// Whether the host must know where vertices are that have moved.
+    fn follows_on_host(&self) -> bool {
+        true
+    }
+
+    /// What the machine decided by itself in the latest frame, in words.
+    fn decided(&self) -> Result<Vec<(String, String)>> {
+        Ok(Vec::new())
+    }
+
+    /// Brings the trees up to date and renders the scene as it is now.
     fn frame(
         &mut self,
         scene: &Scene,
-        vertices_moved: bool,
-        action: Action,
+        update: &Update,
         settings: &RenderSettings,
         picture: &mut Picture,
     ) -> Result<Done>;
+}
+
+/// What is new in a frame.
+pub struct Update<'a> {
+    pub plan: &'a Plan<'a>,
+    pub vertices_moved: bool,
+    pub action: Action,
 }
 
 /// What a frame took.
@@ -40,6 +58,7 @@ pub struct Done {
 pub struct Cpu {
     builder: Builder,
     bvh: Bvh,
+    hierarchies: Hierarchies,
     renderer: Renderer,
     cost: Option<f64>,
 }
@@ -49,6 +68,7 @@ impl Cpu {
         Self {
             builder: Builder::new(config),
             bvh: Bvh::default(),
+            hierarchies: Hierarchies::new(),
             renderer: Renderer::new(),
             cost: None,
         }
@@ -63,11 +83,14 @@ impl Machine for Cpu {
     fn frame(
         &mut self,
         scene: &Scene,
-        _: bool,
-        action: Action,
+        update: &Update,
         settings: &RenderSettings,
         picture: &mut Picture,
     ) -> Result<Done> {
+        let action = update.action;
+        if !update.plan.is_plain() {
+            return self.planned(scene, update, settings, picture);
+        }
         let bvh = &mut self.bvh;
         let mut build = match action {
             Action::Rebuilt => self.builder.build_into(&scene.mesh, bvh)?,
@@ -84,6 +107,38 @@ impl Machine for Cpu {
             build,
             report,
             cost: self.cost,
+        })
+    }
+}
+
+impl Cpu {
+    /// A frame with a tree for each kind of rays.
+    fn planned(
+        &mut self,
+        scene: &Scene,
+        update: &Update,
+        settings: &RenderSettings,
+        picture: &mut Picture,
+    ) -> Result<Done> {
+        let (plan, mesh, builder) = (update.plan, &scene.mesh, &mut self.builder);
+        let hierarchies = &mut self.hierarchies;
+        let mut build = hierarchies.update(builder, mesh, plan, update.action)?;
+        let report = if plan.in_turn {
+            let (trees, mut turns) = hierarchies.split(builder, mesh, plan);
+            let both: (_, &mut dyn Turns) = (&trees, &mut turns);
+            let renderer = &mut self.renderer;
+            let report = renderer.render_in_turn(scene, both, settings, picture, |_| ())?;
+            build.merge(&turns.done().stages);
+            report
+        } else {
+            let trees = hierarchies.trees(plan);
+            let renderer = &mut self.renderer;
+            renderer.render_with(scene, &trees, settings, picture, |_| ())?
+        };
+        Ok(Done {
+            build,
+            report,
+            cost: None,
         })
     }
 }

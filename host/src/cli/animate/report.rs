@@ -9,6 +9,7 @@ use slimbvh::animate::Action;
 use slimbvh::{RenderReport, Scene, Stages};
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::time::Duration;
 
 /// Frames that are shown one by one; of more only the median and the worst.
 const MOST_ROWS: usize = 24;
@@ -19,6 +20,12 @@ pub struct Run {
     pub adapter: Option<String>,
     pub threads: usize,
     pub records: Vec<Record>,
+    /// What finding out about the surfaces took, once.
+    pub survey: Duration,
+    /// The plan of the first frame, in words.
+    pub plan: Vec<(String, String)>,
+    /// What the machine decided by itself in the last one.
+    pub decided: Vec<(String, String)>,
 }
 
 /// What was done.
@@ -38,6 +45,8 @@ pub struct Summary {
     orbit_light: bool,
     deform: Option<String>,
     update: String,
+    survey_ms: f64,
+    plan: Vec<String>,
     shutter: f64,
     shutter_times: u32,
     frames: Vec<Frame>,
@@ -99,6 +108,10 @@ pub fn summarize(arguments: &AnimateArguments, scene: &Scene, run: &Run) -> Summ
         orbit_light: arguments.orbit_light,
         deform: arguments.deform.map(|deform| name(&deform)),
         update: name(&arguments.update),
+        survey_ms: ms(run.survey),
+        plan: (run.plan.iter().chain(&run.decided))
+            .map(|(about, what)| format!("{about}: {what}"))
+            .collect(),
         shutter: arguments.shutter,
         shutter_times: arguments.shutter_times,
         frames: run.records.iter().map(frame).collect(),
@@ -170,6 +183,11 @@ pub fn describe(arguments: &AnimateArguments, scene: &Scene, run: &Run) -> Strin
     head(&mut text, arguments, scene, run);
     table(&mut text, &run.records);
     foot(&mut text, run);
+    if arguments.reduce.explain {
+        for (about, what) in run.plan.iter().chain(&run.decided) {
+            line(&mut text, about, what);
+        }
+    }
     text
 }
 
@@ -265,6 +283,9 @@ fn foot(text: &mut String, run: &Run) {
         ),
     );
     let stages = |stages: &Stages| format!("{:.2} ms: {stages}", ms(stages.total()));
+    if run.survey > Duration::ZERO {
+        line(text, "survey", &format!("{:.2} ms, once", ms(run.survey)));
+    }
     line(text, "pose", &format!("{:.2} ms", ms(sums.pose)));
     if sums.build.iter().next().is_some() {
         line(text, "build", &stages(&sums.build));

@@ -35,16 +35,20 @@ impl Hierarchies {
         (decisions, lights): (&mut Decisions, LightSets),
     ) -> Result<(), GpuError> {
         self.components = Some(decisions.components().clone());
+        self.forget();
         builder.sort(frame, mesh)?;
         decisions.measure(frame, builder, mesh)?;
         let decisions: &Decisions = decisions;
-        self.build_sorted(frame, builder, mesh, plan, |frame, aim, facing, eye| {
+        let recorded = self.build_sorted(frame, builder, mesh, plan, |frame, aim, facing, eye| {
             let answer = match (lights, eye) {
                 (LightSets::Smaller, Some(eye)) => Answer::Smaller { eye },
                 _ => Answer::Facing,
             };
             facing.decide(frame, decisions, &aim.target, answer)
-        })
+        });
+        // The plan's sides are of no account, so nothing is known of what these sets are.
+        self.forget();
+        recorded
     }
 
     /// Copies what was decided by this point of the frame, to tell of it when the frame is done.

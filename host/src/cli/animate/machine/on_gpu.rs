@@ -1,9 +1,10 @@
 //! Frames on a GPU: one submission each, into which the moved vertices go before.
 
-use super::{Done, Machine};
+use super::{Done, Machine, Update};
 use anyhow::Result;
 use slimbvh::animate::Action;
 use slimbvh::gpu::{self, Gpu, wgpu};
+use slimbvh::reduce::gpu::{DecisionsReport, Hierarchies, LightSets};
 use slimbvh::{BuildConfig, Picture, RenderSettings, Scene, Stages, ViewError};
 use std::time::Instant;
 
@@ -14,6 +15,9 @@ pub struct OnGpu<'g> {
     normals: Option<wgpu::Buffer>,
     builder: gpu::Builder,
     bvh: gpu::Bvh,
+    hierarchies: Hierarchies,
+    decisions: Option<gpu::Decisions>,
+    decided: Option<DecisionsReport>,
     renderer: gpu::Renderer,
 }
 
@@ -51,6 +55,9 @@ impl<'g> OnGpu<'g> {
             normals,
             builder: gpu::Builder::new(config),
             bvh: gpu::Bvh::new(),
+            hierarchies: Hierarchies::new(),
+            decisions: None,
+            decided: None,
             renderer: gpu::Renderer::new(),
         })
     }
@@ -66,22 +73,94 @@ impl<'g> OnGpu<'g> {
     }
 }
 
+impl OnGpu<'_> {
+    /// A frame with a tree for each kind of rays. Once vertices have moved, the GPU decides what counts.
+    fn planned(
+        &mut self,
+        scene: &Scene,
+        update: &Update,
+        settings: &RenderSettings,
+        picture: &mut Picture,
+        begin: Instant,
+    ) -> Result<Done> {
+        let (gpu, plan) = (self.gpu, update.plan);
+        let (builder, mesh) = (&mut self.builder, &self.scene.mesh);
+        if let (true, None, Some(topology)) =
+            (update.vertices_moved, &self.decisions, plan.topology)
+        {
+            self.decisions = Some(gpu::Decisions::new(gpu, topology)?);
+        }
+        let mut frame = gpu.frame();
+        let hierarchies = &mut self.hierarchies;
+        let mut decided = None;
+        match &mut self.decisions {
+            Some(decisions) => {
+                let lights = if plan.may_turn_away() {
+                    LightSets::Smaller
+                } else {
+                    LightSets::Facing
+                };
+                let decider = (&mut *decisions, lights);
+                hierarchies.build_deciding(&mut frame, builder, mesh, plan, decider)?;
+                decided = Some(hierarchies.read_decisions_later(&mut frame, plan, decisions)?);
+            }
+            None => {
+                if !hierarchies.has_components() {
+                    hierarchies.upload(gpu, plan)?;
+                }
+                hierarchies.update(&mut frame, builder, mesh, plan, update.action)?;
+            }
+        }
+        let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
+        let trees = hierarchies.trees(plan);
+        let mut turns = hierarchies.in_turn(builder, mesh, plan);
+        let both: (_, &mut dyn gpu::Turns) = (&trees, &mut turns);
+        let view = (camera, scene.lights.as_slice());
+        let renderer = &mut self.renderer;
+        renderer.render_in_turn(&mut frame, &self.scene, both, view, settings)?;
+        let (build, report) = renderer.finish(frame, Stages::default(), begin, picture)?;
+        if let Some(decided) = decided {
+            self.decided = Some(decided.read(gpu)?);
+        }
+        Ok(Done {
+            build,
+            report,
+            cost: None,
+        })
+    }
+}
+
 impl Machine for OnGpu<'_> {
     fn name(&self) -> (&'static str, Option<String>) {
         ("gpu", Some(self.gpu.name().into()))
     }
 
+    fn follows_on_host(&self) -> bool {
+        // The GPU decides where vertices have moved.
+        false
+    }
+
+    fn decided(&self) -> Result<Vec<(String, String)>> {
+        match &self.decided {
+            Some(report) => Ok(report.explain()),
+            None => Ok(Vec::new()),
+        }
+    }
+
     fn frame(
         &mut self,
         scene: &Scene,
-        vertices_moved: bool,
-        action: Action,
+        update: &Update,
         settings: &RenderSettings,
         picture: &mut Picture,
     ) -> Result<Done> {
         let begin = Instant::now();
-        if vertices_moved {
+        let action = update.action;
+        if update.vertices_moved {
             self.upload(scene);
+        }
+        if !update.plan.is_plain() {
+            return self.planned(scene, update, settings, picture, begin);
         }
         let (gpu, bvh) = (self.gpu, &mut self.bvh);
         let mut frame = gpu.frame();
