@@ -21,8 +21,8 @@ Examples:
   slimbvh render
   slimbvh render model.glb -o model.png --spp 16
   slimbvh render model.ply --view heatmap --camera \"eye=0,1,5 target=0,0,0\" --light \"sun=-1,-2,-1\"
-  slimbvh render --spp 64 --light \"disc=-4,5,3 normal=4,-5,-3 radius=1 color=50,48,45\"
-  slimbvh render --spp 64 --camera \"lens=0.15 focus=6\"";
+  slimbvh render --spp 64 --light \"disc=-4,5,3 normal=4,-5,-3 radius=1 color=130,120,100\"
+  slimbvh render --spp 64 --camera \"lens=0.15 focus=8\"";
 
 const NOTES: &str = "\
 Soft shadows and blur are drawn at random for each sample: 16 samples a pixel are grainy, 64 and more are smooth. A disc's or

@@ -11,8 +11,7 @@ impl Light {
     /// Without a normal it has no area, and no picture is made.
     #[must_use]
     pub fn disc(center: [f32; 3], normal: [f32; 3], radius: f32, color: [f32; 3]) -> Self {
-        let (right, up) =
-            unit(normal).map_or((Vec3::ZERO, Vec3::ZERO), |n| n.any_orthonormal_pair());
+        let (right, up) = unit(normal).map_or((Vec3::ZERO, Vec3::ZERO), Vec3::any_orthonormal_pair);
         Self::Area {
             center,
             half_edges: [right, up].map(|edge| (edge * radius).to_array()),
