@@ -147,13 +147,13 @@ fn surfaces(topology: &Topology) -> Vec<(&'static str, String)> {
 }
 
 /// A count of things: 1 component, 1,200 components.
-fn things(count: usize, thing: &str) -> String {
+pub(super) fn things(count: usize, thing: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{} {thing}{plural}", grouped(count))
 }
 
 /// A count with thousands set apart.
-fn grouped(count: usize) -> String {
+pub(super) fn grouped(count: usize) -> String {
     let digits = count.to_string();
     let mut text = String::new();
     for (i, digit) in digits.chars().enumerate() {

@@ -1,5 +1,7 @@
 //! A plan's trees on the GPU.
 
+mod deciding;
+
 use super::plan::{Aim, Choice, Plan};
 use crate::gpu::{
     Builder, Bvh, Components, Facing, Frame, Gpu, GpuError, Mesh, Parts, Renderer, Scene, Subset,
@@ -8,6 +10,8 @@ use crate::gpu::{
 use crate::{BuildConfig, Picture, RenderReport, RenderSettings, Stages, ViewError};
 use slimbvh_core::bounds::scene_exponent;
 use std::time::Instant;
+
+pub use deciding::{DecisionsDownload, DecisionsReport, LightSets};
 
 /// The trees of a plan, whose memory the next plan's use again.
 #[derive(Debug, Default)]
@@ -49,6 +53,20 @@ impl Hierarchies {
         plan: &Plan,
     ) -> Result<(), GpuError> {
         builder.sort(frame, mesh)?;
+        self.build_sorted(frame, builder, mesh, plan, |frame, aim, facing, _| {
+            facing.set(frame, &aim.target, &aim.sides)
+        })
+    }
+
+    /// Records the trees over sorted triangles. `face` fills in the sides of an aim, and is shown those of the camera.
+    fn build_sorted<'g>(
+        &mut self,
+        frame: &mut Frame<'g>,
+        builder: &mut Builder,
+        mesh: &Mesh,
+        plan: &Plan,
+        face: impl Fn(&mut Frame<'g>, &Aim, &mut Facing, Option<&Facing>) -> Result<(), GpuError>,
+    ) -> Result<(), GpuError> {
         if plan.needs_whole {
             builder.build_sorted(frame, mesh, Subset::All, &mut self.whole)?;
         }
@@ -58,11 +76,16 @@ impl Hierarchies {
         let Some(components) = &self.components else {
             return Ok(());
         };
-        for (aim, (bvh, facing)) in plan.aims.iter().zip(&mut self.sets) {
+        for (place, aim) in plan.aims.iter().enumerate() {
+            let (before, rest) = self.sets.split_at_mut(place);
+            let Some((bvh, facing)) = rest.first_mut() else {
+                continue;
+            };
             if aim.choice == Choice::Unused {
                 continue;
             }
-            facing.set(frame, &aim.target, &aim.sides)?;
+            let eye = before.first().map(|(_, facing)| facing);
+            face(frame, aim, facing, eye)?;
             if aim.choice == Choice::Set {
                 let subset = Subset::Facing { components, facing };
                 builder.build_sorted(frame, mesh, subset, bvh)?;
