@@ -2,6 +2,7 @@
 
 mod answers;
 mod boxes;
+mod decisions;
 mod deepest_trees;
 mod exact;
 mod gpu;

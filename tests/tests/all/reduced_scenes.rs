@@ -1,7 +1,7 @@
 //! Plans for awkward scenes: reduced trees give the picture of the whole tree with the rule, byte for byte, on both
 //! backends, and the rule loses nothing but rays within rounding of a silhouette.
 
-mod scenes;
+pub mod scenes;
 
 use scenes::{SUN, ball, room, scenes};
 use slimbvh::gpu;

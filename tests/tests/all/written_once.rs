@@ -50,6 +50,14 @@ const STAGES: &[Stage] = &[
         gpu: &["scan"],
     },
     Stage {
+        name: "decide",
+        what: "outer sides of components where the vertices are now, the smaller of L+ and L−",
+        core: &["decide", "decide/measure", "decide/clear", "decide/counts"],
+        shaders: &["decide"],
+        cpu: &["decide"],
+        gpu: &["decide", "decisions"],
+    },
+    Stage {
         name: "classify",
         what: "which triangles rays of one origin may hit",
         core: &["classify", "orientation"],
