@@ -4,6 +4,7 @@ mod buffers;
 mod builds;
 mod chain;
 mod contract;
+mod decisions;
 mod generated;
 mod kernels;
 mod limits;
