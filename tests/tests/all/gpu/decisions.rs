@@ -360,7 +360,7 @@ fn pictures_by_decided_sides_are_those_of_the_rule() {
     );
 }
 
-/// The control: L− of an eye that is not outside would be seen.
+/// The control: wrong sides would be seen, and those of a plan are of no account where the GPU decides.
 #[test]
 fn sides_that_are_wrong_give_another_picture() {
     let Some(gpu) = gpu() else { return };
@@ -374,7 +374,6 @@ fn sides_that_are_wrong_give_another_picture() {
         *side = -*side;
     }
     assert!(planned(gpu, &scene, &wrong) != expected);
-    // Those of a plan do not matter where the GPU decides.
     let (picture, _) = deciding(gpu, &scene, &wrong, &topology, LightSets::Facing);
     assert!(picture == expected);
 }
