@@ -221,8 +221,11 @@ fn the_rounded_sign_alone_is_wrong_at_times() {
     );
 }
 
+/// Vertices, faces and links.
+type Apart = (Vec<[f32; 3]>, Vec<[u32; 3]>, Vec<[u32; 2]>);
+
 /// A 1×2×3 box, its sides apart: 12 faces with their own corners, and links between equal ones.
-fn sides_apart() -> (Vec<[f32; 3]>, Vec<[u32; 3]>, Vec<[u32; 2]>) {
+fn sides_apart() -> Apart {
     let corner = |i: u32| {
         [
             (i & 1) as f32,
@@ -303,14 +306,12 @@ fn a_volume_too_small_to_be_certain_has_no_sign() {
     let scaled = |size: f32| -> i32 {
         let vertices: Vec<[f32; 3]> = (0..35)
             .map(|i| {
-                let (u, v) = ((i / 7) as f32 * 1.256_637, (i % 7) as f32 * 0.897_598);
-                let r = 3.0 + libm_cos(v);
-                [
-                    r * libm_cos(u),
-                    r * libm_cos(u - 1.570_796),
-                    libm_cos(v - 1.570_796),
-                ]
-                .map(|x| x * size)
+                let turn = |part: u32, of: u32| {
+                    (core::f64::consts::TAU * f64::from(part) / f64::from(of)).sin_cos()
+                };
+                let ([su, cu], [sv, cv]) = (turn(i / 7, 5).into(), turn(i % 7, 7).into());
+                let ring: f64 = 3.0 + cv;
+                [ring * cu, ring * su, sv].map(|x: f64| x as f32 * size)
             })
             .collect();
         let surfaces = Surfaces {
@@ -325,10 +326,6 @@ fn a_volume_too_small_to_be_certain_has_no_sign() {
     assert!(side != 0);
     assert_eq!(scaled(1e-8), side);
     assert_eq!([scaled(1e-14), scaled(1e-30), scaled(0.0)], [0; 3]);
-}
-
-fn libm_cos(x: f32) -> f32 {
-    f64::from(x).cos() as f32
 }
 
 #[test]

@@ -8,6 +8,10 @@ use slimbvh_core::camera::Camera;
 use slimbvh_core::classify::{Except, Facing, Reach, Sides, is_in_set};
 use slimbvh_core::color::{pack_texel, srgb_bytes};
 use slimbvh_core::compact::{is_set, pack_lanes, rank};
+use slimbvh_core::decide::{
+    Choice, Component, Measure, SetCounts, Span, Surfaces, Unit, count_step, join_step,
+    lane_counts, lane_joined, lane_measure, lane_total,
+};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::launch::carries;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
@@ -162,6 +166,29 @@ pub fn classify(
     let scale = PowerOfTwo::new(5);
     let reach = reach.scaled(&scale);
     u32::from(is_in_set(primitive, mesh, &scale, &reach)) ^ pack_lanes(primitive, flags)
+}
+
+#[unsafe(no_mangle)]
+pub fn decide(
+    lane: u32,
+    parts: &(Span, Component, Surfaces, Choice, Target),
+    measures: &[Measure; 64],
+    counts: &[SetCounts; 64],
+    to: Out<(Measure, Measure, Measure, SetCounts, SetCounts)>,
+) -> i32 {
+    let (span, component, surfaces, choice, target) = parts;
+    let unit = Unit {
+        scale: PowerOfTwo::new(5),
+        zero: 0,
+    };
+    *to = (
+        lane_measure(lane, span, surfaces, &unit),
+        lane_joined(lane, component, measures),
+        join_step(lane, lane, measures),
+        lane_counts(lane, lane, choice).plus(count_step(lane, lane, counts)),
+        lane_total(lane, counts).decided(),
+    );
+    to.0.side(target)
 }
 
 #[unsafe(no_mangle)]

@@ -1,6 +1,7 @@
 //! Measures the GPU backend and writes a record: what each stage asks of the GPU, and how long it takes. Exit codes: 0
 //! done, 1 the answers are not the CPU's, 2 usage or input.
 
+mod decide;
 mod measure;
 mod report;
 

@@ -1,5 +1,6 @@
 //! Builds and traces on the GPU, round after round.
 
+use crate::decide::{Deciding, decide};
 use anyhow::Result;
 use slimbvh::gpu::wgpu::BufferUsages;
 use slimbvh::gpu::{Builder, Bvh, Gpu, GpuError, Mesh as GpuMesh, Query, Work, wgpu};
@@ -23,6 +24,8 @@ pub struct MeshRecord {
 pub struct Measured {
     /// Each length of codes.
     pub builds: Vec<Build>,
+    /// What moved vertices cost.
+    pub deciding: Deciding,
     /// Each list of rays.
     pub traces: Vec<Trace>,
     /// Bytes of the hierarchy's buffers.
@@ -99,6 +102,7 @@ fn measured(
         scratch_bytes = builder.scratch_bytes();
     }
     builds.reverse();
+    let deciding = decide(gpu, mesh, &uploaded, rounds)?;
     let mut hits = Vec::new();
     let traces = vec![
         trace(gpu, &bvh, Query::Closest, &rays.primary, rounds, &mut hits)?,
@@ -108,6 +112,7 @@ fn measured(
     Ok((
         Measured {
             builds,
+            deciding,
             traces,
             bvh_bytes: bvh.bytes(),
             node_count,
@@ -221,7 +226,8 @@ fn trace(
     })
 }
 
-fn median(mut times: Vec<Duration>) -> Duration {
+/// The middle one, the greater of two.
+pub fn median(mut times: Vec<Duration>) -> Duration {
     times.sort_unstable();
     times.get(times.len() / 2).copied().unwrap_or_default()
 }

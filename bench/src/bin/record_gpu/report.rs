@@ -1,5 +1,6 @@
 //! The record as Markdown.
 
+use crate::decide::Deciding;
 use crate::measure::{Build, Measured, MeshRecord};
 use anyhow::Result;
 use slimbvh::gpu::{Gpu, adapters};
@@ -57,6 +58,7 @@ fn describe(out: &mut String, record: &MeshRecord, measured: &Measured) -> Resul
     for build in &measured.builds {
         describe_build(out, record, build, measured.node_count)?;
     }
+    describe_deciding(out, record, measured)?;
     writeln!(out, "| rays | count | ms | Mrays/s | bytes a ray | GB/s |")?;
     writeln!(out, "|---|--:|--:|--:|--:|--:|")?;
     for trace in &measured.traces {
@@ -88,6 +90,57 @@ fn describe(out: &mut String, record: &MeshRecord, measured: &Measured) -> Resul
         per_triangle(measured.bvh_bytes),
         per_triangle(measured.node_count * size_of::<slimbvh::Node>() as u64),
         per_triangle(measured.scratch_bytes)
+    )?;
+    Ok(())
+}
+
+fn describe_deciding(out: &mut String, record: &MeshRecord, measured: &Measured) -> Result<()> {
+    let Deciding {
+        reducible_count,
+        steps,
+        bytes,
+    } = &measured.deciding;
+    let triangles = record.triangle_count as f64;
+    writeln!(
+        out,
+        "Stage `decide`, bytes a triangle; {reducible_count} triangles belong to closed components:\n"
+    )?;
+    writeln!(
+        out,
+        "| step | dispatches | read | written | ms | of the build's bytes | of its time |"
+    )?;
+    writeln!(out, "|---|--:|--:|--:|--:|--:|--:|")?;
+    let build = measured.builds.iter().find(|build| build.code_bits == 30);
+    let (mut build_bytes, mut build_seconds) = (0, 0.0);
+    if let Some(build) = build {
+        let moved = |work: &slimbvh::gpu::Work| {
+            work.read.total(measured.node_count) + work.written.total(measured.node_count)
+        };
+        build_bytes = build.work.iter().map(moved).sum();
+        build_seconds = build
+            .times
+            .iter()
+            .map(std::time::Duration::as_secs_f64)
+            .sum();
+    }
+    for step in steps {
+        let [read, written] = [step.work.read, step.work.written].map(|traffic| traffic.bytes);
+        writeln!(
+            out,
+            "| {} | {} | {:.1} | {:.1} | {:.3} | {:.1} % | {:.1} % |",
+            step.name,
+            step.work.dispatch_count,
+            read as f64 / triangles,
+            written as f64 / triangles,
+            step.time.as_secs_f64() * 1e3,
+            100.0 * (read + written) as f64 / build_bytes.max(1) as f64,
+            100.0 * step.time.as_secs_f64() / f64::max(build_seconds, 1e-9),
+        )?;
+    }
+    writeln!(
+        out,
+        "\nThe build is that of 30-bit codes. Memory: {:.1} bytes a triangle.\n",
+        *bytes as f64 / triangles
     )?;
     Ok(())
 }
