@@ -1,7 +1,8 @@
 //! Plans for awkward scenes: reduced trees give the picture of the whole tree with the rule, byte for byte, on both
 //! backends, and the rule loses nothing but rays within rounding of a silhouette.
 
-mod scenes;
+mod awkward;
+pub mod scenes;
 
 use scenes::{SUN, ball, room, scenes};
 use slimbvh::gpu;
