@@ -9,8 +9,9 @@
 //! - A corner less the origin, at most 2M, is rounded (1 u), multiplied by the direction (1 u), and the difference of two
 //!   such products is rounded (1 u): `x·dz − z·dx` is off by at most 3u (|x|·dz + |z|·dx) ≤ 12 u M dz. That moves the
 //!   corner by 12 u M on each of the two axes across, 17 u M together.
-//! - On which side of an edge the ray passes is decided by two rounded products; they hide at most u (|b x c| terms) ≤ 2u |b||c|.
-//!   Between its ends an edge of length L passes the ray at `2u |b||c| / L ≤ u L / 2`, and L is at most 2 √3 M: 2 u M.
+//! - On which side of an edge from b to c the ray passes is decided by two rounded products, which may be taken for equal
+//!   where they differ by up to 2u |b| |c|: then an edge of length L passes the ray, between its ends, at no more than
+//!   2u |b| |c| / L ≤ u L / 2, and L is at most 2 √3 M: 2 u M.
 //! - The slab test of the triangle's own box is padded by 32 u of its reach, so it decides only about rays that are farther
 //!   away than all this.
 //! - A shadow ray's end misses its lamp by the rounding of a difference, u M an axis: 2 u M.
