@@ -46,7 +46,9 @@ pub const SUBJECTS: [Subject; 9] = [
 ];
 
 impl Subject {
-    const fn file(name: &'static str, file: &'static str) -> Self {
+    /// A file in the folder of real meshes.
+    #[must_use]
+    pub const fn file(name: &'static str, file: &'static str) -> Self {
         let source = Source::File(file);
         Self { name, source }
     }

@@ -3,3 +3,5 @@
 pub mod brute;
 pub mod double;
 pub mod exact;
+pub mod exact_sum;
+pub mod unculled;

@@ -13,6 +13,7 @@ mod reduced;
 mod reduced_plans;
 mod reduced_scenes;
 mod refits;
+mod rejecting;
 mod repeatable;
 mod trees;
 mod watertight;

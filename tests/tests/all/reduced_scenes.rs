@@ -1,6 +1,7 @@
 //! Plans for awkward scenes: reduced trees give the picture of the whole tree with the rule, byte for byte, on both
 //! backends, and the rule loses nothing but rays within rounding of a silhouette.
 
+mod awkward;
 pub mod scenes;
 
 use scenes::{SUN, ball, lights, room, scenes};

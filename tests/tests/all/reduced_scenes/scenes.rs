@@ -1,18 +1,19 @@
 //! Scenes where something stands where it makes a difference.
 
+use super::awkward;
 use glam::{Quat, Vec3};
 use slimbvh::generate::{append, cuboid, default_scene, ground, icosphere, transformed};
 use slimbvh::{AreaShape, Camera, Light, Mesh, Projection, Scene};
 use slimbvh_tests::closed::small_torus_knot;
 
-const EYE: [f32; 3] = [0.4, 0.9, 4.5];
-const PERSPECTIVE: Projection = Projection::Perspective { vertical_fov: 50.0 };
+pub const EYE: [f32; 3] = [0.4, 0.9, 4.5];
+pub const PERSPECTIVE: Projection = Projection::Perspective { vertical_fov: 50.0 };
 pub const SUN: Light = Light::Directional {
     direction: [-0.35, -1.0, -0.45],
     color: [2.0; 3],
 };
 
-fn lamp(position: [f32; 3]) -> Light {
+pub fn lamp(position: [f32; 3]) -> Light {
     Light::Point {
         position,
         color: [9.0; 3],
@@ -43,7 +44,7 @@ fn lens(radius: f32) -> Camera {
     camera(EYE, [0.0; 3], projection)
 }
 
-fn camera(eye: [f32; 3], target: [f32; 3], projection: Projection) -> Camera {
+pub fn camera(eye: [f32; 3], target: [f32; 3], projection: Projection) -> Camera {
     Camera {
         eye,
         target,
@@ -52,7 +53,7 @@ fn camera(eye: [f32; 3], target: [f32; 3], projection: Projection) -> Camera {
     }
 }
 
-fn scene(meshes: Vec<Mesh>, camera: Camera, lights: &[Light]) -> Scene {
+pub fn scene(meshes: Vec<Mesh>, camera: Camera, lights: &[Light]) -> Scene {
     let mut mesh = Mesh::default();
     for part in meshes {
         append(&mut mesh, part, "part", 0);
@@ -69,7 +70,7 @@ pub fn ball(center: [f32; 3], radius: f32) -> Mesh {
     icosphere(center.into(), radius, 4)
 }
 
-fn floor() -> Mesh {
+pub fn floor() -> Mesh {
     transformed(
         ground(8.0, 6),
         1.0,
@@ -85,7 +86,7 @@ fn turned_box(min: [f32; 3], max: [f32; 3]) -> Mesh {
 }
 
 /// With its back sides out.
-fn inside_out(mut mesh: Mesh) -> Mesh {
+pub fn inside_out(mut mesh: Mesh) -> Mesh {
     for triangle in &mut mesh.indices {
         triangle.swap(1, 2);
     }
@@ -95,6 +96,12 @@ fn inside_out(mut mesh: Mesh) -> Mesh {
 
 /// All of them, by name.
 pub fn scenes() -> Vec<(&'static str, Scene)> {
+    let mut scenes = plain();
+    scenes.extend(awkward::scenes());
+    scenes
+}
+
+fn plain() -> Vec<(&'static str, Scene)> {
     let front = || camera(EYE, [0.0; 3], PERSPECTIVE);
     let both = [SUN, lamp([2.5, 2.0, 1.5])];
     let hollow = || {

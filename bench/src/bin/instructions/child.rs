@@ -1,0 +1,86 @@
+//! The process that is counted: loads a scene, and makes frames of it as `slimbvh render` does.
+
+use super::jobs::{Job, MODES, SCENES, VIEWS};
+use anyhow::{Context, Result};
+use slimbvh::reduce::{Asked, Choice, Hierarchies, Plan, Reduce, Survey, Switches, survey};
+use slimbvh::{BuildConfig, Builder, Picture, RenderSettings, Renderer};
+
+/// The first argument of a child process.
+pub const WORD: &str = "--child";
+
+/// What a child is told after [`WORD`]: scene and view by their places in the lists, the mode or none to load only, and how
+/// many of the frames to make.
+pub fn arguments(job: &Job, mode: Option<Reduce>, made: u32) -> Vec<String> {
+    let scene = SCENES.iter().position(|scene| scene.name == job.scene.name);
+    let view = VIEWS.iter().position(|view| view.name == job.view.name);
+    let mode = MODES.iter().position(|other| Some(*other) == mode);
+    let numbers = [
+        scene,
+        view,
+        Some(mode.unwrap_or(MODES.len())),
+        Some(made as usize),
+    ];
+    let words = numbers.map(|number| number.unwrap_or_default().to_string());
+    [&[WORD.to_owned()][..], &words].concat()
+}
+
+/// Does what it is told. Prints what was decided.
+pub fn run(arguments: impl Iterator<Item = String>) -> Result<()> {
+    let numbers: Result<Vec<usize>, _> = arguments.map(|word| word.parse()).collect();
+    let numbers = numbers.context("numbers are expected")?;
+    let [scene, view, mode, made] = numbers[..] else {
+        anyhow::bail!("four numbers are expected");
+    };
+    let job = Job {
+        scene: *SCENES.get(scene).context("no such scene")?,
+        view: *VIEWS.get(view).context("no such view")?,
+    };
+    let mode = MODES.get(mode).copied();
+    let pool = slimbvh_bench::pool(1)?;
+    println!("{}", pool.install(|| frames(&job, mode, made))?);
+    Ok(())
+}
+
+fn frames(job: &Job, mode: Option<Reduce>, made: usize) -> Result<&'static str> {
+    let scene = job.scene()?;
+    let Some(reduce) = mode else {
+        return Ok("loaded");
+    };
+    let settings = RenderSettings {
+        size: job.view.size,
+        ..RenderSettings::default()
+    };
+    let config = BuildConfig::default();
+    let asked = Asked {
+        scene: &scene,
+        settings: &settings,
+        switches: Switches {
+            cull: job.view.cull,
+            reduce,
+            seams: job.view.seams,
+        },
+        frame_count: job.view.frame_count,
+    };
+    let mut room: Option<Survey> = None;
+    let plan = match Plan::without_survey(&asked)? {
+        Some(plan) => plan,
+        None => {
+            let survey = room.insert(survey(&scene.mesh, config, job.view.seams)?);
+            Plan::new(&survey.topology, &asked)?
+        }
+    };
+    let (mut builder, mut hierarchies) = (Builder::new(config), Hierarchies::new());
+    let (mut renderer, mut picture) = (Renderer::new(), Picture::default());
+    for _ in 0..made {
+        hierarchies.build(&mut builder, &scene.mesh, &plan)?;
+        let trees = hierarchies.trees(&plan);
+        renderer.render_with(&scene, &trees, &settings, &mut picture, |_| {})?;
+    }
+    let has_set = plan.aims.iter().any(|aim| aim.choice == Choice::Set);
+    Ok(match (plan.is_plain(), has_set, plan.needs_whole) {
+        (true, ..) => "declined a survey",
+        (_, false, _) => "whole tree",
+        (_, true, true) => "whole tree and sets",
+        (_, true, false) => "sets",
+    })
+}

@@ -1,0 +1,71 @@
+//! Instructions of a child process, counted by Valgrind.
+
+use super::child;
+use super::jobs::Job;
+use anyhow::{Context, Result, bail, ensure};
+use slimbvh::reduce::Reduce;
+use std::io::ErrorKind;
+use std::process::Command;
+
+/// What a child process took and said.
+pub struct Counted {
+    /// All that it executed, from the first to the last.
+    pub instructions: u64,
+    /// Its output.
+    pub said: String,
+}
+
+/// Whether Valgrind is there.
+pub fn check() -> Result<()> {
+    match Command::new("valgrind").arg("--version").output() {
+        Ok(_) => Ok(()),
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            bail!("instructions are counted by valgrind, which is not installed")
+        }
+        Err(error) => Err(error).context("cannot start valgrind"),
+    }
+}
+
+/// Counts what a child process executes that makes some frames of a job, or only loads its scene.
+pub fn instructions(job: &Job, mode: Option<Reduce>, made: u32) -> Result<Counted> {
+    let program = std::env::current_exe().context("cannot find this program")?;
+    let output = Command::new("valgrind")
+        .args(["--tool=cachegrind", "--cache-sim=no"])
+        .arg("--cachegrind-out-file=/dev/null")
+        .arg(program)
+        .args(child::arguments(job, mode, made))
+        // Reading files would start as many threads as there are cores.
+        .env("RAYON_NUM_THREADS", "1")
+        .output()
+        .context("cannot start valgrind")?;
+    let log = String::from_utf8_lossy(&output.stderr);
+    let (scene, view) = (job.scene.name, job.view.name);
+    ensure!(output.status.success(), "{scene}, {view} failed:\n{log}");
+    let count = total(&log).with_context(|| format!("valgrind counted nothing:\n{log}"))?;
+    Ok(Counted {
+        instructions: count,
+        said: String::from_utf8_lossy(&output.stdout).trim().to_owned(),
+    })
+}
+
+/// The number in the line `==1== I   refs:      434,917,997`.
+fn total(log: &str) -> Option<u64> {
+    let mut lines = log.lines();
+    let line = lines.find(|line| line.split_whitespace().skip(1).take(2).eq(["I", "refs:"]))?;
+    let number = line.split_whitespace().last()?;
+    number.replace(',', "").parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_total_is_found() {
+        let log =
+            "==7== Cachegrind\n==7== Command: I refs: 5\n==7== \n==7== I   refs:      1,234,567\n";
+        assert_eq!(total(log), Some(1_234_567));
+        assert_eq!(total("==7== I refs:  8"), Some(8));
+        assert_eq!(total("==7== D refs:  8"), None);
+    }
+}

@@ -1,0 +1,66 @@
+//! The command line.
+
+use super::jobs::SCENES;
+use anyhow::{Context, Result, bail};
+use slimbvh_bench::meshes::SCENES_VARIABLE;
+
+/// What `--help` prints.
+pub const USAGE: &str = "\
+instructions [--out FILE] [SCENE...]
+  --out FILE  also write the tables to FILE
+  SCENE...    only these scenes (default all)";
+
+/// The command line, parsed.
+pub struct Options {
+    /// Print the usage only.
+    pub help: bool,
+    /// Where to write the record.
+    pub out: Option<String>,
+    /// Names of the scenes, or empty for all.
+    scenes: Vec<String>,
+}
+
+impl Options {
+    /// Reads the arguments.
+    pub fn parse(mut arguments: impl Iterator<Item = String>) -> Result<Self> {
+        let mut options = Self {
+            help: false,
+            out: None,
+            scenes: Vec::new(),
+        };
+        while let Some(argument) = arguments.next() {
+            match argument.as_str() {
+                "--help" | "-h" => options.help = true,
+                "--out" => options.out = Some(arguments.next().context("--out needs a file")?),
+                name if SCENES.iter().any(|scene| scene.name == name) => {
+                    options.scenes.push(argument);
+                }
+                _ => bail!("there is no option or scene {argument:?}\n{USAGE}"),
+            }
+        }
+        Ok(options)
+    }
+
+    /// Whether a scene is asked for.
+    pub fn wants(&self, name: &str) -> bool {
+        self.scenes.is_empty() || self.scenes.iter().any(|scene| scene == name)
+    }
+
+    /// The command that makes this record again, without paths of this machine.
+    pub fn command(&self) -> String {
+        let mut words = Vec::new();
+        if std::env::var_os(SCENES_VARIABLE).is_some() {
+            words.push(format!("{SCENES_VARIABLE}=scenes"));
+        }
+        words.push("cargo run --release --bin instructions --".into());
+        words.extend(self.scenes.iter().map(|scene| format!("{scene:?}")));
+        if let Some(out) = &self.out {
+            let path = std::path::Path::new(out);
+            let name = path
+                .file_name()
+                .map_or(out.as_str().into(), |name| name.to_string_lossy());
+            words.push(format!("--out record/{name}"));
+        }
+        words.join(" ")
+    }
+}

@@ -1,0 +1,309 @@
+//! Rays against all triangles, decided exactly: no tree, no side that does not count, no rounding.
+//!
+//! Where doubles leave no doubt they decide; else the same expressions are computed as [`ExactSum`]s. Boxes of runs of
+//! triangles only skip what no exact test could hit.
+
+use super::exact_sum::ExactSum;
+use slimbvh_core::Ray;
+use std::cmp::Ordering;
+
+/// Triangles whose box is tested together.
+const RUN: usize = 32;
+
+/// A number, and how far it may be from the exact one.
+#[derive(Clone, Copy, Debug)]
+struct Estimate {
+    value: f64,
+    error: f64,
+}
+
+/// Where a ray meets a triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct Crossing {
+    /// The caller's index.
+    pub primitive: u32,
+    /// In units of the direction, rounded.
+    pub t: f64,
+    /// The exact t is no farther away than this.
+    t_error: f64,
+    /// What t follows from.
+    ray: Ray,
+    corners: [[f32; 3]; 3],
+}
+
+/// All triangles of a scene, by index.
+#[derive(Clone, Debug)]
+pub struct Unculled {
+    triangles: Vec<[[f32; 3]; 3]>,
+    /// Least and largest coordinates of each run.
+    boxes: Vec<[[f64; 3]; 2]>,
+}
+
+impl Unculled {
+    /// Triangles with finite corners.
+    #[must_use]
+    pub fn new(triangles: Vec<[[f32; 3]; 3]>) -> Self {
+        let bounds = |run: &[[[f32; 3]; 3]]| {
+            let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+            for corner in run.as_flattened() {
+                for axis in 0..3 {
+                    let x = f64::from(corner[axis]);
+                    bounds[0][axis] = bounds[0][axis].min(x);
+                    bounds[1][axis] = bounds[1][axis].max(x);
+                }
+            }
+            bounds
+        };
+        let boxes = triangles.chunks(RUN).map(bounds).collect();
+        Self { triangles, boxes }
+    }
+
+    /// The corners of a triangle.
+    #[must_use]
+    pub fn triangle(&self, primitive: u32) -> [[f32; 3]; 3] {
+        self.triangles[primitive as usize]
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// All triangles but one that a ray meets, in the order of (t, index). Edges and corners belong to a triangle; one
+    /// that is seen from its own plane is never met. `t_max` must be 1, or so large that it is no limit.
+    #[must_use]
+    pub fn crossings(&self, ray: &Ray, skip: u32) -> Vec<Crossing> {
+        let mut crossings = Vec::new();
+        for (run, bounds) in self.boxes.iter().enumerate() {
+            if !may_meet(ray, bounds) {
+                continue;
+            }
+            let first = run * RUN;
+            let last = self.triangles.len().min(first + RUN);
+            for (corners, primitive) in self.triangles[first..last].iter().zip(first as u32..) {
+                if primitive != skip {
+                    crossings.extend(cross(ray, corners, primitive));
+                }
+            }
+        }
+        crossings.sort_by(Crossing::compare);
+        crossings
+    }
+}
+
+impl Crossing {
+    /// By t, then by index.
+    #[must_use]
+    pub fn compare(&self, other: &Self) -> Ordering {
+        self.compare_t(other)
+            .then(self.primitive.cmp(&other.primitive))
+    }
+
+    /// By t, exactly.
+    #[must_use]
+    pub fn compare_t(&self, other: &Self) -> Ordering {
+        if (self.t - other.t).abs() > 2.0 * (self.t_error + other.t_error) {
+            return self.t.total_cmp(&other.t);
+        }
+        let [a, b] = exact_t(&self.ray, &self.corners);
+        let [c, d] = exact_t(&other.ray, &other.corners);
+        a.times(&d).compare(&c.times(&b))
+    }
+}
+
+/// The ray against one triangle.
+fn cross(ray: &Ray, corners: &[[f32; 3]; 3], primitive: u32) -> Option<Crossing> {
+    let origin = ray.origin.map(f64::from);
+    let direction = ray.direction.map(f64::from);
+    let [a, b, c] = corners.map(|p| [0, 1, 2].map(|axis| f64::from(p[axis]) - origin[axis]));
+
+    // Volumes of the tetrahedra that the direction spans with each edge.
+    let volumes = [
+        volume(direction, b, c),
+        volume(direction, c, a),
+        volume(direction, a, b),
+    ];
+    let is_front = volumes.iter().any(|volume| volume.value > volume.error);
+    let is_back = volumes.iter().any(|volume| volume.value < -volume.error);
+    if is_front && is_back {
+        return None;
+    }
+    let hit = |t, t_error| Crossing {
+        primitive,
+        t,
+        t_error,
+        ray: *ray,
+        corners: *corners,
+    };
+
+    // The sum is n · d, and t = n · a / n · d.
+    let over = volume(a, b, c);
+    let is_certain = |volume: &Estimate| volume.value.abs() > volume.error;
+    if volumes.iter().all(is_certain) && is_certain(&over) {
+        let under: f64 = volumes.iter().map(|volume| volume.value).sum();
+        let under_error: f64 = volumes.iter().map(|volume| volume.error).sum();
+        let under_error = under_error + 4.0 * f64::EPSILON * under.abs();
+        let t = over.value / under;
+        let t_error = (over.error + t.abs() * under_error) / (under.abs() - under_error)
+            + 4.0 * f64::EPSILON * t.abs();
+        if under_error < 0.5 * under.abs() {
+            if t < 0.0 || t > limit(ray) + t_error {
+                return None;
+            } else if t < limit(ray) - t_error {
+                return Some(hit(t, t_error));
+            }
+        }
+    }
+
+    let signs = exact_volumes(ray, corners).map(|volume| volume.sign());
+    let is_inside = signs.iter().all(|&sign| sign >= 0) || signs.iter().all(|&sign| sign <= 0);
+    if !is_inside || signs == [0; 3] {
+        return None;
+    }
+    let [over, under] = exact_t(ray, corners);
+    let is_beyond = ray.t_max == 1.0 && over.compare(&under) == Ordering::Greater;
+    if over.sign() < 0 || is_beyond {
+        return None;
+    }
+    let t = over.value() / under.value();
+    Some(hit(t, 1e-12 * t))
+}
+
+/// The largest t that counts.
+fn limit(ray: &Ray) -> f64 {
+    assert!(
+        ray.t_max >= 1.0 && ray.t_min == 0.0,
+        "the whole ray, or up to 1"
+    );
+    if ray.t_max == 1.0 { 1.0 } else { f64::INFINITY }
+}
+
+/// `u · (v × w)`. At most ten roundings in a row, differences included.
+fn volume(u: [f64; 3], v: [f64; 3], w: [f64; 3]) -> Estimate {
+    let (mut value, mut magnitude) = (0.0, 0.0);
+    for (x, y, z) in AXES {
+        let (positive, negative) = (v[y] * w[z], v[z] * w[y]);
+        value += u[x] * (positive - negative);
+        magnitude += u[x].abs() * (positive.abs() + negative.abs());
+    }
+    Estimate {
+        value,
+        error: 8.0 * f64::EPSILON * magnitude,
+    }
+}
+
+const AXES: [(usize, usize, usize); 3] = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
+
+type ExactVector = [ExactSum; 3];
+
+fn exact_corners(ray: &Ray, corners: &[[f32; 3]; 3]) -> [ExactVector; 3] {
+    corners.map(|p| {
+        [0, 1, 2].map(|axis| ExactSum::difference(f64::from(p[axis]), f64::from(ray.origin[axis])))
+    })
+}
+
+/// See [`volume`].
+fn exact_volume(u: &ExactVector, v: &ExactVector, w: &ExactVector) -> ExactSum {
+    let parts = AXES.map(|(x, y, z)| u[x].times(&v[y].times(&w[z]).minus(&v[z].times(&w[y]))));
+    let [x, y, z] = parts;
+    x.plus(&y).plus(&z)
+}
+
+/// The volumes that the direction spans with each edge.
+fn exact_volumes(ray: &Ray, corners: &[[f32; 3]; 3]) -> [ExactSum; 3] {
+    let [a, b, c] = exact_corners(ray, corners);
+    let direction = ray
+        .direction
+        .map(|x| ExactSum::difference(f64::from(x), 0.0));
+    [(&b, &c), (&c, &a), (&a, &b)].map(|(v, w)| exact_volume(&direction, v, w))
+}
+
+/// t as a fraction, whose lower part is above 0; the ray must meet the triangle's plane in a point.
+fn exact_t(ray: &Ray, corners: &[[f32; 3]; 3]) -> [ExactSum; 2] {
+    let [a, b, c] = exact_corners(ray, corners);
+    let over = exact_volume(&a, &b, &c);
+    let [x, y, z] = exact_volumes(ray, corners);
+    let under = x.plus(&y).plus(&z);
+    if under.sign() < 0 {
+        let nothing = ExactSum::default();
+        [nothing.clone().minus(&over), nothing.minus(&under)]
+    } else {
+        [over, under]
+    }
+}
+
+/// False only where the ray certainly misses the box. A few roundings of a double are covered a thousand times over.
+fn may_meet(ray: &Ray, [low, high]: &[[f64; 3]; 2]) -> bool {
+    const SLACK: f64 = 1e-12;
+    let (mut enter, mut exit) = (0.0_f64, limit(ray) * (1.0 + SLACK));
+    for axis in 0..3 {
+        let (origin, direction) = (f64::from(ray.origin[axis]), f64::from(ray.direction[axis]));
+        if direction == 0.0 {
+            if origin < low[axis] || origin > high[axis] {
+                return false;
+            }
+            continue;
+        }
+        let (a, b) = (
+            (low[axis] - origin) / direction,
+            (high[axis] - origin) / direction,
+        );
+        let slack = SLACK * (a.abs() + b.abs());
+        enter = enter.max(a.min(b) - slack);
+        exit = exit.min(a.max(b) + slack);
+    }
+    enter <= exit
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::oracle::exact::{GridRay, GridTriangle, intersect};
+    use proptest::prelude::*;
+
+    fn triangle() -> impl Strategy<Value = GridTriangle> {
+        proptest::array::uniform3(proptest::array::uniform3(-3i32..=3))
+    }
+
+    proptest! {
+        /// On a small grid most rays pass edges, corners and planes.
+        #[test]
+        fn agrees_with_whole_numbers(triangles in proptest::collection::vec(triangle(), 1..80), origin in proptest::array::uniform3(-3i32..=3), direction in proptest::array::uniform3(-2i32..=2), shift in 0i32..30, to_one in any::<bool>()) {
+            prop_assume!(direction != [0; 3]);
+            // Far from the origin of coordinates differences take more bits than a double has.
+            let far = 2f32.powi(shift - 30);
+            let float = |p: [i32; 3]| p.map(|x| x as f32 * far);
+            let oracle = Unculled::new(triangles.iter().map(|triangle| triangle.map(float)).collect());
+            let mut ray = Ray::new(float(origin), float(direction));
+            if to_one {
+                ray.t_max = 1.0;
+            }
+            let grid_ray = GridRay { origin, direction };
+            let hits = triangles.iter().zip(0..).filter_map(|(triangle, i)| Some((intersect(&grid_ray, triangle)?.t, i)));
+            let mut hits: Vec<_> = hits.filter(|(t, _)| !to_one || t.over <= t.under).collect();
+            hits.sort_by(|a, b| a.0.compare(&b.0).then(a.1.cmp(&b.1)));
+            let crossings = oracle.crossings(&ray, u32::MAX);
+            let found: Vec<u32> = crossings.iter().map(|crossing| crossing.primitive).collect();
+            let expected: Vec<u32> = hits.iter().map(|hit| hit.1).collect();
+            prop_assert_eq!(&found, &expected);
+            for (crossing, (t, _)) in crossings.iter().zip(&hits) {
+                prop_assert!((crossing.t - t.value()).abs() <= 1e-12 * t.value());
+            }
+            if let Some(&first) = found.first() {
+                prop_assert!(oracle.crossings(&ray, first).iter().all(|crossing| crossing.primitive != first));
+            }
+        }
+    }
+
+    /// One step of the float grid to either side of an edge, far away.
+    #[test]
+    fn one_step_beside_an_edge_is_outside() {
+        let far = 1e7_f32;
+        let oracle = Unculled::new(vec![[[0.5, -far, 3.0], [0.5, far, 7.0], [far, 0.1, 5.0]]]);
+        for (x, count) in [(0.5_f32.next_down(), 0), (0.5, 1), (0.5_f32.next_up(), 1)] {
+            let ray = Ray::new([x, 1.0 / 3.0, -1e-20], [0.0, 0.0, 1e-3]);
+            assert_eq!(oracle.crossings(&ray, u32::MAX).len(), count);
+        }
+    }
+}
