@@ -142,6 +142,6 @@ mod tests {
     #[test]
     fn the_stand_in_of_the_dragon_has_fewer_triangles_by_an_even_number() {
         let count = knot().indices.len();
-        assert!(count <= DRAGON_TRIANGLES && (DRAGON_TRIANGLES - count) % 2 == 0);
+        assert!(count <= DRAGON_TRIANGLES && (DRAGON_TRIANGLES - count).is_multiple_of(2));
     }
 }
