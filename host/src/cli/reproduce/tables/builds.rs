@@ -127,7 +127,7 @@ pub fn division(records: &[SceneRecord]) -> Table {
         notes: vec![
             "Orientation: which way each triangle faces, and on the CPU also how many of each 32 are kept. Sums: the paper's reduction and \
              prefix sum together. Compaction: the list of what is kept. The last column is the division as a share of the construction \
-             over the set, sorted alone. Two printed totals, of the doll and of the toasters, differ from their parts by 10 µs."
+             over the set, sorted alone. Two printed totals differ from their parts by 10 µs."
                 .into(),
         ],
         word_columns: 3,
