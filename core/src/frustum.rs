@@ -54,18 +54,20 @@ impl Frustum {
         let corners = [triangle.v0 - eye, triangle.v1 - eye, triangle.v2 - eye];
         let mut is_outside = false;
         for i in 0..4 {
-            let [x, y, z, offset] = self.planes[i];
-            let mut is_beyond = true;
-            for corner in 0..3 {
-                let v = corners[corner];
-                let distance = x * v.x + y * v.y + z * v.z + offset;
-                let reach = abs(v.x) + abs(v.y) + abs(v.z) + abs(offset);
-                is_beyond &= distance < -(gamma(64) * reach + 16.0 * f32::MIN_POSITIVE);
-            }
-            is_outside |= is_beyond;
+            is_outside |= is_beyond(corners[0], self.planes[i])
+                && is_beyond(corners[1], self.planes[i])
+                && is_beyond(corners[2], self.planes[i]);
         }
         self.is_bounded == 1 && is_outside
     }
+}
+
+/// Whether a corner, seen from the eye, is certainly beyond a plane.
+#[inline]
+fn is_beyond(v: Vec3, [x, y, z, offset]: [f32; 4]) -> bool {
+    let distance = x * v.x + y * v.y + z * v.z + offset;
+    let reach = abs(v.x) + abs(v.y) + abs(v.z) + abs(offset);
+    distance < -(gamma(64) * reach + 16.0 * f32::MIN_POSITIVE)
 }
 
 #[cfg(test)]

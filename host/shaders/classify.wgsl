@@ -30,15 +30,15 @@ struct type_39 {
     member_3: array<u32, 3>,
 }
 
-struct type_42 {
+struct type_41 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_45 {
+struct type_44 {
     member: array<i32>,
 }
 
-struct type_53 {
+struct type_50 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<array<f32, 4>, 4>,
@@ -49,7 +49,7 @@ var<private> global_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_2: type_16;
 @group(0) @binding(1) 
-var<uniform> global_3: type_42;
+var<uniform> global_3: type_41;
 var<workgroup> global_4: array<u32, 64>;
 @group(0) @binding(2) 
 var<uniform> global_5: type_35;
@@ -62,519 +62,494 @@ var<storage> global_8: type_25;
 @group(0) @binding(6) 
 var<storage> global_9: type_5;
 @group(0) @binding(7) 
-var<storage> global_10: type_45;
+var<storage> global_10: type_44;
 @group(0) @binding(8) 
 var<storage, read_write> global_11: type_5;
 
 fn function_() {
     var local: array<array<f32, 4>, 4>;
-    var local_1: array<vec3<f32>, 3>;
-    var local_2: type_53;
-    var local_3: type_53;
-    var phi_255_: type_39;
-    var phi_305_: type_11;
-    var phi_306_: type_11;
-    var phi_329_: type_11;
-    var phi_1326_: bool;
-    var phi_413_: type_11;
-    var phi_414_: type_11;
-    var phi_437_: type_11;
-    var phi_1331_: bool;
-    var phi_595_: u32;
-    var phi_612_: i32;
-    var phi_625_: bool;
-    var phi_642_: array<u32, 3>;
-    var phi_657_: array<f32, 3>;
-    var phi_675_: array<f32, 3>;
-    var phi_693_: array<f32, 3>;
-    var phi_800_: vec3<f32>;
-    var phi_996_: bool;
-    var phi_1340_: bool;
-    var phi_1027_: type_11;
-    var phi_1030_: bool;
-    var phi_1028_: type_11;
-    var phi_1053_: type_11;
-    var phi_1087_: type_11;
-    var phi_1090_: bool;
-    var phi_1088_: type_11;
-    var phi_1113_: type_11;
-    var phi_1091_: bool;
-    var phi_1335_: bool;
-    var local_4: bool;
-    var phi_1369_: bool;
-    var phi_1031_: bool;
-    var phi_1368_: bool;
-    var local_5: bool;
-    var phi_1377_: bool;
-    var phi_1177_: bool;
-    var phi_1376_: bool;
-    var phi_1178_: bool;
-    var phi_1375_: bool;
-    var phi_1180_: u32;
-    var phi_1374_: bool;
-    var phi_1181_: u32;
-    var phi_1201_: type_11;
-    var phi_1204_: u32;
-    var phi_1202_: type_11;
-    var phi_1227_: type_11;
-    var phi_1205_: u32;
-    var phi_1370_: bool;
-    var local_6: u32;
+    var local_1: type_50;
+    var local_2: type_50;
+    var phi_251_: type_39;
+    var phi_301_: type_11;
+    var phi_302_: type_11;
+    var phi_325_: type_11;
+    var phi_1362_: bool;
+    var phi_409_: type_11;
+    var phi_410_: type_11;
+    var phi_433_: type_11;
+    var phi_1367_: bool;
+    var phi_591_: u32;
+    var phi_608_: i32;
+    var phi_621_: bool;
+    var phi_638_: array<u32, 3>;
+    var phi_653_: array<f32, 3>;
+    var phi_671_: array<f32, 3>;
+    var phi_689_: array<f32, 3>;
+    var phi_796_: vec3<f32>;
+    var phi_992_: bool;
+    var phi_1017_: type_11;
+    var phi_1020_: bool;
+    var phi_1018_: type_11;
+    var phi_1043_: type_11;
+    var phi_1198_: bool;
+    var phi_1200_: bool;
+    var phi_1201_: bool;
+    var phi_1021_: bool;
+    var phi_1371_: bool;
+    var local_3: bool;
+    var phi_1412_: bool;
+    var phi_1215_: bool;
+    var phi_1411_: bool;
+    var phi_1216_: bool;
+    var phi_1410_: bool;
+    var phi_1218_: u32;
+    var phi_1409_: bool;
+    var phi_1219_: u32;
+    var phi_1239_: type_11;
+    var phi_1242_: u32;
+    var phi_1240_: type_11;
+    var phi_1265_: type_11;
+    var phi_1243_: u32;
+    var phi_1405_: bool;
+    var local_4: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e55 = global_1;
-            let _e56 = global;
-            let _e59 = arrayLength((&global_7.member));
-            let _e74 = (_e55.x + (_e55.y * 2097152u));
-            let _e77 = global_6.member[0u];
-            if (_e77 > 0u) {
-                let _e79 = (_e74 < arrayLength((&global_8.member)));
-                if _e79 {
-                    let _e82 = global_2.member[0u];
-                    let _e86 = global_3.member[0u][0u];
-                    let _e90 = global_3.member[0u][1u];
-                    let _e94 = global_3.member[0u][2u];
-                    let _e98 = global_3.member[0u][3u];
-                    let _e102 = global_3.member[1u][0u];
-                    let _e106 = global_3.member[1u][1u];
-                    let _e110 = global_3.member[1u][2u];
-                    let _e114 = global_3.member[1u][3u];
-                    let _e115 = bitcast<f32>(_e86);
-                    let _e116 = bitcast<f32>(_e90);
-                    let _e117 = bitcast<f32>(_e94);
-                    let _e119 = bitcast<f32>(_e102);
-                    let _e120 = array<u32, 3>(_e106, _e110, _e114);
-                    let _e122 = bitcast<i32>(_e82);
-                    let _e123 = (_e122 / 2i);
-                    let _e128 = bitcast<f32>((bitcast<u32>((_e123 + 127i)) << bitcast<u32>(23i)));
-                    let _e134 = bitcast<f32>((bitcast<u32>(((_e122 - _e123) + 127i)) << bitcast<u32>(23i)));
-                    if (_e98 == 0u) {
-                        phi_255_ = type_39(array<f32, 3>(_e115, _e116, _e117), _e98, _e119, _e120);
+            let _e53 = global_1;
+            let _e54 = global;
+            let _e57 = arrayLength((&global_7.member));
+            let _e72 = (_e53.x + (_e53.y * 2097152u));
+            let _e75 = global_6.member[0u];
+            if (_e75 > 0u) {
+                let _e77 = (_e72 < arrayLength((&global_8.member)));
+                if _e77 {
+                    let _e80 = global_2.member[0u];
+                    let _e84 = global_3.member[0u][0u];
+                    let _e88 = global_3.member[0u][1u];
+                    let _e92 = global_3.member[0u][2u];
+                    let _e96 = global_3.member[0u][3u];
+                    let _e100 = global_3.member[1u][0u];
+                    let _e104 = global_3.member[1u][1u];
+                    let _e108 = global_3.member[1u][2u];
+                    let _e112 = global_3.member[1u][3u];
+                    let _e113 = bitcast<f32>(_e84);
+                    let _e114 = bitcast<f32>(_e88);
+                    let _e115 = bitcast<f32>(_e92);
+                    let _e117 = bitcast<f32>(_e100);
+                    let _e118 = array<u32, 3>(_e104, _e108, _e112);
+                    let _e120 = bitcast<i32>(_e80);
+                    let _e121 = (_e120 / 2i);
+                    let _e126 = bitcast<f32>((bitcast<u32>((_e121 + 127i)) << bitcast<u32>(23i)));
+                    let _e132 = bitcast<f32>((bitcast<u32>(((_e120 - _e121) + 127i)) << bitcast<u32>(23i)));
+                    if (_e96 == 0u) {
+                        phi_251_ = type_39(array<f32, 3>(_e113, _e114, _e115), _e96, _e117, _e118);
                     } else {
-                        phi_255_ = type_39(array<f32, 3>(((_e115 * _e128) * _e134), ((_e116 * _e128) * _e134), ((_e117 * _e128) * _e134)), _e98, ((_e119 * _e128) * _e134), _e120);
+                        phi_251_ = type_39(array<f32, 3>(((_e113 * _e126) * _e132), ((_e114 * _e126) * _e132), ((_e115 * _e126) * _e132)), _e96, ((_e117 * _e126) * _e132), _e118);
                     }
-                    let _e147 = phi_255_;
-                    let _e151 = global_5.member[0u][0u];
-                    let _e155 = global_5.member[0u][1u];
-                    let _e159 = global_5.member[0u][2u];
-                    let _e163 = global_5.member[0u][3u];
-                    local_3.member = array<f32, 3>(bitcast<f32>(_e151), bitcast<f32>(_e155), bitcast<f32>(_e159));
-                    local_3.member_1 = _e163;
-                    local_3.member_2 = array<array<f32, 4>, 4>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f));
-                    phi_305_ = type_11(0u, 4u);
+                    let _e145 = phi_251_;
+                    let _e149 = global_5.member[0u][0u];
+                    let _e153 = global_5.member[0u][1u];
+                    let _e157 = global_5.member[0u][2u];
+                    let _e161 = global_5.member[0u][3u];
+                    local_2.member = array<f32, 3>(bitcast<f32>(_e149), bitcast<f32>(_e153), bitcast<f32>(_e157));
+                    local_2.member_1 = _e161;
+                    local_2.member_2 = array<array<f32, 4>, 4>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f));
+                    phi_301_ = type_11(0u, 4u);
                     loop {
-                        let _e172 = phi_305_;
-                        if (_e172.member < _e172.member_1) {
-                            phi_306_ = type_11((_e172.member + 1u), _e172.member_1);
-                            phi_329_ = type_11(1u, _e172.member);
+                        let _e170 = phi_301_;
+                        if (_e170.member < _e170.member_1) {
+                            phi_302_ = type_11((_e170.member + 1u), _e170.member_1);
+                            phi_325_ = type_11(1u, _e170.member);
                         } else {
-                            phi_306_ = _e172;
-                            phi_329_ = type_11(0u, type_11().member_1);
+                            phi_302_ = _e170;
+                            phi_325_ = type_11(0u, type_11().member_1);
                         }
-                        let _e185 = phi_306_;
-                        let _e187 = phi_329_;
-                        let _e191 = (bitcast<i32>(_e187.member) != 0i);
-                        if _e191 {
-                            let _e192 = (_e187.member_1 + 1u);
-                            if (_e192 < 5u) {
+                        let _e183 = phi_302_;
+                        let _e185 = phi_325_;
+                        let _e189 = (bitcast<i32>(_e185.member) != 0i);
+                        if _e189 {
+                            let _e190 = (_e185.member_1 + 1u);
+                            if (_e190 < 5u) {
                             } else {
-                                phi_1326_ = true;
+                                phi_1362_ = true;
                                 break;
                             }
-                            let _e197 = global_5.member[_e192][0u];
-                            let _e201 = global_5.member[_e192][1u];
-                            let _e205 = global_5.member[_e192][2u];
-                            let _e209 = global_5.member[_e192][3u];
-                            if (_e187.member_1 < 4u) {
+                            let _e195 = global_5.member[_e190][0u];
+                            let _e199 = global_5.member[_e190][1u];
+                            let _e203 = global_5.member[_e190][2u];
+                            let _e207 = global_5.member[_e190][3u];
+                            if (_e185.member_1 < 4u) {
                             } else {
-                                phi_1326_ = true;
+                                phi_1362_ = true;
                                 break;
                             }
-                            local_3.member_2[_e187.member_1][0u] = bitcast<f32>(_e197);
-                            local_3.member_2[_e187.member_1][1u] = bitcast<f32>(_e201);
-                            local_3.member_2[_e187.member_1][2u] = bitcast<f32>(_e205);
-                            local_3.member_2[_e187.member_1][3u] = bitcast<f32>(_e209);
+                            local_2.member_2[_e185.member_1][0u] = bitcast<f32>(_e195);
+                            local_2.member_2[_e185.member_1][1u] = bitcast<f32>(_e199);
+                            local_2.member_2[_e185.member_1][2u] = bitcast<f32>(_e203);
+                            local_2.member_2[_e185.member_1][3u] = bitcast<f32>(_e207);
                         }
                         continue;
                         continuing {
-                            phi_305_ = _e185;
-                            phi_1326_ = false;
-                            break if !(_e191);
+                            phi_301_ = _e183;
+                            phi_1362_ = false;
+                            break if !(_e189);
                         }
                     }
-                    let _e229 = phi_1326_;
-                    if _e229 {
+                    let _e227 = phi_1362_;
+                    if _e227 {
                         break;
                     }
-                    let _e230 = local_3;
-                    local_2 = _e230;
-                    let _e231 = local_3.member;
-                    local_2.member = array<f32, 3>(((_e231[0] * _e128) * _e134), ((_e231[1] * _e128) * _e134), ((_e231[2] * _e128) * _e134));
-                    phi_413_ = type_11(0u, 4u);
+                    let _e228 = local_2;
+                    local_1 = _e228;
+                    let _e229 = local_2.member;
+                    local_1.member = array<f32, 3>(((_e229[0] * _e126) * _e132), ((_e229[1] * _e126) * _e132), ((_e229[2] * _e126) * _e132));
+                    phi_409_ = type_11(0u, 4u);
                     loop {
-                        let _e244 = phi_413_;
-                        if (_e244.member < _e244.member_1) {
-                            phi_414_ = type_11((_e244.member + 1u), _e244.member_1);
-                            phi_437_ = type_11(1u, _e244.member);
+                        let _e242 = phi_409_;
+                        if (_e242.member < _e242.member_1) {
+                            phi_410_ = type_11((_e242.member + 1u), _e242.member_1);
+                            phi_433_ = type_11(1u, _e242.member);
                         } else {
-                            phi_414_ = _e244;
-                            phi_437_ = type_11(0u, type_11().member_1);
+                            phi_410_ = _e242;
+                            phi_433_ = type_11(0u, type_11().member_1);
                         }
-                        let _e257 = phi_414_;
-                        let _e259 = phi_437_;
-                        let _e263 = (bitcast<i32>(_e259.member) != 0i);
-                        if _e263 {
-                            let _e264 = (_e259.member_1 < 4u);
-                            if _e264 {
+                        let _e255 = phi_410_;
+                        let _e257 = phi_433_;
+                        let _e261 = (bitcast<i32>(_e257.member) != 0i);
+                        if _e261 {
+                            let _e262 = (_e257.member_1 < 4u);
+                            if _e262 {
                             } else {
-                                phi_1331_ = true;
+                                phi_1367_ = true;
                                 break;
                             }
-                            let _e268 = local_3.member_2[_e259.member_1][3u];
-                            if _e264 {
+                            let _e266 = local_2.member_2[_e257.member_1][3u];
+                            if _e262 {
                             } else {
-                                phi_1331_ = true;
+                                phi_1367_ = true;
                                 break;
                             }
-                            local_2.member_2[_e259.member_1][3u] = ((_e268 * _e128) * _e134);
+                            local_1.member_2[_e257.member_1][3u] = ((_e266 * _e126) * _e132);
                         }
                         continue;
                         continuing {
-                            phi_413_ = _e257;
-                            phi_1331_ = _e229;
-                            break if !(_e263);
+                            phi_409_ = _e255;
+                            phi_1367_ = _e227;
+                            break if !(_e261);
                         }
                     }
-                    let _e276 = phi_1331_;
-                    if _e276 {
+                    let _e274 = phi_1367_;
+                    if _e274 {
                         break;
                     }
-                    let _e277 = local_2;
-                    local = _e277.member_2;
-                    let _e286 = (_e74 < arrayLength((&global_9.member)));
-                    if _e286 {
-                        if _e286 {
+                    let _e275 = local_1;
+                    local = _e275.member_2;
+                    let _e284 = (_e72 < arrayLength((&global_9.member)));
+                    if _e284 {
+                        if _e284 {
                         } else {
                             break;
                         }
-                        let _e288 = global_9.member[_e74];
-                        phi_595_ = _e288;
+                        let _e286 = global_9.member[_e72];
+                        phi_591_ = _e286;
                     } else {
-                        phi_595_ = 4294967295u;
+                        phi_591_ = 4294967295u;
                     }
-                    let _e290 = phi_595_;
-                    let _e291 = (_e290 < arrayLength((&global_10.member)));
-                    if _e291 {
-                        if _e291 {
+                    let _e288 = phi_591_;
+                    let _e289 = (_e288 < arrayLength((&global_10.member)));
+                    if _e289 {
+                        if _e289 {
                         } else {
                             break;
                         }
-                        let _e293 = global_10.member[_e290];
-                        phi_612_ = _e293;
+                        let _e291 = global_10.member[_e288];
+                        phi_608_ = _e291;
                     } else {
-                        phi_612_ = 0i;
+                        phi_608_ = 0i;
                     }
-                    let _e295 = phi_612_;
-                    let _e296 = (_e295 == 0i);
-                    if _e296 {
-                        phi_625_ = select(true, false, (_e277.member_1 == 0u));
+                    let _e293 = phi_608_;
+                    let _e294 = (_e293 == 0i);
+                    if _e294 {
+                        phi_621_ = select(true, false, (_e275.member_1 == 0u));
                     } else {
-                        phi_625_ = true;
+                        phi_621_ = true;
                     }
-                    let _e300 = phi_625_;
-                    if _e300 {
-                        if _e79 {
-                            if _e79 {
+                    let _e298 = phi_621_;
+                    if _e298 {
+                        if _e77 {
+                            if _e77 {
                             } else {
                                 break;
                             }
-                            let _e302 = global_8.member[_e74];
-                            phi_642_ = _e302;
+                            let _e300 = global_8.member[_e72];
+                            phi_638_ = _e300;
                         } else {
-                            phi_642_ = array<u32, 3>(0u, 0u, 0u);
+                            phi_638_ = array<u32, 3>(0u, 0u, 0u);
                         }
-                        let _e304 = phi_642_;
-                        let _e306 = (_e304[0] < _e59);
-                        if _e306 {
-                            if _e306 {
+                        let _e302 = phi_638_;
+                        let _e304 = (_e302[0] < _e57);
+                        if _e304 {
+                            if _e304 {
                             } else {
                                 break;
                             }
-                            let _e308 = global_7.member[_e304[0]];
-                            phi_657_ = _e308;
+                            let _e306 = global_7.member[_e302[0]];
+                            phi_653_ = _e306;
                         } else {
-                            phi_657_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_653_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e310 = phi_657_;
-                        let _e315 = (_e304[1] < _e59);
-                        if _e315 {
-                            if _e315 {
+                        let _e308 = phi_653_;
+                        let _e313 = (_e302[1] < _e57);
+                        if _e313 {
+                            if _e313 {
                             } else {
                                 break;
                             }
-                            let _e317 = global_7.member[_e304[1]];
-                            phi_675_ = _e317;
+                            let _e315 = global_7.member[_e302[1]];
+                            phi_671_ = _e315;
                         } else {
-                            phi_675_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_671_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e319 = phi_675_;
-                        let _e324 = (_e304[2] < _e59);
-                        if _e324 {
-                            if _e324 {
+                        let _e317 = phi_671_;
+                        let _e322 = (_e302[2] < _e57);
+                        if _e322 {
+                            if _e322 {
                             } else {
                                 break;
                             }
-                            let _e326 = global_7.member[_e304[2]];
-                            phi_693_ = _e326;
+                            let _e324 = global_7.member[_e302[2]];
+                            phi_689_ = _e324;
                         } else {
-                            phi_693_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_689_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e328 = phi_693_;
-                        let _e333 = ((_e310[0] * _e128) * _e134);
-                        let _e335 = select(_e333, 0f, (_e333 == 0f));
-                        let _e337 = ((_e310[1] * _e128) * _e134);
-                        let _e339 = select(_e337, 0f, (_e337 == 0f));
-                        let _e341 = ((_e310[2] * _e128) * _e134);
-                        let _e343 = select(_e341, 0f, (_e341 == 0f));
-                        let _e345 = ((_e319[0] * _e128) * _e134);
-                        let _e347 = select(_e345, 0f, (_e345 == 0f));
-                        let _e349 = ((_e319[1] * _e128) * _e134);
-                        let _e351 = select(_e349, 0f, (_e349 == 0f));
-                        let _e353 = ((_e319[2] * _e128) * _e134);
-                        let _e355 = select(_e353, 0f, (_e353 == 0f));
-                        let _e357 = ((_e328[0] * _e128) * _e134);
-                        let _e359 = select(_e357, 0f, (_e357 == 0f));
-                        let _e361 = ((_e328[1] * _e128) * _e134);
-                        let _e363 = select(_e361, 0f, (_e361 == 0f));
-                        let _e365 = ((_e328[2] * _e128) * _e134);
-                        let _e367 = select(_e365, 0f, (_e365 == 0f));
-                        if _e296 {
-                            phi_996_ = true;
+                        let _e326 = phi_689_;
+                        let _e331 = ((_e308[0] * _e126) * _e132);
+                        let _e333 = select(_e331, 0f, (_e331 == 0f));
+                        let _e335 = ((_e308[1] * _e126) * _e132);
+                        let _e337 = select(_e335, 0f, (_e335 == 0f));
+                        let _e339 = ((_e308[2] * _e126) * _e132);
+                        let _e341 = select(_e339, 0f, (_e339 == 0f));
+                        let _e343 = ((_e317[0] * _e126) * _e132);
+                        let _e345 = select(_e343, 0f, (_e343 == 0f));
+                        let _e347 = ((_e317[1] * _e126) * _e132);
+                        let _e349 = select(_e347, 0f, (_e347 == 0f));
+                        let _e351 = ((_e317[2] * _e126) * _e132);
+                        let _e353 = select(_e351, 0f, (_e351 == 0f));
+                        let _e355 = ((_e326[0] * _e126) * _e132);
+                        let _e357 = select(_e355, 0f, (_e355 == 0f));
+                        let _e359 = ((_e326[1] * _e126) * _e132);
+                        let _e361 = select(_e359, 0f, (_e359 == 0f));
+                        let _e363 = ((_e326[2] * _e126) * _e132);
+                        let _e365 = select(_e363, 0f, (_e363 == 0f));
+                        if _e294 {
+                            phi_992_ = true;
                         } else {
-                            let _e368 = (_e347 - _e335);
-                            let _e369 = (_e351 - _e339);
-                            let _e370 = (_e355 - _e343);
-                            let _e371 = (_e359 - _e335);
-                            let _e372 = (_e363 - _e339);
-                            let _e373 = (_e367 - _e343);
-                            if (_e147.member_1 == 1u) {
-                                phi_800_ = vec3<f32>((_e147.member[0] - _e335), (_e147.member[1] - _e339), (_e147.member[2] - _e343));
+                            let _e366 = (_e345 - _e333);
+                            let _e367 = (_e349 - _e337);
+                            let _e368 = (_e353 - _e341);
+                            let _e369 = (_e357 - _e333);
+                            let _e370 = (_e361 - _e337);
+                            let _e371 = (_e365 - _e341);
+                            if (_e145.member_1 == 1u) {
+                                phi_796_ = vec3<f32>((_e145.member[0] - _e333), (_e145.member[1] - _e337), (_e145.member[2] - _e341));
                             } else {
-                                phi_800_ = vec3<f32>(_e147.member[0], _e147.member[1], _e147.member[2]);
+                                phi_796_ = vec3<f32>(_e145.member[0], _e145.member[1], _e145.member[2]);
                             }
-                            let _e387 = phi_800_;
-                            let _e391 = bitcast<f32>((bitcast<u32>((_e368 * _e372)) ^ _e147.member_3[0]));
-                            let _e395 = bitcast<f32>((bitcast<u32>((_e369 * _e371)) ^ _e147.member_3[0]));
-                            let _e399 = bitcast<f32>((bitcast<u32>((_e369 * _e373)) ^ _e147.member_3[0]));
-                            let _e403 = bitcast<f32>((bitcast<u32>((_e370 * _e372)) ^ _e147.member_3[0]));
-                            let _e407 = bitcast<f32>((bitcast<u32>((_e370 * _e371)) ^ _e147.member_3[0]));
-                            let _e411 = bitcast<f32>((bitcast<u32>((_e368 * _e373)) ^ _e147.member_3[0]));
-                            let _e412 = (_e399 - _e403);
-                            let _e413 = (_e407 - _e411);
-                            let _e414 = (_e391 - _e395);
-                            let _e438 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)));
-                            let _e445 = (bitcast<f32>((bitcast<u32>(_e407) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e411) & 2147483647u)));
-                            let _e452 = (bitcast<f32>((bitcast<u32>(_e391) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e395) & 2147483647u)));
-                            let _e478 = bitcast<f32>((bitcast<u32>(_e412) & 2147483647u));
-                            let _e481 = bitcast<f32>((bitcast<u32>(_e413) & 2147483647u));
-                            let _e484 = bitcast<f32>((bitcast<u32>(_e414) & 2147483647u));
-                            let _e486 = select(_e484, _e481, (_e481 > _e484));
-                            let _e490 = select(_e484, _e481, (_e481 < _e484));
-                            let _e494 = select(_e481, _e478, (_e478 < _e481));
-                            let _e496 = select(_e481, _e478, (_e478 > _e481));
-                            let _e498 = select(_e484, _e496, (_e496 < _e484));
-                            phi_996_ = !(((((bitcast<f32>((bitcast<u32>((_e387.x * _e412)) ^ _e147.member_3[0])) + bitcast<f32>((bitcast<u32>((_e387.y * _e413)) ^ _e147.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e387.z * _e414)) ^ _e147.member_3[0]))) * f32(-(_e295))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e387.x) & 2147483647u)) * _e438)) ^ _e147.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e387.y) & 2147483647u)) * _e445)) ^ _e147.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e387.z) & 2147483647u)) * _e452)) ^ _e147.member_3[0]))))) ^ _e147.member_3[0])) + bitcast<f32>((bitcast<u32>((_e147.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e486, _e478, (_e478 > _e486)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e498, _e494, (_e494 > _e498)))) ^ _e147.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e490, _e478, (_e478 < _e490)))) ^ _e147.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e438 + _e445) + _e452))) ^ _e147.member_3[0]))) * 1.0000005f)) ^ _e147.member_3[0])))) ^ _e147.member_3[0]))) + 0.0000000000000000000000000000000000001880791f)));
+                            let _e385 = phi_796_;
+                            let _e389 = bitcast<f32>((bitcast<u32>((_e366 * _e370)) ^ _e145.member_3[0]));
+                            let _e393 = bitcast<f32>((bitcast<u32>((_e367 * _e369)) ^ _e145.member_3[0]));
+                            let _e397 = bitcast<f32>((bitcast<u32>((_e367 * _e371)) ^ _e145.member_3[0]));
+                            let _e401 = bitcast<f32>((bitcast<u32>((_e368 * _e370)) ^ _e145.member_3[0]));
+                            let _e405 = bitcast<f32>((bitcast<u32>((_e368 * _e369)) ^ _e145.member_3[0]));
+                            let _e409 = bitcast<f32>((bitcast<u32>((_e366 * _e371)) ^ _e145.member_3[0]));
+                            let _e410 = (_e397 - _e401);
+                            let _e411 = (_e405 - _e409);
+                            let _e412 = (_e389 - _e393);
+                            let _e436 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e401) & 2147483647u)));
+                            let _e443 = (bitcast<f32>((bitcast<u32>(_e405) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e409) & 2147483647u)));
+                            let _e450 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)));
+                            let _e476 = bitcast<f32>((bitcast<u32>(_e410) & 2147483647u));
+                            let _e479 = bitcast<f32>((bitcast<u32>(_e411) & 2147483647u));
+                            let _e482 = bitcast<f32>((bitcast<u32>(_e412) & 2147483647u));
+                            let _e484 = select(_e482, _e479, (_e479 > _e482));
+                            let _e488 = select(_e482, _e479, (_e479 < _e482));
+                            let _e492 = select(_e479, _e476, (_e476 < _e479));
+                            let _e494 = select(_e479, _e476, (_e476 > _e479));
+                            let _e496 = select(_e482, _e494, (_e494 < _e482));
+                            phi_992_ = !(((((bitcast<f32>((bitcast<u32>((_e385.x * _e410)) ^ _e145.member_3[0])) + bitcast<f32>((bitcast<u32>((_e385.y * _e411)) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e385.z * _e412)) ^ _e145.member_3[0]))) * f32(-(_e293))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e385.x) & 2147483647u)) * _e436)) ^ _e145.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e385.y) & 2147483647u)) * _e443)) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e385.z) & 2147483647u)) * _e450)) ^ _e145.member_3[0]))))) ^ _e145.member_3[0])) + bitcast<f32>((bitcast<u32>((_e145.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e484, _e476, (_e476 > _e484)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e496, _e492, (_e492 > _e496)))) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e488, _e476, (_e476 < _e488)))) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e436 + _e443) + _e450))) ^ _e145.member_3[0]))) * 1.0000005f)) ^ _e145.member_3[0])))) ^ _e145.member_3[0]))) + 0.0000000000000000000000000000000000001880791f)));
                         }
-                        let _e538 = phi_996_;
-                        if _e538 {
-                            local_1[0u] = vec3<f32>((_e335 - _e277.member[0]), (_e339 - _e277.member[1]), (_e343 - _e277.member[2]));
-                            local_1[1u] = vec3<f32>((_e347 - _e277.member[0]), (_e351 - _e277.member[1]), (_e355 - _e277.member[2]));
-                            local_1[2u] = vec3<f32>((_e359 - _e277.member[0]), (_e363 - _e277.member[1]), (_e367 - _e277.member[2]));
-                            phi_1340_ = _e276;
-                            phi_1027_ = type_11(0u, 4u);
-                            phi_1030_ = false;
+                        let _e536 = phi_992_;
+                        if _e536 {
+                            let _e540 = (_e333 - _e275.member[0]);
+                            let _e541 = (_e337 - _e275.member[1]);
+                            let _e542 = (_e341 - _e275.member[2]);
+                            let _e543 = (_e345 - _e275.member[0]);
+                            let _e544 = (_e349 - _e275.member[1]);
+                            let _e545 = (_e353 - _e275.member[2]);
+                            let _e546 = (_e357 - _e275.member[0]);
+                            let _e547 = (_e361 - _e275.member[1]);
+                            let _e548 = (_e365 - _e275.member[2]);
+                            phi_1017_ = type_11(0u, 4u);
+                            phi_1020_ = false;
                             loop {
-                                let _e558 = phi_1340_;
-                                let _e560 = phi_1027_;
-                                let _e562 = phi_1030_;
-                                local_5 = _e562;
-                                if (_e560.member < _e560.member_1) {
-                                    phi_1028_ = type_11((_e560.member + 1u), _e560.member_1);
-                                    phi_1053_ = type_11(1u, _e560.member);
+                                let _e550 = phi_1017_;
+                                let _e552 = phi_1020_;
+                                local_3 = _e552;
+                                if (_e550.member < _e550.member_1) {
+                                    phi_1018_ = type_11((_e550.member + 1u), _e550.member_1);
+                                    phi_1043_ = type_11(1u, _e550.member);
                                 } else {
-                                    phi_1028_ = _e560;
-                                    phi_1053_ = type_11(0u, type_11().member_1);
+                                    phi_1018_ = _e550;
+                                    phi_1043_ = type_11(0u, type_11().member_1);
                                 }
-                                let _e575 = phi_1028_;
-                                let _e577 = phi_1053_;
-                                let _e581 = (bitcast<i32>(_e577.member) != 0i);
-                                if _e581 {
-                                    if (_e577.member_1 < 4u) {
+                                let _e565 = phi_1018_;
+                                let _e567 = phi_1043_;
+                                let _e571 = (bitcast<i32>(_e567.member) != 0i);
+                                if _e571 {
+                                    let _e572 = (_e567.member_1 < 4u);
+                                    if _e572 {
                                     } else {
-                                        phi_1368_ = true;
+                                        phi_1371_ = true;
                                         break;
                                     }
-                                    let _e585 = local[_e577.member_1][0u];
-                                    let _e588 = local[_e577.member_1][1u];
-                                    let _e591 = local[_e577.member_1][2u];
-                                    let _e594 = local[_e577.member_1][3u];
-                                    phi_1087_ = type_11(0u, 3u);
-                                    phi_1090_ = true;
-                                    loop {
-                                        let _e596 = phi_1087_;
-                                        let _e598 = phi_1090_;
-                                        local_4 = _e598;
-                                        if (_e596.member < _e596.member_1) {
-                                            phi_1088_ = type_11((_e596.member + 1u), _e596.member_1);
-                                            phi_1113_ = type_11(1u, _e596.member);
+                                    let _e574 = local[_e567.member_1];
+                                    if (((((_e574[0] * _e540) + (_e574[1] * _e541)) + (_e574[2] * _e542)) + _e574[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e540) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e541) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e542) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e574[3]) & 2147483647u)))))) {
+                                        if _e572 {
                                         } else {
-                                            phi_1088_ = _e596;
-                                            phi_1113_ = type_11(0u, type_11().member_1);
+                                            phi_1371_ = true;
+                                            break;
                                         }
-                                        let _e611 = phi_1088_;
-                                        let _e613 = phi_1113_;
-                                        let _e617 = (bitcast<i32>(_e613.member) != 0i);
-                                        if _e617 {
-                                            if (_e613.member_1 < 3u) {
+                                        let _e603 = local[_e567.member_1];
+                                        let _e631 = (((((_e603[0] * _e543) + (_e603[1] * _e544)) + (_e603[2] * _e545)) + _e603[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e543) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e544) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e545) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e603[3]) & 2147483647u))))));
+                                        if _e631 {
+                                            if _e572 {
                                             } else {
-                                                phi_1335_ = true;
+                                                phi_1371_ = true;
                                                 break;
                                             }
-                                            let _e621 = local_1[_e613.member_1][0u];
-                                            let _e624 = local_1[_e613.member_1][1u];
-                                            let _e627 = local_1[_e613.member_1][2u];
-                                            phi_1091_ = (_e598 && (((((_e585 * _e621) + (_e588 * _e624)) + (_e591 * _e627)) + _e594) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e621) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e624) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e627) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e594) & 2147483647u)))))));
+                                            let _e632 = local[_e567.member_1];
+                                            phi_1198_ = (((((_e632[0] * _e546) + (_e632[1] * _e547)) + (_e632[2] * _e548)) + _e632[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e546) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e547) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e548) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e632[3]) & 2147483647u))))));
                                         } else {
-                                            phi_1091_ = bool();
+                                            phi_1198_ = bool();
                                         }
-                                        let _e654 = phi_1091_;
-                                        continue;
-                                        continuing {
-                                            phi_1087_ = _e611;
-                                            phi_1090_ = _e654;
-                                            phi_1335_ = _e558;
-                                            break if !(_e617);
-                                        }
+                                        let _e662 = phi_1198_;
+                                        phi_1200_ = _e662;
+                                        phi_1201_ = select(true, false, _e631);
+                                    } else {
+                                        phi_1200_ = bool();
+                                        phi_1201_ = true;
                                     }
-                                    let _e657 = phi_1335_;
-                                    phi_1368_ = _e657;
-                                    if _e657 {
-                                        break;
-                                    }
-                                    let _e659 = local_4;
-                                    phi_1369_ = _e657;
-                                    phi_1031_ = (_e562 || _e659);
+                                    let _e665 = phi_1200_;
+                                    let _e667 = phi_1201_;
+                                    phi_1021_ = (_e552 || select(_e665, false, _e667));
                                 } else {
-                                    phi_1369_ = _e558;
-                                    phi_1031_ = bool();
+                                    phi_1021_ = bool();
                                 }
-                                let _e662 = phi_1369_;
-                                let _e664 = phi_1031_;
+                                let _e671 = phi_1021_;
                                 continue;
                                 continuing {
-                                    phi_1340_ = _e662;
-                                    phi_1027_ = _e575;
-                                    phi_1030_ = _e664;
-                                    phi_1368_ = _e662;
-                                    break if !(_e581);
+                                    phi_1017_ = _e565;
+                                    phi_1020_ = _e671;
+                                    phi_1371_ = _e274;
+                                    break if !(_e571);
                                 }
                             }
-                            let _e667 = phi_1368_;
-                            if _e667 {
+                            let _e674 = phi_1371_;
+                            if _e674 {
                                 break;
                             }
-                            let _e670 = local_5;
-                            phi_1377_ = _e667;
-                            phi_1177_ = !(select(false, _e670, (_e277.member_1 == 1u)));
+                            let _e677 = local_3;
+                            phi_1412_ = _e674;
+                            phi_1215_ = !(select(false, _e677, (_e275.member_1 == 1u)));
                         } else {
-                            phi_1377_ = _e276;
-                            phi_1177_ = false;
+                            phi_1412_ = _e274;
+                            phi_1215_ = false;
                         }
-                        let _e674 = phi_1377_;
-                        let _e676 = phi_1177_;
-                        phi_1376_ = _e674;
-                        phi_1178_ = _e676;
+                        let _e681 = phi_1412_;
+                        let _e683 = phi_1215_;
+                        phi_1411_ = _e681;
+                        phi_1216_ = _e683;
                     } else {
-                        phi_1376_ = _e276;
-                        phi_1178_ = true;
+                        phi_1411_ = _e274;
+                        phi_1216_ = true;
                     }
-                    let _e678 = phi_1376_;
-                    let _e680 = phi_1178_;
-                    phi_1375_ = _e678;
-                    phi_1180_ = select(0u, 1u, _e680);
+                    let _e685 = phi_1411_;
+                    let _e687 = phi_1216_;
+                    phi_1410_ = _e685;
+                    phi_1218_ = select(0u, 1u, _e687);
                 } else {
-                    phi_1375_ = false;
-                    phi_1180_ = 0u;
+                    phi_1410_ = false;
+                    phi_1218_ = 0u;
                 }
-                let _e683 = phi_1375_;
-                let _e685 = phi_1180_;
-                phi_1374_ = _e683;
-                phi_1181_ = _e685;
+                let _e690 = phi_1410_;
+                let _e692 = phi_1218_;
+                phi_1409_ = _e690;
+                phi_1219_ = _e692;
             } else {
-                phi_1374_ = false;
-                phi_1181_ = 0u;
+                phi_1409_ = false;
+                phi_1219_ = 0u;
             }
-            let _e687 = phi_1374_;
-            let _e689 = phi_1181_;
-            let _e690 = (_e56 % 64u);
-            if (_e690 < 64u) {
+            let _e694 = phi_1409_;
+            let _e696 = phi_1219_;
+            let _e697 = (_e54 % 64u);
+            if (_e697 < 64u) {
             } else {
                 break;
             }
-            global_4[_e690] = _e689;
+            global_4[_e697] = _e696;
             workgroupBarrier();
-            let _e693 = (_e74 / 32u);
-            if ((_e56 & 31u) == 0u) {
-                let _e696 = (_e693 < arrayLength((&global_11.member)));
-                if _e696 {
-                    phi_1201_ = type_11(0u, 32u);
-                    phi_1204_ = 0u;
+            let _e700 = (_e72 / 32u);
+            if ((_e54 & 31u) == 0u) {
+                let _e703 = (_e700 < arrayLength((&global_11.member)));
+                if _e703 {
+                    phi_1239_ = type_11(0u, 32u);
+                    phi_1242_ = 0u;
                     loop {
-                        let _e698 = phi_1201_;
-                        let _e700 = phi_1204_;
-                        local_6 = _e700;
-                        if (_e698.member < _e698.member_1) {
-                            phi_1202_ = type_11((_e698.member + 1u), _e698.member_1);
-                            phi_1227_ = type_11(1u, _e698.member);
+                        let _e705 = phi_1239_;
+                        let _e707 = phi_1242_;
+                        local_4 = _e707;
+                        if (_e705.member < _e705.member_1) {
+                            phi_1240_ = type_11((_e705.member + 1u), _e705.member_1);
+                            phi_1265_ = type_11(1u, _e705.member);
                         } else {
-                            phi_1202_ = _e698;
-                            phi_1227_ = type_11(0u, type_11().member_1);
+                            phi_1240_ = _e705;
+                            phi_1265_ = type_11(0u, type_11().member_1);
                         }
-                        let _e713 = phi_1202_;
-                        let _e715 = phi_1227_;
-                        let _e719 = (bitcast<i32>(_e715.member) != 0i);
-                        if _e719 {
-                            let _e721 = ((_e56 + _e715.member_1) % 64u);
-                            if (_e721 < 64u) {
+                        let _e720 = phi_1240_;
+                        let _e722 = phi_1265_;
+                        let _e726 = (bitcast<i32>(_e722.member) != 0i);
+                        if _e726 {
+                            let _e728 = ((_e54 + _e722.member_1) % 64u);
+                            if (_e728 < 64u) {
                             } else {
-                                phi_1370_ = true;
+                                phi_1405_ = true;
                                 break;
                             }
-                            let _e724 = global_4[_e721];
-                            phi_1205_ = (_e700 | (_e724 << bitcast<u32>((_e715.member_1 & 31u))));
+                            let _e731 = global_4[_e728];
+                            phi_1243_ = (_e707 | (_e731 << bitcast<u32>((_e722.member_1 & 31u))));
                         } else {
-                            phi_1205_ = u32();
+                            phi_1243_ = u32();
                         }
-                        let _e730 = phi_1205_;
+                        let _e737 = phi_1243_;
                         continue;
                         continuing {
-                            phi_1201_ = _e713;
-                            phi_1204_ = _e730;
-                            phi_1370_ = _e687;
-                            break if !(_e719);
+                            phi_1239_ = _e720;
+                            phi_1242_ = _e737;
+                            phi_1405_ = _e694;
+                            break if !(_e726);
                         }
                     }
-                    let _e733 = phi_1370_;
-                    if _e733 {
+                    let _e740 = phi_1405_;
+                    if _e740 {
                         break;
                     }
-                    if _e696 {
+                    if _e703 {
                     } else {
                         break;
                     }
-                    let _e737 = local_6;
-                    global_11.member[_e693] = _e737;
+                    let _e744 = local_4;
+                    global_11.member[_e700] = _e744;
                 }
             }
             break;

@@ -40,7 +40,7 @@ enum Task {
     /// Builds over all of them.
     Build(Built),
     /// Builds over those that face a target.
-    BuildFacing(Built, Components, FacingRanges),
+    BuildFacing(Built, Components, Box<FacingRanges>),
     /// Moves boxes to where the triangles are now.
     Refit(Built),
 }
@@ -138,7 +138,7 @@ impl Builder {
         let target = match subset {
             Subset::All => None,
             Subset::Facing { components, facing } => {
-                Some((components.clone(), facing.ranges()?.clone()))
+                Some((components.clone(), Box::new(facing.ranges()?.clone())))
             }
         };
         self.make_room(count);
@@ -173,7 +173,8 @@ impl Builder {
         let task = match subset {
             Subset::All => Task::Build(built),
             Subset::Facing { components, facing } => {
-                Task::BuildFacing(built, components.clone(), facing.ranges()?.clone())
+                let ranges = Box::new(facing.ranges()?.clone());
+                Task::BuildFacing(built, components.clone(), ranges)
             }
         };
         let recorded = frame.gpu().checked(|| self.encode(frame, task, mesh));

@@ -1,6 +1,6 @@
 //! Which rays get a tree of their own.
 
-use super::aim::AimKind;
+use super::aim::{AimKind, Half};
 use super::{Asked, Costs, Reduce};
 
 const COSTS: Costs = Costs::MEASURED;
@@ -13,6 +13,8 @@ const LIKELY_SHARE: f64 = 0.5;
 pub struct Candidate {
     /// Which rays.
     pub kind: AimKind,
+    /// Which half counts.
+    pub half: Half,
     /// How many lights they go to.
     pub light_count: usize,
     /// Whether there are any.
@@ -30,7 +32,7 @@ pub fn estimate(candidates: &mut [Candidate], asked: &Asked) {
     let count = asked.scene.mesh.indices.len() as f64;
     let rays = primary_rays(asked);
     for candidate in candidates.iter_mut().filter(|candidate| candidate.is_used) {
-        let rays = rays * rays_per_sample(candidate);
+        let rays = rays * candidate.light_count.max(1) as f64;
         let whole = COSTS.trace_ms(candidate.kind, rays, count) * COSTS.rule;
         candidate.saving_ms = whole - set_cost_ms(candidate, asked);
     }
@@ -44,9 +46,13 @@ pub fn set_cost_ms(candidate: &Candidate, asked: &Asked) -> f64 {
     set + COSTS.set_ms(count, candidate.share)
 }
 
-/// How often the rays of a sample go this way.
+/// How often the rays of a sample go this way, by what they take against rays in what faces the target.
 fn rays_per_sample(candidate: &Candidate) -> f64 {
-    candidate.light_count.max(1) as f64
+    let effort = match candidate.half {
+        Half::Toward => 1.0,
+        Half::Away => COSTS.away,
+    };
+    candidate.light_count.max(1) as f64 * effort
 }
 
 /// Which rays get a set. `auto` takes what is cheapest: those that pay by themselves, or all, where then no whole tree is

@@ -66,7 +66,7 @@ impl Plan<'_> {
             }
         };
         let text = match (aim.half, aim.frustum.is_bounded) {
-            (Half::Away, _) => format!("{text}, of those that face away, which are fewer"),
+            (Half::Away, _) => format!("{text}, of those that face away from it"),
             (Half::Toward, 1) => format!("{text}, nothing outside the picture"),
             (Half::Toward, _) => text,
         };

@@ -218,6 +218,7 @@ pub struct InTurn<'a> {
 
 impl InTurn<'_> {
     /// The place among the plan's aims of each set that is built in turn, and its triangle count on the way from the GPU.
+    #[must_use]
     pub fn counts(self) -> Vec<(usize, Download)> {
         self.counts
     }

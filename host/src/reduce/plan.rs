@@ -109,10 +109,11 @@ impl<'a> Plan<'a> {
         // Where paths leave mirrors nobody knows from where shadow rays start.
         let eye_sides = aims.iter().map(|camera| camera.sides.clone()).next();
         let eye_sides = eye_sides.filter(|_| savings.has(Saving::Away) && !has_mirrors);
+        let cost_ms = |aim: &Aim| decide::set_cost_ms(&candidate(aim), asked);
         let measure = |aim: &mut Aim| {
             look.measure(aim);
             if let Some(eye_sides) = &eye_sides {
-                look.take_smaller_half(aim, eye_sides);
+                look.take_cheaper_half(aim, eye_sides, cost_ms);
             }
         };
         for light in &mut lights {
@@ -132,9 +133,7 @@ impl<'a> Plan<'a> {
                 let is_outside = outside(&joined) == outside(a) && outside(a) == outside(b);
                 is_outside.then_some(joined)
             };
-            lights = group(lights, join, |aim| {
-                decide::set_cost_ms(&candidate(aim), asked)
-            });
+            lights = group(lights, join, cost_ms);
         }
         aims.append(&mut lights);
 
@@ -234,17 +233,22 @@ impl Look<'_> {
         }
     }
 
-    /// Turns an aim at lights to the half that faces away, where that is smaller and the eye, too, is outside of all that
+    /// Turns an aim at lights to the half that faces away, where that costs less and the eye, too, is outside of all that
     /// these lights are outside of: then every shadow ray starts outside, and meets as many triangles of either half.
-    fn take_smaller_half(&self, aim: &mut Aim, eye_sides: &[i32]) {
+    fn take_cheaper_half(&self, aim: &mut Aim, eye_sides: &[i32], cost_ms: impl Fn(&Aim) -> f64) {
         let mut pairs = aim.sides.iter().zip(eye_sides);
         if aim.reducible_count == 0 || pairs.any(|(light, eye)| *light != 0 && *eye == 0) {
             return;
         }
-        let away: Vec<i32> = aim.sides.iter().map(|side| -side).collect();
-        let share = self.samples.share(&away, &aim.target, &aim.frustum);
-        if share < aim.share {
-            (aim.half, aim.sides, aim.share) = (Half::Away, away, share);
+        let sides: Vec<i32> = aim.sides.iter().map(|side| -side).collect();
+        let away = Aim {
+            share: self.samples.share(&sides, &aim.target, &aim.frustum),
+            half: Half::Away,
+            sides,
+            ..aim.clone()
+        };
+        if cost_ms(&away) < cost_ms(aim) {
+            *aim = away;
         }
     }
 }
@@ -266,6 +270,7 @@ fn candidates(aims: &[Aim]) -> Vec<Candidate> {
 fn candidate(aim: &Aim) -> Candidate {
     Candidate {
         kind: aim.kind,
+        half: aim.half,
         light_count: aim.lights.len(),
         is_used: aim.choice != Choice::Unused,
         may_be_set: aim.may_be_set(),

@@ -6,7 +6,7 @@
 pub enum Saving {
     /// The camera's set leaves out triangles that are certainly outside the picture.
     Frustum,
-    /// A light's set holds the triangles that face away from the light, where these are fewer and answer as well.
+    /// A light's set holds the triangles that face away from the light, where these cost less and answer as well.
     Away,
     /// Lights near each other share a set, where that costs less than two.
     Groups,

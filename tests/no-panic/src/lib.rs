@@ -157,12 +157,7 @@ pub fn trace(
 }
 
 #[unsafe(no_mangle)]
-pub fn classify(
-    primitive: u32,
-    mesh: &IndexedTriangles,
-    reach: &Reach,
-    flags: &[u32; 64],
-) -> u32 {
+pub fn classify(primitive: u32, mesh: &IndexedTriangles, reach: &Reach, flags: &[u32; 64]) -> u32 {
     let scale = PowerOfTwo::new(5);
     let reach = reach.scaled(&scale);
     u32::from(is_in_set(primitive, mesh, &scale, &reach)) ^ pack_lanes(primitive, flags)

@@ -151,8 +151,7 @@ fn sets_in_turn_are_built_once_and_only_where_needed() {
         asked.switches.savings = savings.fold(Savings::ALL, Savings::without);
         done(Plan::new(&topology, &asked))
     };
-    let [usual, careless, held] =
-        [&[][..], &[Saving::Unseen], &[Saving::Turns]].map(|left_out| plan(left_out));
+    let [usual, careless, held] = [&[][..], &[Saving::Unseen], &[Saving::Turns]].map(plan);
     assert!(usual.in_turn && careless.in_turn && !held.in_turn);
     let place = usual.aim_of_light()[last];
     assert_eq!(usual.aims[place].lights, [last]);

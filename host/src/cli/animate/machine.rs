@@ -41,6 +41,10 @@ pub trait Machine {
 /// What is new in a frame.
 pub struct Update<'a> {
     pub plan: &'a Plan<'a>,
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "only a GPU has a copy that must follow")
+    )]
     pub vertices_moved: bool,
     pub action: Action,
 }
