@@ -138,7 +138,7 @@ fn each_saving_leaves_the_picture_as_it_is() {
 fn sets_in_turn_are_built_once_and_only_where_needed() {
     let mut scene = lights();
     let far_away = Light::Point {
-        position: [0.0, 90.0, 0.0],
+        position: [0.0, -90.0, 0.0],
         color: [1.0; 3],
         range: 1.0,
     };
