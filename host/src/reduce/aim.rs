@@ -58,6 +58,8 @@ pub struct Aim {
     pub reducible_count: usize,
     /// The share of the mesh's triangles that a set keeps, estimated.
     pub share: f64,
+    /// How long a ray takes in the set, against one in a set of the same size of what faces the target; estimated.
+    pub effort: f64,
     /// Milliseconds that a set saves in tracing, less those that it takes to build; estimated.
     pub saving_ms: f64,
 }
@@ -74,6 +76,7 @@ impl Aim {
             choice: Choice::Whole,
             reducible_count: 0,
             share: 1.0,
+            effort: 1.0,
             saving_ms: 0.0,
         }
     }

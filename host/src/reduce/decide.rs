@@ -1,6 +1,6 @@
 //! Which rays get a tree of their own.
 
-use super::aim::{AimKind, Half};
+use super::aim::AimKind;
 use super::{Asked, Costs, Reduce};
 
 const COSTS: Costs = Costs::MEASURED;
@@ -13,8 +13,8 @@ const LIKELY_SHARE: f64 = 0.5;
 pub struct Candidate {
     /// Which rays.
     pub kind: AimKind,
-    /// Which half counts.
-    pub half: Half,
+    /// How long a ray takes in the set, against one in what faces the target.
+    pub effort: f64,
     /// How many lights they go to.
     pub light_count: usize,
     /// Whether there are any.
@@ -48,11 +48,7 @@ pub fn set_cost_ms(candidate: &Candidate, asked: &Asked) -> f64 {
 
 /// How often the rays of a sample go this way, by what they take against rays in what faces the target.
 fn rays_per_sample(candidate: &Candidate) -> f64 {
-    let effort = match candidate.half {
-        Half::Toward => 1.0,
-        Half::Away => COSTS.away,
-    };
-    candidate.light_count.max(1) as f64 * effort
+    candidate.light_count.max(1) as f64 * candidate.effort
 }
 
 /// Which rays get a set. `auto` takes what is cheapest: those that pay by themselves, or all, where then no whole tree is

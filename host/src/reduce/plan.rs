@@ -4,7 +4,7 @@ use super::aim::{self, Aim, AimKind, Choice, Half};
 use super::decide::{self, Candidate};
 use super::group::{group, joined_target};
 use super::sample::Samples;
-use super::{Asked, Cull, Reduce, Saving};
+use super::{Asked, Costs, Cull, Reduce, Saving};
 use crate::topology::{self, Facts, Topology};
 use crate::{View, ViewError};
 use slimbvh_core::bounds::scene_exponent;
@@ -241,8 +241,10 @@ impl Look<'_> {
             return;
         }
         let sides: Vec<i32> = aim.sides.iter().map(|side| -side).collect();
+        let share = self.samples.share(&sides, &aim.target, &aim.frustum);
         let away = Aim {
-            share: self.samples.share(&sides, &aim.target, &aim.frustum),
+            effort: Costs::MEASURED.away_effort(aim.share + share - 1.0),
+            share,
             half: Half::Away,
             sides,
             ..aim.clone()
@@ -270,7 +272,7 @@ fn candidates(aims: &[Aim]) -> Vec<Candidate> {
 fn candidate(aim: &Aim) -> Candidate {
     Candidate {
         kind: aim.kind,
-        half: aim.half,
+        effort: aim.effort,
         light_count: aim.lights.len(),
         is_used: aim.choice != Choice::Unused,
         may_be_set: aim.may_be_set(),
