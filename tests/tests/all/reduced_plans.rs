@@ -221,15 +221,18 @@ fn groups(plan: &Plan) -> Vec<Vec<usize>> {
 fn close_lights_share_a_set_and_lights_on_either_side_do_not() {
     let settings = RenderSettings::default();
     let on = switches(None, Reduce::On);
-    let square = (0..9).map(|i| {
-        let [x, z] = [i % 3, i / 3].map(|i| i as f32 * 0.05 - 0.05);
-        lamp([x, 3.0, z])
-    });
-    let square = scene(icosphere(Vec3::ZERO, 1.0, 6), &square.collect::<Vec<_>>());
+    let square_of = |step: f32| -> Vec<Light> {
+        let place = |i: usize| (i as f32 - 1.0) * step;
+        let lamp = |i: usize| lamp([place(i % 3), 3.0, place(i / 3)]);
+        (0..9).map(lamp).collect()
+    };
+    let square = scene(icosphere(Vec3::ZERO, 1.0, 6), &square_of(0.02));
+    let loose = scene(icosphere(Vec3::ZERO, 1.0, 6), &square_of(0.5));
     let sides = scene(ball(), &[lamp([-3.0, 0.5, 0.0]), lamp([3.0, 0.0, 0.2])]);
     let suns = scene(ball(), &[sun([1.0; 3]), sun([2.0; 3])]);
     for (scene, expected) in [
         (&square, vec![(0..9).collect()]),
+        (&loose, (0..9).map(|light| vec![light]).collect()),
         (&sides, vec![vec![0], vec![1]]),
         (&suns, vec![vec![0], vec![1]]),
     ] {
