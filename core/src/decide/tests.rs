@@ -184,7 +184,9 @@ fn the_rounded_sign_alone_is_wrong_at_times() {
     let faces = torus(5, 7);
     let mut state = 1u64;
     let mut below = |bound: i64| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005) + 1_442_695_040_888_963_407;
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (state >> 33) as i64 % bound
     };
     let (mut wrong_count, mut certain_count) = (0, 0);

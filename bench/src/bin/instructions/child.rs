@@ -58,6 +58,7 @@ fn frames(job: &Job, mode: Option<Reduce>, made: usize) -> Result<&'static str> 
             cull: job.view.cull,
             reduce,
             seams: job.view.seams,
+            ..Switches::default()
         },
         frame_count: job.view.frame_count,
     };
