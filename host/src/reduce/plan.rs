@@ -5,11 +5,10 @@ use super::decide::{self, Candidate};
 use super::group::{group, joined_target};
 use super::sample::Samples;
 use super::{Asked, Costs, Cull, Reduce, Saving};
-use crate::topology::{self, Facts, Topology};
+use crate::topology::{Facts, Topology};
 use crate::{View, ViewError};
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::float::PowerOfTwo;
-use slimbvh_core::orientation::Target;
 
 /// Samples that may be in flight at once for sets in turn, 80 bytes each.
 const MOST_IN_TURN: u64 = 1 << 22;
@@ -222,7 +221,7 @@ struct Look<'a> {
 impl Look<'_> {
     /// Which sides of which components an aim sees, and what share of all triangles.
     fn measure(&self, aim: &mut Aim) {
-        aim.sides = self.topology.sides(&outside(&aim.target));
+        aim.sides = self.topology.sides(&(&aim.target).into());
         let reducible = aim.sides.iter().zip(&self.facts);
         aim.reducible_count = reducible
             .filter(|(side, _)| **side != 0)
@@ -278,17 +277,5 @@ fn candidate(aim: &Aim) -> Candidate {
         may_be_set: aim.may_be_set(),
         share: aim.share,
         saving_ms: 0.0,
-    }
-}
-
-/// The target as the topology knows it.
-fn outside(target: &Target) -> topology::Target {
-    match (target.is_position, target.radius) {
-        (1, 0.0) => topology::Target::Point(target.point),
-        (1, radius) => topology::Target::Ball {
-            center: target.point,
-            radius,
-        },
-        _ => topology::Target::Direction(target.point),
     }
 }

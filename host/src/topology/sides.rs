@@ -22,6 +22,17 @@ pub enum Target {
     },
 }
 
+impl From<&slimbvh_core::orientation::Target> for Target {
+    fn from(target: &slimbvh_core::orientation::Target) -> Self {
+        let center = target.point;
+        match (target.is_position, target.radius) {
+            (0, _) => Self::Direction(center),
+            (_, 0.0) => Self::Point(center),
+            (_, radius) => Self::Ball { center, radius },
+        }
+    }
+}
+
 impl Topology {
     /// For each component the side that faces out, 1 for the front (counter-clockwise) and −1 for the back; 0 where the
     /// component must stay whole: it is not closed, its volume has no certain sign, its seams are not known, or the target

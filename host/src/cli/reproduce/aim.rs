@@ -1,7 +1,8 @@
 //! Where rays of one kind come from or lead to.
 
 use anyhow::{Context, Result};
-use slimbvh::topology::{self, Topology};
+use slimbvh::scene::{camera_target, light_target};
+use slimbvh::topology::Topology;
 use slimbvh::{Division, Scene, Subset};
 use slimbvh_core::classify::{Reach, Sides};
 use slimbvh_core::frustum::Frustum;
@@ -19,23 +20,14 @@ impl Aim {
     pub fn camera(scene: &Scene, topology: &Topology) -> Result<Self> {
         let camera = scene.cameras.first().context("the scene has no camera")?;
         let core = camera.to_core([1, 1], 1)?;
-        let target = if core.is_parallel == 1 {
-            Target::direction(core.forward.map(|x| -x))
-        } else {
-            Target::position(core.eye)
-        };
-        Ok(Self::new(target, topology))
+        Ok(Self::new(camera_target(&core), topology))
     }
 
     /// One of the scene's lights.
     pub fn light(scene: &Scene, index: usize, topology: &Topology) -> Result<Self> {
         let light = scene.lights.get(index).context("the scene has no light")?;
         let light = light.to_core(index)?;
-        let target = Target {
-            is_position: light.is_position,
-            ..Target::direction(light.point)
-        };
-        Ok(Self::new(target, topology))
+        Ok(Self::new(light_target(&light), topology))
     }
 
     /// All lights in a ball.
@@ -44,17 +36,9 @@ impl Aim {
     }
 
     fn new(target: Target, topology: &Topology) -> Self {
-        let known = match (target.is_position, target.radius) {
-            (1, 0.0) => topology::Target::Point(target.point),
-            (1, radius) => topology::Target::Ball {
-                center: target.point,
-                radius,
-            },
-            _ => topology::Target::Direction(target.point),
-        };
         Self {
             target,
-            sides: topology.sides(&known),
+            sides: topology.sides(&(&target).into()),
         }
     }
 
