@@ -88,7 +88,7 @@ impl Orientation {
     ///
     /// No product that feeds a sum is ever fused with it: the same triangle and target give the same bits in
     /// every kernel of a device, so that what one leaves out, no other counts.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn new(triangle: &Triangle, target: &Target) -> Self {
         let a = triangle.v1 - triangle.v0;
@@ -107,9 +107,14 @@ impl Orientation {
 
         let terms = Vec3::new(abs(yz) + abs(zy), abs(zx) + abs(xz), abs(xy) + abs(yx));
         let magnitude = dot(Vec3::new(abs(r.x), abs(r.y), abs(r.z)), terms, zero);
-        let length =
-            length_bound(normal, zero) + product(gamma(8), terms.x + terms.y + terms.z, zero);
-        let reach = product(target.radius, product(length, 1.0 + gamma(8), zero), zero);
+        // Most targets are points.
+        let reach = if target.radius == 0.0 {
+            0.0
+        } else {
+            let sum = terms.x + terms.y + terms.z;
+            let length = length_bound(normal, zero) + product(gamma(8), sum, zero);
+            product(target.radius, product(length, 1.0 + gamma(8), zero), zero)
+        };
         Self {
             volume,
             error: product(gamma(16), magnitude, zero) + reach + 16.0 * f32::MIN_POSITIVE,

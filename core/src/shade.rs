@@ -197,7 +197,6 @@ pub fn direct_light(
     material: &Material,
     light: &Light,
 ) -> Shadow {
-    let source = Vec3::from_array(light.point);
     let target = Target {
         is_position: light.is_position,
         ..Target::direction(light.point)
@@ -207,9 +206,9 @@ pub fn direct_light(
     if color == Vec3::ZERO || !orientation.is_certainly_on(surface.side) {
         return Shadow::NONE;
     }
-    let origin = surface.leave();
     let is_position = light.is_position == 1;
-    let to_light = if is_position { source - origin } else { source };
+    let ray = ray_to(surface, light);
+    let to_light = Vec3::from_array(ray.direction);
     let distance = to_light.length();
     let cosine = surface.shading_normal.dot(to_light) / distance;
     let in_range = !is_position || distance <= light.range;
@@ -222,15 +221,45 @@ pub fn direct_light(
     if cosine > 0.0 && in_range && share > 0.0 {
         let radiance = color * diffuse(material) * (cosine * falloff * share);
         Shadow {
-            ray: Ray {
-                t_max: if is_position { 1.0 } else { f32::MAX },
-                ..Ray::new(origin.to_array(), to_light.to_array())
-            },
+            ray,
             radiance: radiance.to_array(),
             skip: primitive,
         }
     } else {
         Shadow::NONE
+    }
+}
+
+/// As [`direct_light`], with a ray even where there is no light: it adds nothing. What such rays cost can thus be told.
+#[must_use]
+pub fn direct_light_or_dark(
+    surface: &Surface,
+    primitive: u32,
+    material: &Material,
+    light: &Light,
+) -> Shadow {
+    let shadow = direct_light(surface, primitive, material, light);
+    if shadow.is_possible() {
+        shadow
+    } else {
+        Shadow {
+            ray: ray_to(surface, light),
+            radiance: [0.0; 3],
+            skip: primitive,
+        }
+    }
+}
+
+/// From a surface to a light.
+#[inline]
+fn ray_to(surface: &Surface, light: &Light) -> Ray {
+    let origin = surface.leave();
+    let source = Vec3::from_array(light.point);
+    let is_position = light.is_position == 1;
+    let to_light = if is_position { source - origin } else { source };
+    Ray {
+        t_max: if is_position { 1.0 } else { f32::MAX },
+        ..Ray::new(origin.to_array(), to_light.to_array())
     }
 }
 

@@ -13,6 +13,18 @@ pub const fn snap(x: f32, scale: &PowerOfTwo) -> f32 {
     if scaled == 0.0 { 0.0 } else { scaled }
 }
 
+/// A triangle's corners at the scene's magnitude.
+#[inline(always)]
+#[must_use]
+pub fn snap_triangle(triangle: &Triangle, scale: &PowerOfTwo) -> Triangle {
+    let snap = |v: Vec3| Vec3::new(snap(v.x, scale), snap(v.y, scale), snap(v.z, scale));
+    Triangle {
+        v0: snap(triangle.v0),
+        v1: snap(triangle.v1),
+        v2: snap(triangle.v2),
+    }
+}
+
 /// One thread per triangle, in leaf order. Reads the caller's triangle. Returns it as leaves store it.
 #[inline(always)]
 #[must_use]
@@ -21,11 +33,9 @@ pub fn leaf_triangle(
     triangles: &IndexedTriangles,
     scale: &PowerOfTwo,
 ) -> LeafTriangle {
-    let Triangle { v0, v1, v2 } = triangles.triangle(primitive);
-    let snap = |v: Vec3| [snap(v.x, scale), snap(v.y, scale), snap(v.z, scale)];
-    let ([a, b, c], [d, e, f], [g, h, i]) = (snap(v0), snap(v1), snap(v2));
+    let Triangle { v0, v1, v2 } = snap_triangle(&triangles.triangle(primitive), scale);
     LeafTriangle {
-        vertices: [a, b, c, d, e, f, g, h, i],
+        vertices: [v0.x, v0.y, v0.z, v1.x, v1.y, v1.z, v2.x, v2.y, v2.z],
         primitive,
     }
 }

@@ -6,7 +6,7 @@ use glam::{UVec3, UVec4, Vec3};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::sampling::Draw;
 use slimbvh_core::shade::{
-    Environment, Light, Material, Path, Shadow, ambient_light, direct_light,
+    Environment, Light, Material, Path, Shadow, ambient_light, direct_light, direct_light_or_dark,
 };
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
@@ -14,8 +14,8 @@ use slimbvh_core::{Hit, IndexedTriangles};
 use spirv_std::spirv;
 
 /// One thread per path. Reads the scene's exponent, one light, which is in the caller's magnitude, the mesh, the
-/// materials, the path and its hit; `params` are the samples a pixel and the mirrors that the path has met. Stores the
-/// light that the hit may get.
+/// materials, the path and its hit; `params` are the samples a pixel, the mirrors that the path has met, and whether rays go
+/// where there is no light, too. Stores the light that the hit may get.
 #[spirv(compute(threads(64)))]
 pub fn shade_light(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -46,7 +46,11 @@ pub fn shade_light(
             };
             let light = unpacked(light).scaled(&PowerOfTwo::new(exponent.x as i32));
             let light = light.sampled(&draw);
-            shadow = direct_light(&surface, hit.primitive, &material, &light);
+            shadow = if params.z == 1 {
+                direct_light_or_dark(&surface, hit.primitive, &material, &light)
+            } else {
+                direct_light(&surface, hit.primitive, &material, &light)
+            };
         }
         shadows[i] = shadow;
     }

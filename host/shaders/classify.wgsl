@@ -74,11 +74,11 @@ fn function_() {
     var phi_301_: type_11;
     var phi_302_: type_11;
     var phi_325_: type_11;
-    var phi_1362_: bool;
+    var phi_1366_: bool;
     var phi_409_: type_11;
     var phi_410_: type_11;
     var phi_433_: type_11;
-    var phi_1367_: bool;
+    var phi_1371_: bool;
     var phi_591_: u32;
     var phi_608_: i32;
     var phi_621_: bool;
@@ -86,32 +86,32 @@ fn function_() {
     var phi_653_: array<f32, 3>;
     var phi_671_: array<f32, 3>;
     var phi_689_: array<f32, 3>;
-    var phi_796_: vec3<f32>;
-    var phi_992_: bool;
-    var phi_1017_: type_11;
-    var phi_1020_: bool;
-    var phi_1018_: type_11;
-    var phi_1043_: type_11;
-    var phi_1198_: bool;
-    var phi_1200_: bool;
-    var phi_1201_: bool;
-    var phi_1021_: bool;
-    var phi_1371_: bool;
+    var phi_793_: vec3<f32>;
+    var phi_979_: f32;
+    var phi_1021_: type_11;
+    var phi_1024_: bool;
+    var phi_1022_: type_11;
+    var phi_1047_: type_11;
+    var phi_1202_: bool;
+    var phi_1204_: bool;
+    var phi_1205_: bool;
+    var phi_1025_: bool;
+    var phi_1375_: bool;
     var local_3: bool;
-    var phi_1412_: bool;
-    var phi_1215_: bool;
-    var phi_1411_: bool;
-    var phi_1216_: bool;
-    var phi_1410_: bool;
-    var phi_1218_: u32;
+    var phi_1416_: bool;
+    var phi_1219_: bool;
+    var phi_1415_: bool;
+    var phi_1220_: bool;
+    var phi_1414_: bool;
+    var phi_1222_: u32;
+    var phi_1413_: bool;
+    var phi_1223_: u32;
+    var phi_1243_: type_11;
+    var phi_1246_: u32;
+    var phi_1244_: type_11;
+    var phi_1269_: type_11;
+    var phi_1247_: u32;
     var phi_1409_: bool;
-    var phi_1219_: u32;
-    var phi_1239_: type_11;
-    var phi_1242_: u32;
-    var phi_1240_: type_11;
-    var phi_1265_: type_11;
-    var phi_1243_: u32;
-    var phi_1405_: bool;
     var local_4: u32;
 
     switch bitcast<i32>(0u) {
@@ -172,7 +172,7 @@ fn function_() {
                             let _e190 = (_e185.member_1 + 1u);
                             if (_e190 < 5u) {
                             } else {
-                                phi_1362_ = true;
+                                phi_1366_ = true;
                                 break;
                             }
                             let _e195 = global_5.member[_e190][0u];
@@ -181,7 +181,7 @@ fn function_() {
                             let _e207 = global_5.member[_e190][3u];
                             if (_e185.member_1 < 4u) {
                             } else {
-                                phi_1362_ = true;
+                                phi_1366_ = true;
                                 break;
                             }
                             local_2.member_2[_e185.member_1][0u] = bitcast<f32>(_e195);
@@ -192,11 +192,11 @@ fn function_() {
                         continue;
                         continuing {
                             phi_301_ = _e183;
-                            phi_1362_ = false;
+                            phi_1366_ = false;
                             break if !(_e189);
                         }
                     }
-                    let _e227 = phi_1362_;
+                    let _e227 = phi_1366_;
                     if _e227 {
                         break;
                     }
@@ -221,13 +221,13 @@ fn function_() {
                             let _e262 = (_e257.member_1 < 4u);
                             if _e262 {
                             } else {
-                                phi_1367_ = true;
+                                phi_1371_ = true;
                                 break;
                             }
                             let _e266 = local_2.member_2[_e257.member_1][3u];
                             if _e262 {
                             } else {
-                                phi_1367_ = true;
+                                phi_1371_ = true;
                                 break;
                             }
                             local_1.member_2[_e257.member_1][3u] = ((_e266 * _e126) * _e132);
@@ -235,11 +235,11 @@ fn function_() {
                         continue;
                         continuing {
                             phi_409_ = _e255;
-                            phi_1367_ = _e227;
+                            phi_1371_ = _e227;
                             break if !(_e261);
                         }
                     }
-                    let _e274 = phi_1367_;
+                    let _e274 = phi_1371_;
                     if _e274 {
                         break;
                     }
@@ -342,214 +342,214 @@ fn function_() {
                         let _e361 = select(_e359, 0f, (_e359 == 0f));
                         let _e363 = ((_e326[2] * _e126) * _e132);
                         let _e365 = select(_e363, 0f, (_e363 == 0f));
-                        if _e294 {
-                            phi_992_ = true;
+                        let _e366 = (_e345 - _e333);
+                        let _e367 = (_e349 - _e337);
+                        let _e368 = (_e353 - _e341);
+                        let _e369 = (_e357 - _e333);
+                        let _e370 = (_e361 - _e337);
+                        let _e371 = (_e365 - _e341);
+                        if (_e145.member_1 == 1u) {
+                            phi_793_ = vec3<f32>((_e145.member[0] - _e333), (_e145.member[1] - _e337), (_e145.member[2] - _e341));
                         } else {
-                            let _e366 = (_e345 - _e333);
-                            let _e367 = (_e349 - _e337);
-                            let _e368 = (_e353 - _e341);
-                            let _e369 = (_e357 - _e333);
-                            let _e370 = (_e361 - _e337);
-                            let _e371 = (_e365 - _e341);
-                            if (_e145.member_1 == 1u) {
-                                phi_796_ = vec3<f32>((_e145.member[0] - _e333), (_e145.member[1] - _e337), (_e145.member[2] - _e341));
-                            } else {
-                                phi_796_ = vec3<f32>(_e145.member[0], _e145.member[1], _e145.member[2]);
-                            }
-                            let _e385 = phi_796_;
-                            let _e389 = bitcast<f32>((bitcast<u32>((_e366 * _e370)) ^ _e145.member_3[0]));
-                            let _e393 = bitcast<f32>((bitcast<u32>((_e367 * _e369)) ^ _e145.member_3[0]));
-                            let _e397 = bitcast<f32>((bitcast<u32>((_e367 * _e371)) ^ _e145.member_3[0]));
-                            let _e401 = bitcast<f32>((bitcast<u32>((_e368 * _e370)) ^ _e145.member_3[0]));
-                            let _e405 = bitcast<f32>((bitcast<u32>((_e368 * _e369)) ^ _e145.member_3[0]));
-                            let _e409 = bitcast<f32>((bitcast<u32>((_e366 * _e371)) ^ _e145.member_3[0]));
-                            let _e410 = (_e397 - _e401);
-                            let _e411 = (_e405 - _e409);
-                            let _e412 = (_e389 - _e393);
-                            let _e436 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e401) & 2147483647u)));
-                            let _e443 = (bitcast<f32>((bitcast<u32>(_e405) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e409) & 2147483647u)));
-                            let _e450 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)));
-                            let _e476 = bitcast<f32>((bitcast<u32>(_e410) & 2147483647u));
-                            let _e479 = bitcast<f32>((bitcast<u32>(_e411) & 2147483647u));
-                            let _e482 = bitcast<f32>((bitcast<u32>(_e412) & 2147483647u));
-                            let _e484 = select(_e482, _e479, (_e479 > _e482));
-                            let _e488 = select(_e482, _e479, (_e479 < _e482));
-                            let _e492 = select(_e479, _e476, (_e476 < _e479));
-                            let _e494 = select(_e479, _e476, (_e476 > _e479));
-                            let _e496 = select(_e482, _e494, (_e494 < _e482));
-                            phi_992_ = !(((((bitcast<f32>((bitcast<u32>((_e385.x * _e410)) ^ _e145.member_3[0])) + bitcast<f32>((bitcast<u32>((_e385.y * _e411)) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e385.z * _e412)) ^ _e145.member_3[0]))) * f32(-(_e293))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e385.x) & 2147483647u)) * _e436)) ^ _e145.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e385.y) & 2147483647u)) * _e443)) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e385.z) & 2147483647u)) * _e450)) ^ _e145.member_3[0]))))) ^ _e145.member_3[0])) + bitcast<f32>((bitcast<u32>((_e145.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e484, _e476, (_e476 > _e484)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e496, _e492, (_e492 > _e496)))) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e488, _e476, (_e476 < _e488)))) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e436 + _e443) + _e450))) ^ _e145.member_3[0]))) * 1.0000005f)) ^ _e145.member_3[0])))) ^ _e145.member_3[0]))) + 0.0000000000000000000000000000000000001880791f)));
+                            phi_793_ = vec3<f32>(_e145.member[0], _e145.member[1], _e145.member[2]);
                         }
-                        let _e536 = phi_992_;
-                        if _e536 {
-                            let _e540 = (_e333 - _e275.member[0]);
-                            let _e541 = (_e337 - _e275.member[1]);
-                            let _e542 = (_e341 - _e275.member[2]);
-                            let _e543 = (_e345 - _e275.member[0]);
-                            let _e544 = (_e349 - _e275.member[1]);
-                            let _e545 = (_e353 - _e275.member[2]);
-                            let _e546 = (_e357 - _e275.member[0]);
-                            let _e547 = (_e361 - _e275.member[1]);
-                            let _e548 = (_e365 - _e275.member[2]);
-                            phi_1017_ = type_11(0u, 4u);
-                            phi_1020_ = false;
+                        let _e385 = phi_793_;
+                        let _e389 = bitcast<f32>((bitcast<u32>((_e366 * _e370)) ^ _e145.member_3[0]));
+                        let _e393 = bitcast<f32>((bitcast<u32>((_e367 * _e369)) ^ _e145.member_3[0]));
+                        let _e397 = bitcast<f32>((bitcast<u32>((_e367 * _e371)) ^ _e145.member_3[0]));
+                        let _e401 = bitcast<f32>((bitcast<u32>((_e368 * _e370)) ^ _e145.member_3[0]));
+                        let _e405 = bitcast<f32>((bitcast<u32>((_e368 * _e369)) ^ _e145.member_3[0]));
+                        let _e409 = bitcast<f32>((bitcast<u32>((_e366 * _e371)) ^ _e145.member_3[0]));
+                        let _e410 = (_e397 - _e401);
+                        let _e411 = (_e405 - _e409);
+                        let _e412 = (_e389 - _e393);
+                        let _e436 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e401) & 2147483647u)));
+                        let _e443 = (bitcast<f32>((bitcast<u32>(_e405) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e409) & 2147483647u)));
+                        let _e450 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)));
+                        if (_e145.member_2 == 0f) {
+                            phi_979_ = 0f;
+                        } else {
+                            let _e479 = bitcast<f32>((bitcast<u32>(_e410) & 2147483647u));
+                            let _e482 = bitcast<f32>((bitcast<u32>(_e411) & 2147483647u));
+                            let _e485 = bitcast<f32>((bitcast<u32>(_e412) & 2147483647u));
+                            let _e487 = select(_e485, _e482, (_e482 > _e485));
+                            let _e491 = select(_e485, _e482, (_e482 < _e485));
+                            let _e495 = select(_e482, _e479, (_e479 < _e482));
+                            let _e497 = select(_e482, _e479, (_e479 > _e482));
+                            let _e499 = select(_e485, _e497, (_e497 < _e485));
+                            phi_979_ = bitcast<f32>((bitcast<u32>((_e145.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e487, _e479, (_e479 > _e487)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e499, _e495, (_e495 > _e499)))) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e491, _e479, (_e479 < _e491)))) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e436 + _e443) + _e450))) ^ _e145.member_3[0]))) * 1.0000005f)) ^ _e145.member_3[0])))) ^ _e145.member_3[0]));
+                        }
+                        let _e526 = phi_979_;
+                        if (_e294 || !(((((bitcast<f32>((bitcast<u32>((_e385.x * _e410)) ^ _e145.member_3[0])) + bitcast<f32>((bitcast<u32>((_e385.y * _e411)) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e385.z * _e412)) ^ _e145.member_3[0]))) * f32(-(_e293))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e385.x) & 2147483647u)) * _e436)) ^ _e145.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e385.y) & 2147483647u)) * _e443)) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e385.z) & 2147483647u)) * _e450)) ^ _e145.member_3[0]))))) ^ _e145.member_3[0])) + _e526) + 0.0000000000000000000000000000000000001880791f)))) {
+                            let _e542 = (_e333 - _e275.member[0]);
+                            let _e543 = (_e337 - _e275.member[1]);
+                            let _e544 = (_e341 - _e275.member[2]);
+                            let _e545 = (_e345 - _e275.member[0]);
+                            let _e546 = (_e349 - _e275.member[1]);
+                            let _e547 = (_e353 - _e275.member[2]);
+                            let _e548 = (_e357 - _e275.member[0]);
+                            let _e549 = (_e361 - _e275.member[1]);
+                            let _e550 = (_e365 - _e275.member[2]);
+                            phi_1021_ = type_11(0u, 4u);
+                            phi_1024_ = false;
                             loop {
-                                let _e550 = phi_1017_;
-                                let _e552 = phi_1020_;
-                                local_3 = _e552;
-                                if (_e550.member < _e550.member_1) {
-                                    phi_1018_ = type_11((_e550.member + 1u), _e550.member_1);
-                                    phi_1043_ = type_11(1u, _e550.member);
+                                let _e552 = phi_1021_;
+                                let _e554 = phi_1024_;
+                                local_3 = _e554;
+                                if (_e552.member < _e552.member_1) {
+                                    phi_1022_ = type_11((_e552.member + 1u), _e552.member_1);
+                                    phi_1047_ = type_11(1u, _e552.member);
                                 } else {
-                                    phi_1018_ = _e550;
-                                    phi_1043_ = type_11(0u, type_11().member_1);
+                                    phi_1022_ = _e552;
+                                    phi_1047_ = type_11(0u, type_11().member_1);
                                 }
-                                let _e565 = phi_1018_;
-                                let _e567 = phi_1043_;
-                                let _e571 = (bitcast<i32>(_e567.member) != 0i);
-                                if _e571 {
-                                    let _e572 = (_e567.member_1 < 4u);
-                                    if _e572 {
+                                let _e567 = phi_1022_;
+                                let _e569 = phi_1047_;
+                                let _e573 = (bitcast<i32>(_e569.member) != 0i);
+                                if _e573 {
+                                    let _e574 = (_e569.member_1 < 4u);
+                                    if _e574 {
                                     } else {
-                                        phi_1371_ = true;
+                                        phi_1375_ = true;
                                         break;
                                     }
-                                    let _e574 = local[_e567.member_1];
-                                    if (((((_e574[0] * _e540) + (_e574[1] * _e541)) + (_e574[2] * _e542)) + _e574[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e540) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e541) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e542) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e574[3]) & 2147483647u)))))) {
-                                        if _e572 {
+                                    let _e576 = local[_e569.member_1];
+                                    if (((((_e576[0] * _e542) + (_e576[1] * _e543)) + (_e576[2] * _e544)) + _e576[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e542) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e543) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e544) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e576[3]) & 2147483647u)))))) {
+                                        if _e574 {
                                         } else {
-                                            phi_1371_ = true;
+                                            phi_1375_ = true;
                                             break;
                                         }
-                                        let _e603 = local[_e567.member_1];
-                                        let _e631 = (((((_e603[0] * _e543) + (_e603[1] * _e544)) + (_e603[2] * _e545)) + _e603[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e543) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e544) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e545) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e603[3]) & 2147483647u))))));
-                                        if _e631 {
-                                            if _e572 {
+                                        let _e605 = local[_e569.member_1];
+                                        let _e633 = (((((_e605[0] * _e545) + (_e605[1] * _e546)) + (_e605[2] * _e547)) + _e605[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e545) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e546) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e547) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e605[3]) & 2147483647u))))));
+                                        if _e633 {
+                                            if _e574 {
                                             } else {
-                                                phi_1371_ = true;
+                                                phi_1375_ = true;
                                                 break;
                                             }
-                                            let _e632 = local[_e567.member_1];
-                                            phi_1198_ = (((((_e632[0] * _e546) + (_e632[1] * _e547)) + (_e632[2] * _e548)) + _e632[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e546) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e547) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e548) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e632[3]) & 2147483647u))))));
+                                            let _e634 = local[_e569.member_1];
+                                            phi_1202_ = (((((_e634[0] * _e548) + (_e634[1] * _e549)) + (_e634[2] * _e550)) + _e634[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e548) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e549) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e550) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e634[3]) & 2147483647u))))));
                                         } else {
-                                            phi_1198_ = bool();
+                                            phi_1202_ = bool();
                                         }
-                                        let _e662 = phi_1198_;
-                                        phi_1200_ = _e662;
-                                        phi_1201_ = select(true, false, _e631);
+                                        let _e664 = phi_1202_;
+                                        phi_1204_ = _e664;
+                                        phi_1205_ = select(true, false, _e633);
                                     } else {
-                                        phi_1200_ = bool();
-                                        phi_1201_ = true;
+                                        phi_1204_ = bool();
+                                        phi_1205_ = true;
                                     }
-                                    let _e665 = phi_1200_;
-                                    let _e667 = phi_1201_;
-                                    phi_1021_ = (_e552 || select(_e665, false, _e667));
+                                    let _e667 = phi_1204_;
+                                    let _e669 = phi_1205_;
+                                    phi_1025_ = (_e554 || select(_e667, false, _e669));
                                 } else {
-                                    phi_1021_ = bool();
+                                    phi_1025_ = bool();
                                 }
-                                let _e671 = phi_1021_;
+                                let _e673 = phi_1025_;
                                 continue;
                                 continuing {
-                                    phi_1017_ = _e565;
-                                    phi_1020_ = _e671;
-                                    phi_1371_ = _e274;
-                                    break if !(_e571);
+                                    phi_1021_ = _e567;
+                                    phi_1024_ = _e673;
+                                    phi_1375_ = _e274;
+                                    break if !(_e573);
                                 }
                             }
-                            let _e674 = phi_1371_;
-                            if _e674 {
+                            let _e676 = phi_1375_;
+                            if _e676 {
                                 break;
                             }
-                            let _e677 = local_3;
-                            phi_1412_ = _e674;
-                            phi_1215_ = !(select(false, _e677, (_e275.member_1 == 1u)));
+                            let _e679 = local_3;
+                            phi_1416_ = _e676;
+                            phi_1219_ = !(select(false, _e679, (_e275.member_1 == 1u)));
                         } else {
-                            phi_1412_ = _e274;
-                            phi_1215_ = false;
+                            phi_1416_ = _e274;
+                            phi_1219_ = false;
                         }
-                        let _e681 = phi_1412_;
-                        let _e683 = phi_1215_;
-                        phi_1411_ = _e681;
-                        phi_1216_ = _e683;
+                        let _e683 = phi_1416_;
+                        let _e685 = phi_1219_;
+                        phi_1415_ = _e683;
+                        phi_1220_ = _e685;
                     } else {
-                        phi_1411_ = _e274;
-                        phi_1216_ = true;
+                        phi_1415_ = _e274;
+                        phi_1220_ = true;
                     }
-                    let _e685 = phi_1411_;
-                    let _e687 = phi_1216_;
-                    phi_1410_ = _e685;
-                    phi_1218_ = select(0u, 1u, _e687);
+                    let _e687 = phi_1415_;
+                    let _e689 = phi_1220_;
+                    phi_1414_ = _e687;
+                    phi_1222_ = select(0u, 1u, _e689);
                 } else {
-                    phi_1410_ = false;
-                    phi_1218_ = 0u;
+                    phi_1414_ = false;
+                    phi_1222_ = 0u;
                 }
-                let _e690 = phi_1410_;
-                let _e692 = phi_1218_;
-                phi_1409_ = _e690;
-                phi_1219_ = _e692;
+                let _e692 = phi_1414_;
+                let _e694 = phi_1222_;
+                phi_1413_ = _e692;
+                phi_1223_ = _e694;
             } else {
-                phi_1409_ = false;
-                phi_1219_ = 0u;
+                phi_1413_ = false;
+                phi_1223_ = 0u;
             }
-            let _e694 = phi_1409_;
-            let _e696 = phi_1219_;
-            let _e697 = (_e54 % 64u);
-            if (_e697 < 64u) {
+            let _e696 = phi_1413_;
+            let _e698 = phi_1223_;
+            let _e699 = (_e54 % 64u);
+            if (_e699 < 64u) {
             } else {
                 break;
             }
-            global_4[_e697] = _e696;
+            global_4[_e699] = _e698;
             workgroupBarrier();
-            let _e700 = (_e72 / 32u);
+            let _e702 = (_e72 / 32u);
             if ((_e54 & 31u) == 0u) {
-                let _e703 = (_e700 < arrayLength((&global_11.member)));
-                if _e703 {
-                    phi_1239_ = type_11(0u, 32u);
-                    phi_1242_ = 0u;
+                let _e705 = (_e702 < arrayLength((&global_11.member)));
+                if _e705 {
+                    phi_1243_ = type_11(0u, 32u);
+                    phi_1246_ = 0u;
                     loop {
-                        let _e705 = phi_1239_;
-                        let _e707 = phi_1242_;
-                        local_4 = _e707;
-                        if (_e705.member < _e705.member_1) {
-                            phi_1240_ = type_11((_e705.member + 1u), _e705.member_1);
-                            phi_1265_ = type_11(1u, _e705.member);
+                        let _e707 = phi_1243_;
+                        let _e709 = phi_1246_;
+                        local_4 = _e709;
+                        if (_e707.member < _e707.member_1) {
+                            phi_1244_ = type_11((_e707.member + 1u), _e707.member_1);
+                            phi_1269_ = type_11(1u, _e707.member);
                         } else {
-                            phi_1240_ = _e705;
-                            phi_1265_ = type_11(0u, type_11().member_1);
+                            phi_1244_ = _e707;
+                            phi_1269_ = type_11(0u, type_11().member_1);
                         }
-                        let _e720 = phi_1240_;
-                        let _e722 = phi_1265_;
-                        let _e726 = (bitcast<i32>(_e722.member) != 0i);
-                        if _e726 {
-                            let _e728 = ((_e54 + _e722.member_1) % 64u);
-                            if (_e728 < 64u) {
+                        let _e722 = phi_1244_;
+                        let _e724 = phi_1269_;
+                        let _e728 = (bitcast<i32>(_e724.member) != 0i);
+                        if _e728 {
+                            let _e730 = ((_e54 + _e724.member_1) % 64u);
+                            if (_e730 < 64u) {
                             } else {
-                                phi_1405_ = true;
+                                phi_1409_ = true;
                                 break;
                             }
-                            let _e731 = global_4[_e728];
-                            phi_1243_ = (_e707 | (_e731 << bitcast<u32>((_e722.member_1 & 31u))));
+                            let _e733 = global_4[_e730];
+                            phi_1247_ = (_e709 | (_e733 << bitcast<u32>((_e724.member_1 & 31u))));
                         } else {
-                            phi_1243_ = u32();
+                            phi_1247_ = u32();
                         }
-                        let _e737 = phi_1243_;
+                        let _e739 = phi_1247_;
                         continue;
                         continuing {
-                            phi_1239_ = _e720;
-                            phi_1242_ = _e737;
-                            phi_1405_ = _e694;
-                            break if !(_e726);
+                            phi_1243_ = _e722;
+                            phi_1246_ = _e739;
+                            phi_1409_ = _e696;
+                            break if !(_e728);
                         }
                     }
-                    let _e740 = phi_1405_;
-                    if _e740 {
+                    let _e742 = phi_1409_;
+                    if _e742 {
                         break;
                     }
-                    if _e703 {
+                    if _e705 {
                     } else {
                         break;
                     }
-                    let _e744 = local_4;
-                    global_11.member[_e700] = _e744;
+                    let _e746 = local_4;
+                    global_11.member[_e702] = _e746;
                 }
             }
             break;

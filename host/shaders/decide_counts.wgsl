@@ -78,21 +78,22 @@ fn function_() {
     var phi_368_: array<f32, 3>;
     var phi_386_: array<f32, 3>;
     var phi_495_: vec3<f32>;
-    var phi_707_: i32;
-    var phi_711_: type_39;
-    var phi_722_: type_39;
+    var phi_677_: f32;
+    var phi_713_: i32;
+    var phi_717_: type_39;
+    var phi_728_: type_39;
     var phi_250_: type_39;
-    var phi_854_: bool;
+    var phi_860_: bool;
     var local: type_39;
     var local_1: type_39;
     var local_2: type_39;
     var local_3: type_39;
-    var phi_737_: type_9;
-    var phi_740_: u32;
-    var phi_738_: type_9;
-    var phi_763_: type_9;
-    var phi_741_: u32;
-    var phi_886_: bool;
+    var phi_743_: type_9;
+    var phi_746_: u32;
+    var phi_744_: type_9;
+    var phi_769_: type_9;
+    var phi_747_: u32;
+    var phi_893_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -151,7 +152,7 @@ fn function_() {
                         if _e166 {
                             if _e166 {
                             } else {
-                                phi_854_ = true;
+                                phi_860_ = true;
                                 break;
                             }
                             let _e168 = global_4.member[_e164];
@@ -164,7 +165,7 @@ fn function_() {
                         if _e171 {
                             if _e171 {
                             } else {
-                                phi_854_ = true;
+                                phi_860_ = true;
                                 break;
                             }
                             let _e173 = global_5.member[_e170];
@@ -174,12 +175,12 @@ fn function_() {
                         }
                         let _e175 = phi_316_;
                         if (_e175 == 0i) {
-                            phi_711_ = type_39(1u, 1u, 0u, 0u);
+                            phi_717_ = type_39(1u, 1u, 0u, 0u);
                         } else {
                             if _e165 {
                                 if _e165 {
                                 } else {
-                                    phi_854_ = true;
+                                    phi_860_ = true;
                                     break;
                                 }
                                 let _e178 = global_7.member[_e164];
@@ -192,7 +193,7 @@ fn function_() {
                             if _e182 {
                                 if _e182 {
                                 } else {
-                                    phi_854_ = true;
+                                    phi_860_ = true;
                                     break;
                                 }
                                 let _e184 = global_6.member[_e180[0]];
@@ -205,7 +206,7 @@ fn function_() {
                             if _e191 {
                                 if _e191 {
                                 } else {
-                                    phi_854_ = true;
+                                    phi_860_ = true;
                                     break;
                                 }
                                 let _e193 = global_6.member[_e180[1]];
@@ -218,7 +219,7 @@ fn function_() {
                             if _e200 {
                                 if _e200 {
                                 } else {
-                                    phi_854_ = true;
+                                    phi_860_ = true;
                                     break;
                                 }
                                 let _e202 = global_6.member[_e180[2]];
@@ -264,129 +265,135 @@ fn function_() {
                             let _e319 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e284) & 2147483647u)));
                             let _e326 = (bitcast<f32>((bitcast<u32>(_e288) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e292) & 2147483647u)));
                             let _e333 = (bitcast<f32>((bitcast<u32>(_e272) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e276) & 2147483647u)));
-                            let _e359 = bitcast<f32>((bitcast<u32>(_e293) & 2147483647u));
-                            let _e362 = bitcast<f32>((bitcast<u32>(_e294) & 2147483647u));
-                            let _e365 = bitcast<f32>((bitcast<u32>(_e295) & 2147483647u));
-                            let _e367 = select(_e365, _e362, (_e362 > _e365));
-                            let _e371 = select(_e365, _e362, (_e362 < _e365));
-                            let _e375 = select(_e362, _e359, (_e359 < _e362));
-                            let _e377 = select(_e362, _e359, (_e359 > _e362));
-                            let _e379 = select(_e365, _e377, (_e377 < _e365));
-                            let _e413 = ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e266.x) & 2147483647u)) * _e319)) ^ _e137.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e266.y) & 2147483647u)) * _e326)) ^ _e137.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e266.z) & 2147483647u)) * _e333)) ^ _e137.member_3[0]))))) ^ _e137.member_3[0])) + bitcast<f32>((bitcast<u32>((_e137.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e367, _e359, (_e359 > _e367)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e379, _e375, (_e375 > _e379)))) ^ _e137.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e371, _e359, (_e359 < _e371)))) ^ _e137.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e319 + _e326) + _e333))) ^ _e137.member_3[0]))) * 1.0000005f)) ^ _e137.member_3[0])))) ^ _e137.member_3[0]))) + 0.0000000000000000000000000000000000001880791f);
-                            let _e425 = (_e170 < arrayLength((&global_8.member)));
-                            if _e425 {
-                                if _e425 {
+                            if (_e137.member_2 == 0f) {
+                                phi_677_ = 0f;
+                            } else {
+                                let _e363 = bitcast<f32>((bitcast<u32>(_e293) & 2147483647u));
+                                let _e366 = bitcast<f32>((bitcast<u32>(_e294) & 2147483647u));
+                                let _e369 = bitcast<f32>((bitcast<u32>(_e295) & 2147483647u));
+                                let _e371 = select(_e369, _e366, (_e366 > _e369));
+                                let _e375 = select(_e369, _e366, (_e366 < _e369));
+                                let _e379 = select(_e366, _e363, (_e363 < _e366));
+                                let _e381 = select(_e366, _e363, (_e363 > _e366));
+                                let _e383 = select(_e369, _e381, (_e381 < _e369));
+                                phi_677_ = bitcast<f32>((bitcast<u32>((_e137.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e371, _e363, (_e363 > _e371)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e383, _e379, (_e379 > _e383)))) ^ _e137.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e375, _e363, (_e363 < _e375)))) ^ _e137.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e319 + _e326) + _e333))) ^ _e137.member_3[0]))) * 1.0000005f)) ^ _e137.member_3[0])))) ^ _e137.member_3[0]));
+                            }
+                            let _e410 = phi_677_;
+                            let _e416 = ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e266.x) & 2147483647u)) * _e319)) ^ _e137.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e266.y) & 2147483647u)) * _e326)) ^ _e137.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e266.z) & 2147483647u)) * _e333)) ^ _e137.member_3[0]))))) ^ _e137.member_3[0])) + _e410) + 0.0000000000000000000000000000000000001880791f);
+                            let _e428 = (_e170 < arrayLength((&global_8.member)));
+                            if _e428 {
+                                if _e428 {
                                 } else {
-                                    phi_854_ = true;
+                                    phi_860_ = true;
                                     break;
                                 }
-                                let _e427 = global_8.member[_e170];
-                                phi_707_ = _e427;
+                                let _e430 = global_8.member[_e170];
+                                phi_713_ = _e430;
                             } else {
-                                phi_707_ = 0i;
+                                phi_713_ = 0i;
                             }
-                            let _e429 = phi_707_;
-                            phi_711_ = type_39(select(0u, 1u, !(((_e312 * f32(-(_e175))) > _e413))), select(0u, 1u, !(((_e312 * f32(_e175)) > _e413))), select(0u, 1u, (_e429 == 0i)), 0u);
+                            let _e432 = phi_713_;
+                            phi_717_ = type_39(select(0u, 1u, !(((_e312 * f32(-(_e175))) > _e416))), select(0u, 1u, !(((_e312 * f32(_e175)) > _e416))), select(0u, 1u, (_e432 == 0i)), 0u);
                         }
-                        let _e434 = phi_711_;
-                        phi_722_ = type_39((_e141.member + _e434.member), (_e141.member_1 + _e434.member_1), (_e141.member_2 + _e434.member_2), 0u);
+                        let _e437 = phi_717_;
+                        phi_728_ = type_39((_e141.member + _e437.member), (_e141.member_1 + _e437.member_1), (_e141.member_2 + _e437.member_2), 0u);
                     } else {
-                        phi_722_ = _e141;
+                        phi_728_ = _e141;
                     }
-                    let _e446 = phi_722_;
-                    phi_250_ = _e446;
+                    let _e449 = phi_728_;
+                    phi_250_ = _e449;
                 } else {
                     phi_250_ = type_39();
                 }
-                let _e448 = phi_250_;
+                let _e451 = phi_250_;
                 continue;
                 continuing {
                     phi_246_ = _e154;
-                    phi_249_ = _e448;
-                    phi_854_ = false;
+                    phi_249_ = _e451;
+                    phi_860_ = false;
                     break if !(_e160);
                 }
             }
-            let _e451 = phi_854_;
-            if _e451 {
+            let _e454 = phi_860_;
+            if _e454 {
                 break;
             }
-            let _e452 = (_e48 % 64u);
-            let _e453 = (_e452 < 64u);
-            if _e453 {
+            let _e455 = (_e48 % 64u);
+            let _e456 = (_e455 < 64u);
+            if _e456 {
             } else {
                 break;
             }
-            let _e456 = local;
-            let _e459 = local_1;
-            let _e462 = local_2;
-            let _e465 = local_3;
-            global_10[_e452] = type_39(_e456.member, _e459.member_1, _e462.member_2, _e465.member_3);
+            let _e459 = local;
+            let _e462 = local_1;
+            let _e465 = local_2;
+            let _e468 = local_3;
+            global_10[_e455] = type_39(_e459.member, _e462.member_1, _e465.member_2, _e468.member_3);
             workgroupBarrier();
-            phi_737_ = type_9(0u, 6u);
-            phi_740_ = 32u;
+            phi_743_ = type_9(0u, 6u);
+            phi_746_ = 32u;
             loop {
-                let _e469 = phi_737_;
-                let _e471 = phi_740_;
-                if (_e469.member < _e469.member_1) {
-                    phi_738_ = type_9((_e469.member + 1u), _e469.member_1);
-                    phi_763_ = type_9(1u, _e469.member);
+                let _e472 = phi_743_;
+                let _e474 = phi_746_;
+                if (_e472.member < _e472.member_1) {
+                    phi_744_ = type_9((_e472.member + 1u), _e472.member_1);
+                    phi_769_ = type_9(1u, _e472.member);
                 } else {
-                    phi_738_ = _e469;
-                    phi_763_ = type_9(0u, type_9().member_1);
+                    phi_744_ = _e472;
+                    phi_769_ = type_9(0u, type_9().member_1);
                 }
-                let _e484 = phi_738_;
-                let _e486 = phi_763_;
-                let _e489 = (bitcast<i32>(_e486.member) != 0i);
-                if _e489 {
-                    if (_e48 < _e471) {
-                        if _e453 {
+                let _e487 = phi_744_;
+                let _e489 = phi_769_;
+                let _e492 = (bitcast<i32>(_e489.member) != 0i);
+                if _e492 {
+                    if (_e48 < _e474) {
+                        if _e456 {
                         } else {
-                            phi_886_ = true;
+                            phi_893_ = true;
                             break;
                         }
-                        let _e491 = global_10[_e452];
-                        let _e496 = ((_e48 + _e471) % 64u);
-                        if (_e496 < 64u) {
+                        let _e494 = global_10[_e455];
+                        let _e499 = ((_e48 + _e474) % 64u);
+                        if (_e499 < 64u) {
                         } else {
-                            phi_886_ = true;
+                            phi_893_ = true;
                             break;
                         }
-                        let _e499 = global_10[_e496];
-                        if _e453 {
+                        let _e502 = global_10[_e499];
+                        if _e456 {
                         } else {
-                            phi_886_ = true;
+                            phi_893_ = true;
                             break;
                         }
-                        global_10[_e452] = type_39((_e491.member + _e499.member), (_e491.member_1 + _e499.member_1), (_e491.member_2 + _e499.member_2), 0u);
+                        global_10[_e455] = type_39((_e494.member + _e502.member), (_e494.member_1 + _e502.member_1), (_e494.member_2 + _e502.member_2), 0u);
                     }
                     workgroupBarrier();
-                    phi_741_ = (_e471 / 2u);
+                    phi_747_ = (_e474 / 2u);
                 } else {
-                    phi_741_ = u32();
+                    phi_747_ = u32();
                 }
-                let _e509 = phi_741_;
+                let _e512 = phi_747_;
                 continue;
                 continuing {
-                    phi_737_ = _e484;
-                    phi_740_ = _e509;
-                    phi_886_ = _e451;
-                    break if !(_e489);
+                    phi_743_ = _e487;
+                    phi_746_ = _e512;
+                    phi_893_ = _e454;
+                    break if !(_e492);
                 }
             }
-            let _e512 = phi_886_;
-            if _e512 {
+            let _e515 = phi_893_;
+            if _e515 {
                 break;
             }
             if (_e48 == 0u) {
-                let _e514 = (_e69 < arrayLength((&global_9.member)));
-                if _e514 {
-                    let _e516 = global_10[0u];
-                    if _e514 {
+                let _e517 = (_e69 < arrayLength((&global_9.member)));
+                if _e517 {
+                    let _e519 = global_10[0u];
+                    if _e517 {
                     } else {
                         break;
                     }
-                    global_9.member[_e69] = type_39(_e516.member, _e516.member_1, _e516.member_2, _e516.member_3);
+                    global_9.member[_e69] = type_39(_e519.member, _e519.member_1, _e519.member_2, _e519.member_3);
                 }
             }
             break;

@@ -143,7 +143,7 @@ fn function_() {
     var phi_640_: f32;
     var phi_740_: f32;
     var phi_741_: f32;
-    var phi_2540_: bool;
+    var phi_2543_: bool;
     var phi_752_: type_51;
     var phi_755_: u32;
     var phi_757_: u32;
@@ -153,17 +153,17 @@ fn function_() {
     var phi_802_: u32;
     var phi_803_: bool;
     var phi_804_: u32;
-    var phi_1983_: type_54;
-    var phi_2327_: u32;
-    var phi_2353_: u32;
-    var phi_2354_: u32;
-    var phi_2355_: u32;
+    var phi_1986_: type_54;
+    var phi_2330_: u32;
+    var phi_2356_: u32;
     var phi_2357_: u32;
     var phi_2358_: u32;
-    var phi_2359_: bool;
-    var phi_2368_: u32;
-    var phi_2373_: u32;
-    var phi_2374_: bool;
+    var phi_2360_: u32;
+    var phi_2361_: u32;
+    var phi_2362_: bool;
+    var phi_2371_: u32;
+    var phi_2376_: u32;
+    var phi_2377_: bool;
     var phi_820_: type_51;
     var phi_823_: type_8;
     var phi_824_: type_8;
@@ -189,44 +189,44 @@ fn function_() {
     var phi_1553_: u32;
     var phi_1567_: i32;
     var phi_1659_: array<array<f32, 3>, 3>;
-    var phi_1700_: vec3<f32>;
-    var phi_1893_: bool;
-    var phi_1894_: bool;
-    var phi_1895_: bool;
-    var phi_1914_: bool;
-    var phi_1915_: bool;
-    var phi_1921_: type_51;
-    var phi_1922_: type_51;
-    var phi_1923_: type_51;
+    var phi_1697_: vec3<f32>;
+    var phi_1879_: f32;
+    var phi_1897_: bool;
+    var phi_1898_: bool;
+    var phi_1917_: bool;
+    var phi_1918_: bool;
+    var phi_1924_: type_51;
+    var phi_1925_: type_51;
+    var phi_1926_: type_51;
     var phi_821_: type_51;
-    var phi_2534_: bool;
-    var phi_2664_: bool;
-    var phi_2376_: type_51;
-    var phi_2377_: u32;
-    var phi_2378_: bool;
-    var phi_2379_: u32;
-    var phi_2663_: bool;
-    var phi_2380_: type_51;
-    var phi_2381_: u32;
+    var phi_2537_: bool;
+    var phi_2667_: bool;
+    var phi_2379_: type_51;
+    var phi_2380_: u32;
+    var phi_2381_: bool;
     var phi_2382_: u32;
-    var phi_2383_: bool;
+    var phi_2666_: bool;
+    var phi_2383_: type_51;
     var phi_2384_: u32;
-    var phi_2662_: bool;
-    var phi_2385_: type_51;
-    var phi_2386_: u32;
+    var phi_2385_: u32;
+    var phi_2386_: bool;
     var phi_2387_: u32;
-    var phi_2388_: bool;
+    var phi_2665_: bool;
+    var phi_2388_: type_51;
     var phi_2389_: u32;
-    var phi_2661_: bool;
+    var phi_2390_: u32;
+    var phi_2391_: bool;
+    var phi_2392_: u32;
+    var phi_2664_: bool;
     var phi_753_: type_51;
     var phi_756_: u32;
     var phi_758_: u32;
     var phi_760_: bool;
     var phi_762_: u32;
-    var phi_2390_: bool;
-    var phi_2660_: bool;
+    var phi_2393_: bool;
+    var phi_2663_: bool;
     var local_2: type_51;
-    var phi_2442_: type_28;
+    var phi_2445_: type_28;
     var local_3: type_51;
 
     switch bitcast<i32>(0u) {
@@ -496,14 +496,14 @@ fn function_() {
                     let _e462 = phi_741_;
                     local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2540_ = false;
+                    phi_2543_ = false;
                     phi_752_ = type_51(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e460);
                     phi_755_ = select(0u, 2147483648u, (_e75 == 0u));
                     phi_757_ = ((3u * _e75) + 1u);
                     phi_759_ = (_e462 <= _e460);
                     phi_761_ = 0u;
                     loop {
-                        let _e470 = phi_2540_;
+                        let _e470 = phi_2543_;
                         let _e472 = phi_752_;
                         let _e474 = phi_755_;
                         let _e476 = phi_757_;
@@ -529,13 +529,13 @@ fn function_() {
                                     let _e487 = (_e486 < 128u);
                                     if _e487 {
                                     } else {
-                                        phi_2660_ = true;
+                                        phi_2663_ = true;
                                         break;
                                     }
                                     let _e489 = local[_e486];
                                     if _e487 {
                                     } else {
-                                        phi_2660_ = true;
+                                        phi_2663_ = true;
                                         break;
                                     }
                                     let _e491 = local_1[_e486];
@@ -570,7 +570,7 @@ fn function_() {
                                                 if _e720 {
                                                     if _e720 {
                                                     } else {
-                                                        phi_2534_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e724 = global_4.member[_e715.member_1].member_1;
@@ -585,7 +585,7 @@ fn function_() {
                                                 } else {
                                                     if _e720 {
                                                     } else {
-                                                        phi_2534_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e728 = (_e288 % 3u);
@@ -593,61 +593,61 @@ fn function_() {
                                                     let _e730 = (_e289 % 3u);
                                                     if (_e728 < 9u) {
                                                     } else {
-                                                        phi_2534_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e736 = global_4.member[_e715.member_1].member[_e728];
                                                     if (_e729 < 9u) {
                                                     } else {
-                                                        phi_2534_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e742 = global_4.member[_e715.member_1].member[_e729];
                                                     if (_e730 < 9u) {
                                                     } else {
-                                                        phi_2534_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e748 = global_4.member[_e715.member_1].member[_e730];
                                                     let _e750 = (3u + _e728);
                                                     if (_e750 < 9u) {
                                                     } else {
-                                                        phi_2534_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e756 = global_4.member[_e715.member_1].member[_e750];
                                                     let _e757 = (3u + _e729);
                                                     if (_e757 < 9u) {
                                                     } else {
-                                                        phi_2534_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e763 = global_4.member[_e715.member_1].member[_e757];
                                                     let _e764 = (3u + _e730);
                                                     if (_e764 < 9u) {
                                                     } else {
-                                                        phi_2534_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e770 = global_4.member[_e715.member_1].member[_e764];
                                                     let _e772 = (6u + _e728);
                                                     if (_e772 < 9u) {
                                                     } else {
-                                                        phi_2534_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e778 = global_4.member[_e715.member_1].member[_e772];
                                                     let _e779 = (6u + _e729);
                                                     if (_e779 < 9u) {
                                                     } else {
-                                                        phi_2534_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e785 = global_4.member[_e715.member_1].member[_e779];
                                                     let _e786 = (6u + _e730);
                                                     if (_e786 < 9u) {
                                                     } else {
-                                                        phi_2534_ = true;
+                                                        phi_2537_ = true;
                                                         break;
                                                     }
                                                     let _e792 = global_4.member[_e715.member_1].member[_e786];
@@ -824,13 +824,13 @@ fn function_() {
                                                 let _e1078 = phi_1530_;
                                                 if (_e1078.member_3 != 4294967295u) {
                                                     if (_e726 == _e167) {
-                                                        phi_1895_ = false;
+                                                        phi_1898_ = false;
                                                     } else {
                                                         let _e1082 = (_e726 < arrayLength((&global_5.member)));
                                                         if _e1082 {
                                                             if _e1082 {
                                                             } else {
-                                                                phi_2534_ = true;
+                                                                phi_2537_ = true;
                                                                 break;
                                                             }
                                                             let _e1084 = global_5.member[_e726];
@@ -843,7 +843,7 @@ fn function_() {
                                                         if _e1087 {
                                                             if _e1087 {
                                                             } else {
-                                                                phi_2534_ = true;
+                                                                phi_2537_ = true;
                                                                 break;
                                                             }
                                                             let _e1089 = global_6.member[_e1086];
@@ -854,14 +854,14 @@ fn function_() {
                                                         let _e1091 = phi_1567_;
                                                         let _e1092 = (_e1091 == 0i);
                                                         if _e1092 {
-                                                            phi_1894_ = true;
+                                                            phi_1897_ = true;
                                                         } else {
                                                             if _e727 {
                                                                 phi_1659_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                             } else {
                                                                 if _e720 {
                                                                 } else {
-                                                                    phi_2534_ = true;
+                                                                    phi_2537_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1097 = global_4.member[_e715.member_1].member[0u];
@@ -876,138 +876,138 @@ fn function_() {
                                                                 phi_1659_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1097, _e1102, _e1107), array<f32, 3>(_e1113, _e1118, _e1123), array<f32, 3>(_e1129, _e1134, _e1139));
                                                             }
                                                             let _e1143 = phi_1659_;
-                                                            if _e1092 {
-                                                                phi_1893_ = true;
+                                                            let _e1156 = (_e1143[1][0] - _e1143[0][0]);
+                                                            let _e1157 = (_e1143[1][1] - _e1143[0][1]);
+                                                            let _e1158 = (_e1143[1][2] - _e1143[0][2]);
+                                                            let _e1159 = (_e1143[2][0] - _e1143[0][0]);
+                                                            let _e1160 = (_e1143[2][1] - _e1143[0][1]);
+                                                            let _e1161 = (_e1143[2][2] - _e1143[0][2]);
+                                                            if (_e163.member_1 == 1u) {
+                                                                phi_1697_ = vec3<f32>((_e163.member[0] - _e1143[0][0]), (_e163.member[1] - _e1143[0][1]), (_e163.member[2] - _e1143[0][2]));
                                                             } else {
-                                                                let _e1156 = (_e1143[1][0] - _e1143[0][0]);
-                                                                let _e1157 = (_e1143[1][1] - _e1143[0][1]);
-                                                                let _e1158 = (_e1143[1][2] - _e1143[0][2]);
-                                                                let _e1159 = (_e1143[2][0] - _e1143[0][0]);
-                                                                let _e1160 = (_e1143[2][1] - _e1143[0][1]);
-                                                                let _e1161 = (_e1143[2][2] - _e1143[0][2]);
-                                                                if (_e163.member_1 == 1u) {
-                                                                    phi_1700_ = vec3<f32>((_e163.member[0] - _e1143[0][0]), (_e163.member[1] - _e1143[0][1]), (_e163.member[2] - _e1143[0][2]));
-                                                                } else {
-                                                                    phi_1700_ = vec3<f32>(_e163.member[0], _e163.member[1], _e163.member[2]);
-                                                                }
-                                                                let _e1178 = phi_1700_;
-                                                                let _e1184 = bitcast<f32>((bitcast<u32>((_e1156 * _e1160)) ^ _e163.member_3[0]));
-                                                                let _e1188 = bitcast<f32>((bitcast<u32>((_e1157 * _e1159)) ^ _e163.member_3[0]));
-                                                                let _e1192 = bitcast<f32>((bitcast<u32>((_e1157 * _e1161)) ^ _e163.member_3[0]));
-                                                                let _e1196 = bitcast<f32>((bitcast<u32>((_e1158 * _e1160)) ^ _e163.member_3[0]));
-                                                                let _e1200 = bitcast<f32>((bitcast<u32>((_e1158 * _e1159)) ^ _e163.member_3[0]));
-                                                                let _e1204 = bitcast<f32>((bitcast<u32>((_e1156 * _e1161)) ^ _e163.member_3[0]));
-                                                                let _e1205 = (_e1192 - _e1196);
-                                                                let _e1206 = (_e1200 - _e1204);
-                                                                let _e1207 = (_e1184 - _e1188);
-                                                                let _e1231 = (bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u)));
-                                                                let _e1238 = (bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1204) & 2147483647u)));
-                                                                let _e1245 = (bitcast<f32>((bitcast<u32>(_e1184) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1188) & 2147483647u)));
-                                                                let _e1271 = bitcast<f32>((bitcast<u32>(_e1205) & 2147483647u));
-                                                                let _e1274 = bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u));
-                                                                let _e1277 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
-                                                                let _e1279 = select(_e1277, _e1274, (_e1274 > _e1277));
-                                                                let _e1283 = select(_e1277, _e1274, (_e1274 < _e1277));
-                                                                let _e1287 = select(_e1274, _e1271, (_e1271 < _e1274));
-                                                                let _e1289 = select(_e1274, _e1271, (_e1271 > _e1274));
-                                                                let _e1291 = select(_e1277, _e1289, (_e1289 < _e1277));
-                                                                phi_1893_ = !(((((bitcast<f32>((bitcast<u32>((_e1178.x * _e1205)) ^ _e163.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1178.y * _e1206)) ^ _e163.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1178.z * _e1207)) ^ _e163.member_3[0]))) * f32(-(_e1091))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1178.x) & 2147483647u)) * _e1231)) ^ _e163.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1178.y) & 2147483647u)) * _e1238)) ^ _e163.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1178.z) & 2147483647u)) * _e1245)) ^ _e163.member_3[0]))))) ^ _e163.member_3[0])) + bitcast<f32>((bitcast<u32>((_e163.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1279, _e1271, (_e1271 > _e1279)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1291, _e1287, (_e1287 > _e1291)))) ^ _e163.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1283, _e1271, (_e1271 < _e1283)))) ^ _e163.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1231 + _e1238) + _e1245))) ^ _e163.member_3[0]))) * 1.0000005f)) ^ _e163.member_3[0])))) ^ _e163.member_3[0]))) + 0.0000000000000000000000000000000000001880791f)));
+                                                                phi_1697_ = vec3<f32>(_e163.member[0], _e163.member[1], _e163.member[2]);
                                                             }
-                                                            let _e1332 = phi_1893_;
-                                                            phi_1894_ = _e1332;
+                                                            let _e1178 = phi_1697_;
+                                                            let _e1184 = bitcast<f32>((bitcast<u32>((_e1156 * _e1160)) ^ _e163.member_3[0]));
+                                                            let _e1188 = bitcast<f32>((bitcast<u32>((_e1157 * _e1159)) ^ _e163.member_3[0]));
+                                                            let _e1192 = bitcast<f32>((bitcast<u32>((_e1157 * _e1161)) ^ _e163.member_3[0]));
+                                                            let _e1196 = bitcast<f32>((bitcast<u32>((_e1158 * _e1160)) ^ _e163.member_3[0]));
+                                                            let _e1200 = bitcast<f32>((bitcast<u32>((_e1158 * _e1159)) ^ _e163.member_3[0]));
+                                                            let _e1204 = bitcast<f32>((bitcast<u32>((_e1156 * _e1161)) ^ _e163.member_3[0]));
+                                                            let _e1205 = (_e1192 - _e1196);
+                                                            let _e1206 = (_e1200 - _e1204);
+                                                            let _e1207 = (_e1184 - _e1188);
+                                                            let _e1231 = (bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u)));
+                                                            let _e1238 = (bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1204) & 2147483647u)));
+                                                            let _e1245 = (bitcast<f32>((bitcast<u32>(_e1184) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1188) & 2147483647u)));
+                                                            if (_e163.member_2 == 0f) {
+                                                                phi_1879_ = 0f;
+                                                            } else {
+                                                                let _e1275 = bitcast<f32>((bitcast<u32>(_e1205) & 2147483647u));
+                                                                let _e1278 = bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u));
+                                                                let _e1281 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
+                                                                let _e1283 = select(_e1281, _e1278, (_e1278 > _e1281));
+                                                                let _e1287 = select(_e1281, _e1278, (_e1278 < _e1281));
+                                                                let _e1291 = select(_e1278, _e1275, (_e1275 < _e1278));
+                                                                let _e1293 = select(_e1278, _e1275, (_e1275 > _e1278));
+                                                                let _e1295 = select(_e1281, _e1293, (_e1293 < _e1281));
+                                                                phi_1879_ = bitcast<f32>((bitcast<u32>((_e163.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1283, _e1275, (_e1275 > _e1283)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1295, _e1291, (_e1291 > _e1295)))) ^ _e163.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1287, _e1275, (_e1275 < _e1287)))) ^ _e163.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1231 + _e1238) + _e1245))) ^ _e163.member_3[0]))) * 1.0000005f)) ^ _e163.member_3[0])))) ^ _e163.member_3[0]));
+                                                            }
+                                                            let _e1322 = phi_1879_;
+                                                            phi_1897_ = (_e1092 || !(((((bitcast<f32>((bitcast<u32>((_e1178.x * _e1205)) ^ _e163.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1178.y * _e1206)) ^ _e163.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1178.z * _e1207)) ^ _e163.member_3[0]))) * f32(-(_e1091))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1178.x) & 2147483647u)) * _e1231)) ^ _e163.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1178.y) & 2147483647u)) * _e1238)) ^ _e163.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1178.z) & 2147483647u)) * _e1245)) ^ _e163.member_3[0]))))) ^ _e163.member_3[0])) + _e1322) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1334 = phi_1894_;
-                                                        phi_1895_ = _e1334;
+                                                        let _e1336 = phi_1897_;
+                                                        phi_1898_ = _e1336;
                                                     }
-                                                    let _e1336 = phi_1895_;
-                                                    if _e1336 {
+                                                    let _e1338 = phi_1898_;
+                                                    if _e1338 {
                                                         if (_e1078.member < _e698.member.member) {
-                                                            phi_1915_ = true;
+                                                            phi_1918_ = true;
                                                         } else {
                                                             if (_e1078.member == _e698.member.member) {
-                                                                phi_1914_ = (_e1078.member_3 < _e698.member.member_3);
+                                                                phi_1917_ = (_e1078.member_3 < _e698.member.member_3);
                                                             } else {
-                                                                phi_1914_ = false;
+                                                                phi_1917_ = false;
                                                             }
-                                                            let _e1346 = phi_1914_;
-                                                            phi_1915_ = _e1346;
+                                                            let _e1348 = phi_1917_;
+                                                            phi_1918_ = _e1348;
                                                         }
-                                                        let _e1348 = phi_1915_;
-                                                        if _e1348 {
-                                                            phi_1921_ = type_51(_e1078, _e1078.member);
+                                                        let _e1350 = phi_1918_;
+                                                        if _e1350 {
+                                                            phi_1924_ = type_51(_e1078, _e1078.member);
                                                         } else {
-                                                            phi_1921_ = _e698;
+                                                            phi_1924_ = _e698;
                                                         }
-                                                        let _e1351 = phi_1921_;
-                                                        phi_1922_ = _e1351;
+                                                        let _e1353 = phi_1924_;
+                                                        phi_1925_ = _e1353;
                                                     } else {
-                                                        phi_1922_ = _e698;
+                                                        phi_1925_ = _e698;
                                                     }
-                                                    let _e1353 = phi_1922_;
-                                                    phi_1923_ = _e1353;
+                                                    let _e1355 = phi_1925_;
+                                                    phi_1926_ = _e1355;
                                                 } else {
-                                                    phi_1923_ = _e698;
+                                                    phi_1926_ = _e698;
                                                 }
-                                                let _e1355 = phi_1923_;
-                                                phi_821_ = _e1355;
+                                                let _e1357 = phi_1926_;
+                                                phi_821_ = _e1357;
                                             } else {
                                                 phi_821_ = type_51();
                                             }
-                                            let _e1357 = phi_821_;
+                                            let _e1359 = phi_821_;
                                             continue;
                                             continuing {
-                                                phi_820_ = _e1357;
+                                                phi_820_ = _e1359;
                                                 phi_823_ = _e713;
-                                                phi_2534_ = _e470;
+                                                phi_2537_ = _e470;
                                                 break if !(_e719);
                                             }
                                         }
-                                        let _e1360 = phi_2534_;
-                                        phi_2660_ = _e1360;
-                                        if _e1360 {
+                                        let _e1362 = phi_2537_;
+                                        phi_2663_ = _e1362;
+                                        if _e1362 {
                                             break;
                                         }
-                                        phi_2664_ = _e1360;
-                                        let _e1560 = local_3;
-                                        phi_2376_ = _e1560;
-                                        phi_2377_ = _e495;
-                                        phi_2378_ = false;
-                                        phi_2379_ = _e499;
+                                        phi_2667_ = _e1362;
+                                        let _e1562 = local_3;
+                                        phi_2379_ = _e1562;
+                                        phi_2380_ = _e495;
+                                        phi_2381_ = false;
+                                        phi_2382_ = _e499;
                                     } else {
                                         if (_e495 >= _e75) {
-                                            phi_1983_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1986_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e495 < _e75) {
                                             } else {
-                                                phi_2660_ = true;
+                                                phi_2663_ = true;
                                                 break;
                                             }
                                             let _e509 = (_e288 % 3u);
                                             if (_e509 < 3u) {
                                             } else {
-                                                phi_2660_ = true;
+                                                phi_2663_ = true;
                                                 break;
                                             }
                                             let _e515 = global_3.member[_e495].member[_e509];
                                             let _e521 = (_e287 % 3u);
                                             if (_e521 < 3u) {
                                             } else {
-                                                phi_2660_ = true;
+                                                phi_2663_ = true;
                                                 break;
                                             }
                                             let _e527 = global_3.member[_e495].member[_e521];
                                             let _e533 = (_e289 % 3u);
                                             if (_e533 < 3u) {
                                             } else {
-                                                phi_2660_ = true;
+                                                phi_2663_ = true;
                                                 break;
                                             }
                                             let _e539 = global_3.member[_e495].member[_e533];
                                             let _e549 = global_3.member[_e495].member_1;
                                             let _e553 = global_3.member[_e495].member_2;
-                                            phi_1983_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e515[0], _e515[1], _e515[2], _e515[3]), vec4<f32>(_e527[0], _e527[1], _e527[2], _e527[3]), vec4<f32>(_e539[0], _e539[1], _e539[2], _e539[3])), _e549, _e553);
+                                            phi_1986_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e515[0], _e515[1], _e515[2], _e515[3]), vec4<f32>(_e527[0], _e527[1], _e527[2], _e527[3]), vec4<f32>(_e539[0], _e539[1], _e539[2], _e539[3])), _e549, _e553);
                                         }
-                                        let _e556 = phi_1983_;
+                                        let _e556 = phi_1986_;
                                         let _e568 = ((_e556.member[0].x - _e339) * _e344);
                                         let _e569 = ((_e556.member[0].y - _e339) * _e344);
                                         let _e570 = ((_e556.member[0].z - _e340) * _e344);
@@ -1050,208 +1050,208 @@ fn function_() {
                                         if _e656 {
                                             if _e657 {
                                                 if _e658 {
-                                                    phi_2327_ = _e556.member_2;
+                                                    phi_2330_ = _e556.member_2;
                                                 } else {
-                                                    phi_2327_ = _e556.member_1;
+                                                    phi_2330_ = _e556.member_1;
                                                 }
-                                                let _e662 = phi_2327_;
+                                                let _e662 = phi_2330_;
                                                 let _e663 = (_e499 % 128u);
                                                 let _e664 = (_e663 < 128u);
                                                 if _e664 {
                                                 } else {
-                                                    phi_2660_ = true;
+                                                    phi_2663_ = true;
                                                     break;
                                                 }
                                                 local[_e663] = _e662;
                                                 if _e664 {
                                                 } else {
-                                                    phi_2660_ = true;
+                                                    phi_2663_ = true;
                                                     break;
                                                 }
                                                 local_1[_e663] = select(_e651, _e649, (_e649 > _e651));
                                                 if _e658 {
-                                                    phi_2353_ = _e556.member_1;
+                                                    phi_2356_ = _e556.member_1;
                                                 } else {
-                                                    phi_2353_ = _e556.member_2;
+                                                    phi_2356_ = _e556.member_2;
                                                 }
-                                                let _e673 = phi_2353_;
-                                                phi_2354_ = _e673;
-                                                phi_2355_ = (_e499 + 1u);
+                                                let _e673 = phi_2356_;
+                                                phi_2357_ = _e673;
+                                                phi_2358_ = (_e499 + 1u);
                                             } else {
-                                                phi_2354_ = u32();
-                                                phi_2355_ = u32();
+                                                phi_2357_ = u32();
+                                                phi_2358_ = u32();
                                             }
-                                            let _e675 = phi_2354_;
-                                            let _e677 = phi_2355_;
-                                            phi_2357_ = _e675;
-                                            phi_2358_ = _e677;
-                                            phi_2359_ = select(true, false, _e657);
+                                            let _e675 = phi_2357_;
+                                            let _e677 = phi_2358_;
+                                            phi_2360_ = _e675;
+                                            phi_2361_ = _e677;
+                                            phi_2362_ = select(true, false, _e657);
                                         } else {
-                                            phi_2357_ = u32();
-                                            phi_2358_ = u32();
-                                            phi_2359_ = true;
+                                            phi_2360_ = u32();
+                                            phi_2361_ = u32();
+                                            phi_2362_ = true;
                                         }
-                                        let _e680 = phi_2357_;
-                                        let _e682 = phi_2358_;
-                                        let _e684 = phi_2359_;
+                                        let _e680 = phi_2360_;
+                                        let _e682 = phi_2361_;
+                                        let _e684 = phi_2362_;
                                         if _e684 {
                                             if _e656 {
-                                                phi_2368_ = _e556.member_1;
+                                                phi_2371_ = _e556.member_1;
                                             } else {
-                                                phi_2368_ = _e556.member_2;
+                                                phi_2371_ = _e556.member_2;
                                             }
-                                            let _e688 = phi_2368_;
-                                            phi_2373_ = _e688;
-                                            phi_2374_ = select(_e657, true, _e656);
+                                            let _e688 = phi_2371_;
+                                            phi_2376_ = _e688;
+                                            phi_2377_ = select(_e657, true, _e656);
                                         } else {
-                                            phi_2373_ = _e680;
-                                            phi_2374_ = _e497;
+                                            phi_2376_ = _e680;
+                                            phi_2377_ = _e497;
                                         }
-                                        let _e691 = phi_2373_;
-                                        let _e693 = phi_2374_;
-                                        phi_2664_ = _e470;
-                                        phi_2376_ = _e472;
-                                        phi_2377_ = _e691;
-                                        phi_2378_ = _e693;
-                                        phi_2379_ = select(_e682, _e499, _e684);
+                                        let _e691 = phi_2376_;
+                                        let _e693 = phi_2377_;
+                                        phi_2667_ = _e470;
+                                        phi_2379_ = _e472;
+                                        phi_2380_ = _e691;
+                                        phi_2381_ = _e693;
+                                        phi_2382_ = select(_e682, _e499, _e684);
                                     }
-                                    let _e1362 = phi_2664_;
-                                    let _e1364 = phi_2376_;
-                                    let _e1366 = phi_2377_;
-                                    let _e1368 = phi_2378_;
-                                    let _e1370 = phi_2379_;
-                                    phi_2663_ = _e1362;
-                                    phi_2380_ = _e1364;
-                                    phi_2381_ = _e1366;
-                                    phi_2382_ = (_e476 - 1u);
-                                    phi_2383_ = _e1368;
-                                    phi_2384_ = _e1370;
+                                    let _e1364 = phi_2667_;
+                                    let _e1366 = phi_2379_;
+                                    let _e1368 = phi_2380_;
+                                    let _e1370 = phi_2381_;
+                                    let _e1372 = phi_2382_;
+                                    phi_2666_ = _e1364;
+                                    phi_2383_ = _e1366;
+                                    phi_2384_ = _e1368;
+                                    phi_2385_ = (_e476 - 1u);
+                                    phi_2386_ = _e1370;
+                                    phi_2387_ = _e1372;
                                 } else {
-                                    phi_2663_ = _e470;
-                                    phi_2380_ = _e472;
-                                    phi_2381_ = _e495;
-                                    phi_2382_ = _e476;
-                                    phi_2383_ = _e497;
-                                    phi_2384_ = _e499;
+                                    phi_2666_ = _e470;
+                                    phi_2383_ = _e472;
+                                    phi_2384_ = _e495;
+                                    phi_2385_ = _e476;
+                                    phi_2386_ = _e497;
+                                    phi_2387_ = _e499;
                                 }
-                                let _e1372 = phi_2663_;
-                                let _e1374 = phi_2380_;
-                                let _e1376 = phi_2381_;
-                                let _e1378 = phi_2382_;
-                                let _e1380 = phi_2383_;
-                                let _e1382 = phi_2384_;
-                                phi_2662_ = _e1372;
-                                phi_2385_ = _e1374;
-                                phi_2386_ = _e1376;
-                                phi_2387_ = _e1378;
-                                phi_2388_ = _e1380;
-                                phi_2389_ = _e1382;
+                                let _e1374 = phi_2666_;
+                                let _e1376 = phi_2383_;
+                                let _e1378 = phi_2384_;
+                                let _e1380 = phi_2385_;
+                                let _e1382 = phi_2386_;
+                                let _e1384 = phi_2387_;
+                                phi_2665_ = _e1374;
+                                phi_2388_ = _e1376;
+                                phi_2389_ = _e1378;
+                                phi_2390_ = _e1380;
+                                phi_2391_ = _e1382;
+                                phi_2392_ = _e1384;
                             } else {
-                                phi_2662_ = _e470;
-                                phi_2385_ = type_51();
-                                phi_2386_ = u32();
-                                phi_2387_ = u32();
-                                phi_2388_ = bool();
+                                phi_2665_ = _e470;
+                                phi_2388_ = type_51();
                                 phi_2389_ = u32();
+                                phi_2390_ = u32();
+                                phi_2391_ = bool();
+                                phi_2392_ = u32();
                             }
-                            let _e1384 = phi_2662_;
-                            let _e1386 = phi_2385_;
-                            let _e1388 = phi_2386_;
-                            let _e1390 = phi_2387_;
-                            let _e1392 = phi_2388_;
-                            let _e1394 = phi_2389_;
-                            phi_2661_ = _e1384;
-                            phi_753_ = _e1386;
-                            phi_756_ = _e1388;
-                            phi_758_ = _e1390;
-                            phi_760_ = _e1392;
-                            phi_762_ = _e1394;
-                            phi_2390_ = _e484;
+                            let _e1386 = phi_2665_;
+                            let _e1388 = phi_2388_;
+                            let _e1390 = phi_2389_;
+                            let _e1392 = phi_2390_;
+                            let _e1394 = phi_2391_;
+                            let _e1396 = phi_2392_;
+                            phi_2664_ = _e1386;
+                            phi_753_ = _e1388;
+                            phi_756_ = _e1390;
+                            phi_758_ = _e1392;
+                            phi_760_ = _e1394;
+                            phi_762_ = _e1396;
+                            phi_2393_ = _e484;
                         } else {
-                            phi_2661_ = _e470;
+                            phi_2664_ = _e470;
                             phi_753_ = type_51();
                             phi_756_ = u32();
                             phi_758_ = u32();
                             phi_760_ = bool();
                             phi_762_ = u32();
-                            phi_2390_ = false;
+                            phi_2393_ = false;
                         }
-                        let _e1396 = phi_2661_;
-                        let _e1398 = phi_753_;
-                        let _e1400 = phi_756_;
-                        let _e1402 = phi_758_;
-                        let _e1404 = phi_760_;
-                        let _e1406 = phi_762_;
-                        let _e1408 = phi_2390_;
+                        let _e1398 = phi_2664_;
+                        let _e1400 = phi_753_;
+                        let _e1402 = phi_756_;
+                        let _e1404 = phi_758_;
+                        let _e1406 = phi_760_;
+                        let _e1408 = phi_762_;
+                        let _e1410 = phi_2393_;
                         continue;
                         continuing {
-                            phi_2540_ = _e1396;
-                            phi_752_ = _e1398;
-                            phi_755_ = _e1400;
-                            phi_757_ = _e1402;
-                            phi_759_ = _e1404;
-                            phi_761_ = _e1406;
-                            phi_2660_ = _e1396;
-                            break if !(_e1408);
+                            phi_2543_ = _e1398;
+                            phi_752_ = _e1400;
+                            phi_755_ = _e1402;
+                            phi_757_ = _e1404;
+                            phi_759_ = _e1406;
+                            phi_761_ = _e1408;
+                            phi_2663_ = _e1398;
+                            break if !(_e1410);
                         }
                     }
-                    let _e1411 = phi_2660_;
-                    if _e1411 {
+                    let _e1413 = phi_2663_;
+                    if _e1413 {
                         break;
                     }
-                    let _e1413 = local_2;
-                    if (_e1413.member.member_3 != 4294967295u) {
-                        let _e1418 = (_e290 / 3i);
-                        let _e1425 = bitcast<f32>((bitcast<u32>((_e1418 + 127i)) << bitcast<u32>(23i)));
-                        let _e1433 = (((_e1413.member.member * _e1425) * _e1425) * bitcast<f32>((bitcast<u32>(((_e290 - (2i * _e1418)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1435 = select(340282350000000000000000000000000000000f, _e1433, (_e1433 < 340282350000000000000000000000000000000f));
-                        phi_2442_ = type_28(select(-340282350000000000000000000000000000000f, _e1435, (_e1435 > -340282350000000000000000000000000000000f)), _e1413.member.member_1, _e1413.member.member_2, _e1413.member.member_3);
+                    let _e1415 = local_2;
+                    if (_e1415.member.member_3 != 4294967295u) {
+                        let _e1420 = (_e290 / 3i);
+                        let _e1427 = bitcast<f32>((bitcast<u32>((_e1420 + 127i)) << bitcast<u32>(23i)));
+                        let _e1435 = (((_e1415.member.member * _e1427) * _e1427) * bitcast<f32>((bitcast<u32>(((_e290 - (2i * _e1420)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1437 = select(340282350000000000000000000000000000000f, _e1435, (_e1435 < 340282350000000000000000000000000000000f));
+                        phi_2445_ = type_28(select(-340282350000000000000000000000000000000f, _e1437, (_e1437 > -340282350000000000000000000000000000000f)), _e1415.member.member_1, _e1415.member.member_2, _e1415.member.member_3);
                     } else {
-                        phi_2442_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2445_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1442 = phi_2442_;
+                    let _e1444 = phi_2445_;
                     if _e95 {
                     } else {
                         break;
                     }
-                    global_8.member[_e93] = _e1442;
+                    global_8.member[_e93] = _e1444;
                     if _e94 {
                     } else {
                         break;
                     }
-                    let _e1446 = select(0u, 1u, (_e234 <= _e244));
-                    if (_e1446 > 0u) {
-                        let _e1448 = (1u < _e89);
-                        if _e1448 {
+                    let _e1448 = select(0u, 1u, (_e234 <= _e244));
+                    if (_e1448 > 0u) {
+                        let _e1450 = (1u < _e89);
+                        if _e1450 {
                             if (0u < _e89) {
                             } else {
                                 break;
                             }
-                            let _e1452 = atomicAdd((&global_9.member[0u]), _e1446);
-                            if ((_e1452 + _e1446) < _e1452) {
-                                if _e1448 {
+                            let _e1454 = atomicAdd((&global_9.member[0u]), _e1448);
+                            if ((_e1454 + _e1448) < _e1454) {
+                                if _e1450 {
                                 } else {
                                     break;
                                 }
-                                let _e1457 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e1459 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1460 = select(0u, 1u, (_e1442.member_3 != 4294967295u));
-                    if (_e1460 > 0u) {
-                        let _e1462 = (3u < _e89);
-                        if _e1462 {
+                    let _e1462 = select(0u, 1u, (_e1444.member_3 != 4294967295u));
+                    if (_e1462 > 0u) {
+                        let _e1464 = (3u < _e89);
+                        if _e1464 {
                             if (2u < _e89) {
                             } else {
                                 break;
                             }
-                            let _e1466 = atomicAdd((&global_9.member[2u]), _e1460);
-                            if ((_e1466 + _e1460) < _e1466) {
-                                if _e1462 {
+                            let _e1468 = atomicAdd((&global_9.member[2u]), _e1462);
+                            if ((_e1468 + _e1462) < _e1468) {
+                                if _e1464 {
                                 } else {
                                     break;
                                 }
-                                let _e1471 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e1473 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

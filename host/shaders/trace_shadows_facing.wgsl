@@ -149,7 +149,7 @@ fn function_() {
     var phi_685_: f32;
     var phi_785_: f32;
     var phi_786_: f32;
-    var phi_2483_: bool;
+    var phi_2486_: bool;
     var phi_797_: type_55;
     var phi_800_: u32;
     var phi_802_: u32;
@@ -159,17 +159,17 @@ fn function_() {
     var phi_847_: u32;
     var phi_848_: bool;
     var phi_849_: u32;
-    var phi_2007_: type_54;
-    var phi_2351_: u32;
-    var phi_2377_: u32;
-    var phi_2378_: u32;
-    var phi_2379_: u32;
+    var phi_2010_: type_54;
+    var phi_2354_: u32;
+    var phi_2380_: u32;
     var phi_2381_: u32;
     var phi_2382_: u32;
-    var phi_2383_: bool;
-    var phi_2392_: u32;
-    var phi_2397_: u32;
-    var phi_2398_: bool;
+    var phi_2384_: u32;
+    var phi_2385_: u32;
+    var phi_2386_: bool;
+    var phi_2395_: u32;
+    var phi_2400_: u32;
+    var phi_2401_: bool;
     var phi_865_: type_55;
     var phi_868_: type_8;
     var phi_869_: type_8;
@@ -195,40 +195,40 @@ fn function_() {
     var phi_1598_: u32;
     var phi_1612_: i32;
     var phi_1704_: array<array<f32, 3>, 3>;
-    var phi_1745_: vec3<f32>;
-    var phi_1938_: bool;
-    var phi_1939_: bool;
-    var phi_1940_: bool;
-    var phi_1945_: type_55;
-    var phi_1946_: type_55;
+    var phi_1742_: vec3<f32>;
+    var phi_1924_: f32;
+    var phi_1942_: bool;
+    var phi_1943_: bool;
+    var phi_1948_: type_55;
+    var phi_1949_: type_55;
     var phi_866_: type_55;
-    var phi_2477_: bool;
+    var phi_2480_: bool;
     var local_2: type_55;
-    var phi_2607_: bool;
-    var phi_2400_: type_55;
-    var phi_2401_: u32;
-    var phi_2402_: bool;
-    var phi_2403_: u32;
-    var phi_2606_: bool;
-    var phi_2404_: type_55;
-    var phi_2405_: u32;
+    var phi_2610_: bool;
+    var phi_2403_: type_55;
+    var phi_2404_: u32;
+    var phi_2405_: bool;
     var phi_2406_: u32;
-    var phi_2407_: bool;
+    var phi_2609_: bool;
+    var phi_2407_: type_55;
     var phi_2408_: u32;
-    var phi_2605_: bool;
-    var phi_2409_: type_55;
-    var phi_2410_: u32;
+    var phi_2409_: u32;
+    var phi_2410_: bool;
     var phi_2411_: u32;
-    var phi_2412_: bool;
+    var phi_2608_: bool;
+    var phi_2412_: type_55;
     var phi_2413_: u32;
-    var phi_2604_: bool;
+    var phi_2414_: u32;
+    var phi_2415_: bool;
+    var phi_2416_: u32;
+    var phi_2607_: bool;
     var phi_798_: type_55;
     var phi_801_: u32;
     var phi_803_: u32;
     var phi_805_: bool;
     var phi_807_: u32;
-    var phi_2414_: bool;
-    var phi_2603_: bool;
+    var phi_2417_: bool;
+    var phi_2606_: bool;
     var local_3: type_55;
     var local_4: type_55;
 
@@ -519,14 +519,14 @@ fn function_() {
                         let _e473 = phi_786_;
                         local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2483_ = false;
+                        phi_2486_ = false;
                         phi_797_ = type_55(_e471, false);
                         phi_800_ = select(0u, 2147483648u, (_e75 == 0u));
                         phi_802_ = ((3u * _e75) + 1u);
                         phi_804_ = (_e473 <= _e471);
                         phi_806_ = 0u;
                         loop {
-                            let _e481 = phi_2483_;
+                            let _e481 = phi_2486_;
                             let _e483 = phi_797_;
                             let _e485 = phi_800_;
                             let _e487 = phi_802_;
@@ -552,13 +552,13 @@ fn function_() {
                                         let _e498 = (_e497 < 128u);
                                         if _e498 {
                                         } else {
-                                            phi_2603_ = true;
+                                            phi_2606_ = true;
                                             break;
                                         }
                                         let _e500 = local[_e497];
                                         if _e498 {
                                         } else {
-                                            phi_2603_ = true;
+                                            phi_2606_ = true;
                                             break;
                                         }
                                         let _e502 = local_1[_e497];
@@ -594,7 +594,7 @@ fn function_() {
                                                     if _e731 {
                                                         if _e731 {
                                                         } else {
-                                                            phi_2477_ = true;
+                                                            phi_2480_ = true;
                                                             break;
                                                         }
                                                         let _e735 = global_4.member[_e726.member_1].member_1;
@@ -609,7 +609,7 @@ fn function_() {
                                                     } else {
                                                         if _e731 {
                                                         } else {
-                                                            phi_2477_ = true;
+                                                            phi_2480_ = true;
                                                             break;
                                                         }
                                                         let _e739 = (_e299 % 3u);
@@ -617,61 +617,61 @@ fn function_() {
                                                         let _e741 = (_e300 % 3u);
                                                         if (_e739 < 9u) {
                                                         } else {
-                                                            phi_2477_ = true;
+                                                            phi_2480_ = true;
                                                             break;
                                                         }
                                                         let _e747 = global_4.member[_e726.member_1].member[_e739];
                                                         if (_e740 < 9u) {
                                                         } else {
-                                                            phi_2477_ = true;
+                                                            phi_2480_ = true;
                                                             break;
                                                         }
                                                         let _e753 = global_4.member[_e726.member_1].member[_e740];
                                                         if (_e741 < 9u) {
                                                         } else {
-                                                            phi_2477_ = true;
+                                                            phi_2480_ = true;
                                                             break;
                                                         }
                                                         let _e759 = global_4.member[_e726.member_1].member[_e741];
                                                         let _e761 = (3u + _e739);
                                                         if (_e761 < 9u) {
                                                         } else {
-                                                            phi_2477_ = true;
+                                                            phi_2480_ = true;
                                                             break;
                                                         }
                                                         let _e767 = global_4.member[_e726.member_1].member[_e761];
                                                         let _e768 = (3u + _e740);
                                                         if (_e768 < 9u) {
                                                         } else {
-                                                            phi_2477_ = true;
+                                                            phi_2480_ = true;
                                                             break;
                                                         }
                                                         let _e774 = global_4.member[_e726.member_1].member[_e768];
                                                         let _e775 = (3u + _e741);
                                                         if (_e775 < 9u) {
                                                         } else {
-                                                            phi_2477_ = true;
+                                                            phi_2480_ = true;
                                                             break;
                                                         }
                                                         let _e781 = global_4.member[_e726.member_1].member[_e775];
                                                         let _e783 = (6u + _e739);
                                                         if (_e783 < 9u) {
                                                         } else {
-                                                            phi_2477_ = true;
+                                                            phi_2480_ = true;
                                                             break;
                                                         }
                                                         let _e789 = global_4.member[_e726.member_1].member[_e783];
                                                         let _e790 = (6u + _e740);
                                                         if (_e790 < 9u) {
                                                         } else {
-                                                            phi_2477_ = true;
+                                                            phi_2480_ = true;
                                                             break;
                                                         }
                                                         let _e796 = global_4.member[_e726.member_1].member[_e790];
                                                         let _e797 = (6u + _e741);
                                                         if (_e797 < 9u) {
                                                         } else {
-                                                            phi_2477_ = true;
+                                                            phi_2480_ = true;
                                                             break;
                                                         }
                                                         let _e803 = global_4.member[_e726.member_1].member[_e797];
@@ -848,13 +848,13 @@ fn function_() {
                                                     let _e1089 = phi_1575_;
                                                     if (_e1089.member_3 != 4294967295u) {
                                                         if (_e737 == _e188) {
-                                                            phi_1940_ = false;
+                                                            phi_1943_ = false;
                                                         } else {
                                                             let _e1093 = (_e737 < arrayLength((&global_5.member)));
                                                             if _e1093 {
                                                                 if _e1093 {
                                                                 } else {
-                                                                    phi_2477_ = true;
+                                                                    phi_2480_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1095 = global_5.member[_e737];
@@ -867,7 +867,7 @@ fn function_() {
                                                             if _e1098 {
                                                                 if _e1098 {
                                                                 } else {
-                                                                    phi_2477_ = true;
+                                                                    phi_2480_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1100 = global_6.member[_e1097];
@@ -878,14 +878,14 @@ fn function_() {
                                                             let _e1102 = phi_1612_;
                                                             let _e1103 = (_e1102 == 0i);
                                                             if _e1103 {
-                                                                phi_1939_ = true;
+                                                                phi_1942_ = true;
                                                             } else {
                                                                 if _e738 {
                                                                     phi_1704_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                                 } else {
                                                                     if _e731 {
                                                                     } else {
-                                                                        phi_2477_ = true;
+                                                                        phi_2480_ = true;
                                                                         break;
                                                                     }
                                                                     let _e1108 = global_4.member[_e726.member_1].member[0u];
@@ -900,121 +900,121 @@ fn function_() {
                                                                     phi_1704_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1108, _e1113, _e1118), array<f32, 3>(_e1124, _e1129, _e1134), array<f32, 3>(_e1140, _e1145, _e1150));
                                                                 }
                                                                 let _e1154 = phi_1704_;
-                                                                if _e1103 {
-                                                                    phi_1938_ = true;
+                                                                let _e1167 = (_e1154[1][0] - _e1154[0][0]);
+                                                                let _e1168 = (_e1154[1][1] - _e1154[0][1]);
+                                                                let _e1169 = (_e1154[1][2] - _e1154[0][2]);
+                                                                let _e1170 = (_e1154[2][0] - _e1154[0][0]);
+                                                                let _e1171 = (_e1154[2][1] - _e1154[0][1]);
+                                                                let _e1172 = (_e1154[2][2] - _e1154[0][2]);
+                                                                if (_e184.member_1 == 1u) {
+                                                                    phi_1742_ = vec3<f32>((_e184.member[0] - _e1154[0][0]), (_e184.member[1] - _e1154[0][1]), (_e184.member[2] - _e1154[0][2]));
                                                                 } else {
-                                                                    let _e1167 = (_e1154[1][0] - _e1154[0][0]);
-                                                                    let _e1168 = (_e1154[1][1] - _e1154[0][1]);
-                                                                    let _e1169 = (_e1154[1][2] - _e1154[0][2]);
-                                                                    let _e1170 = (_e1154[2][0] - _e1154[0][0]);
-                                                                    let _e1171 = (_e1154[2][1] - _e1154[0][1]);
-                                                                    let _e1172 = (_e1154[2][2] - _e1154[0][2]);
-                                                                    if (_e184.member_1 == 1u) {
-                                                                        phi_1745_ = vec3<f32>((_e184.member[0] - _e1154[0][0]), (_e184.member[1] - _e1154[0][1]), (_e184.member[2] - _e1154[0][2]));
-                                                                    } else {
-                                                                        phi_1745_ = vec3<f32>(_e184.member[0], _e184.member[1], _e184.member[2]);
-                                                                    }
-                                                                    let _e1189 = phi_1745_;
-                                                                    let _e1195 = bitcast<f32>((bitcast<u32>((_e1167 * _e1171)) ^ _e184.member_3[0]));
-                                                                    let _e1199 = bitcast<f32>((bitcast<u32>((_e1168 * _e1170)) ^ _e184.member_3[0]));
-                                                                    let _e1203 = bitcast<f32>((bitcast<u32>((_e1168 * _e1172)) ^ _e184.member_3[0]));
-                                                                    let _e1207 = bitcast<f32>((bitcast<u32>((_e1169 * _e1171)) ^ _e184.member_3[0]));
-                                                                    let _e1211 = bitcast<f32>((bitcast<u32>((_e1169 * _e1170)) ^ _e184.member_3[0]));
-                                                                    let _e1215 = bitcast<f32>((bitcast<u32>((_e1167 * _e1172)) ^ _e184.member_3[0]));
-                                                                    let _e1216 = (_e1203 - _e1207);
-                                                                    let _e1217 = (_e1211 - _e1215);
-                                                                    let _e1218 = (_e1195 - _e1199);
-                                                                    let _e1242 = (bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u)));
-                                                                    let _e1249 = (bitcast<f32>((bitcast<u32>(_e1211) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u)));
-                                                                    let _e1256 = (bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u)));
-                                                                    let _e1282 = bitcast<f32>((bitcast<u32>(_e1216) & 2147483647u));
-                                                                    let _e1285 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
-                                                                    let _e1288 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
-                                                                    let _e1290 = select(_e1288, _e1285, (_e1285 > _e1288));
-                                                                    let _e1294 = select(_e1288, _e1285, (_e1285 < _e1288));
-                                                                    let _e1298 = select(_e1285, _e1282, (_e1282 < _e1285));
-                                                                    let _e1300 = select(_e1285, _e1282, (_e1282 > _e1285));
-                                                                    let _e1302 = select(_e1288, _e1300, (_e1300 < _e1288));
-                                                                    phi_1938_ = !(((((bitcast<f32>((bitcast<u32>((_e1189.x * _e1216)) ^ _e184.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1189.y * _e1217)) ^ _e184.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1189.z * _e1218)) ^ _e184.member_3[0]))) * f32(-(_e1102))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1189.x) & 2147483647u)) * _e1242)) ^ _e184.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1189.y) & 2147483647u)) * _e1249)) ^ _e184.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1189.z) & 2147483647u)) * _e1256)) ^ _e184.member_3[0]))))) ^ _e184.member_3[0])) + bitcast<f32>((bitcast<u32>((_e184.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1290, _e1282, (_e1282 > _e1290)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1302, _e1298, (_e1298 > _e1302)))) ^ _e184.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1294, _e1282, (_e1282 < _e1294)))) ^ _e184.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1242 + _e1249) + _e1256))) ^ _e184.member_3[0]))) * 1.0000005f)) ^ _e184.member_3[0])))) ^ _e184.member_3[0]))) + 0.0000000000000000000000000000000000001880791f)));
+                                                                    phi_1742_ = vec3<f32>(_e184.member[0], _e184.member[1], _e184.member[2]);
                                                                 }
-                                                                let _e1343 = phi_1938_;
-                                                                phi_1939_ = _e1343;
+                                                                let _e1189 = phi_1742_;
+                                                                let _e1195 = bitcast<f32>((bitcast<u32>((_e1167 * _e1171)) ^ _e184.member_3[0]));
+                                                                let _e1199 = bitcast<f32>((bitcast<u32>((_e1168 * _e1170)) ^ _e184.member_3[0]));
+                                                                let _e1203 = bitcast<f32>((bitcast<u32>((_e1168 * _e1172)) ^ _e184.member_3[0]));
+                                                                let _e1207 = bitcast<f32>((bitcast<u32>((_e1169 * _e1171)) ^ _e184.member_3[0]));
+                                                                let _e1211 = bitcast<f32>((bitcast<u32>((_e1169 * _e1170)) ^ _e184.member_3[0]));
+                                                                let _e1215 = bitcast<f32>((bitcast<u32>((_e1167 * _e1172)) ^ _e184.member_3[0]));
+                                                                let _e1216 = (_e1203 - _e1207);
+                                                                let _e1217 = (_e1211 - _e1215);
+                                                                let _e1218 = (_e1195 - _e1199);
+                                                                let _e1242 = (bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u)));
+                                                                let _e1249 = (bitcast<f32>((bitcast<u32>(_e1211) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u)));
+                                                                let _e1256 = (bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u)));
+                                                                if (_e184.member_2 == 0f) {
+                                                                    phi_1924_ = 0f;
+                                                                } else {
+                                                                    let _e1286 = bitcast<f32>((bitcast<u32>(_e1216) & 2147483647u));
+                                                                    let _e1289 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
+                                                                    let _e1292 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
+                                                                    let _e1294 = select(_e1292, _e1289, (_e1289 > _e1292));
+                                                                    let _e1298 = select(_e1292, _e1289, (_e1289 < _e1292));
+                                                                    let _e1302 = select(_e1289, _e1286, (_e1286 < _e1289));
+                                                                    let _e1304 = select(_e1289, _e1286, (_e1286 > _e1289));
+                                                                    let _e1306 = select(_e1292, _e1304, (_e1304 < _e1292));
+                                                                    phi_1924_ = bitcast<f32>((bitcast<u32>((_e184.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1294, _e1286, (_e1286 > _e1294)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1306, _e1302, (_e1302 > _e1306)))) ^ _e184.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1298, _e1286, (_e1286 < _e1298)))) ^ _e184.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1242 + _e1249) + _e1256))) ^ _e184.member_3[0]))) * 1.0000005f)) ^ _e184.member_3[0])))) ^ _e184.member_3[0]));
+                                                                }
+                                                                let _e1333 = phi_1924_;
+                                                                phi_1942_ = (_e1103 || !(((((bitcast<f32>((bitcast<u32>((_e1189.x * _e1216)) ^ _e184.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1189.y * _e1217)) ^ _e184.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1189.z * _e1218)) ^ _e184.member_3[0]))) * f32(-(_e1102))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1189.x) & 2147483647u)) * _e1242)) ^ _e184.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1189.y) & 2147483647u)) * _e1249)) ^ _e184.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1189.z) & 2147483647u)) * _e1256)) ^ _e184.member_3[0]))))) ^ _e184.member_3[0])) + _e1333) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1345 = phi_1939_;
-                                                            phi_1940_ = _e1345;
+                                                            let _e1347 = phi_1942_;
+                                                            phi_1943_ = _e1347;
                                                         }
-                                                        let _e1347 = phi_1940_;
-                                                        if _e1347 {
-                                                            phi_1945_ = type_55(_e709.member, true);
+                                                        let _e1349 = phi_1943_;
+                                                        if _e1349 {
+                                                            phi_1948_ = type_55(_e709.member, true);
                                                         } else {
-                                                            phi_1945_ = _e709;
+                                                            phi_1948_ = _e709;
                                                         }
-                                                        let _e1352 = phi_1945_;
-                                                        phi_1946_ = _e1352;
+                                                        let _e1354 = phi_1948_;
+                                                        phi_1949_ = _e1354;
                                                     } else {
-                                                        phi_1946_ = _e709;
+                                                        phi_1949_ = _e709;
                                                     }
-                                                    let _e1354 = phi_1946_;
-                                                    phi_866_ = _e1354;
+                                                    let _e1356 = phi_1949_;
+                                                    phi_866_ = _e1356;
                                                 } else {
                                                     phi_866_ = type_55();
                                                 }
-                                                let _e1356 = phi_866_;
+                                                let _e1358 = phi_866_;
                                                 continue;
                                                 continuing {
-                                                    phi_865_ = _e1356;
+                                                    phi_865_ = _e1358;
                                                     phi_868_ = _e724;
-                                                    phi_2477_ = _e481;
+                                                    phi_2480_ = _e481;
                                                     break if !(_e730);
                                                 }
                                             }
-                                            let _e1359 = phi_2477_;
-                                            phi_2603_ = _e1359;
-                                            if _e1359 {
+                                            let _e1361 = phi_2480_;
+                                            phi_2606_ = _e1361;
+                                            if _e1361 {
                                                 break;
                                             }
-                                            let _e1361 = local_2;
-                                            phi_2607_ = _e1359;
-                                            let _e1533 = local_4;
-                                            phi_2400_ = _e1533;
-                                            phi_2401_ = _e506;
-                                            phi_2402_ = false;
-                                            phi_2403_ = select(_e510, 0u, _e1361.member_1);
+                                            let _e1363 = local_2;
+                                            phi_2610_ = _e1361;
+                                            let _e1535 = local_4;
+                                            phi_2403_ = _e1535;
+                                            phi_2404_ = _e506;
+                                            phi_2405_ = false;
+                                            phi_2406_ = select(_e510, 0u, _e1363.member_1);
                                         } else {
                                             if (_e506 >= _e75) {
-                                                phi_2007_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                                phi_2010_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
                                                 if (_e506 < _e75) {
                                                 } else {
-                                                    phi_2603_ = true;
+                                                    phi_2606_ = true;
                                                     break;
                                                 }
                                                 let _e520 = (_e299 % 3u);
                                                 if (_e520 < 3u) {
                                                 } else {
-                                                    phi_2603_ = true;
+                                                    phi_2606_ = true;
                                                     break;
                                                 }
                                                 let _e526 = global_3.member[_e506].member[_e520];
                                                 let _e532 = (_e298 % 3u);
                                                 if (_e532 < 3u) {
                                                 } else {
-                                                    phi_2603_ = true;
+                                                    phi_2606_ = true;
                                                     break;
                                                 }
                                                 let _e538 = global_3.member[_e506].member[_e532];
                                                 let _e544 = (_e300 % 3u);
                                                 if (_e544 < 3u) {
                                                 } else {
-                                                    phi_2603_ = true;
+                                                    phi_2606_ = true;
                                                     break;
                                                 }
                                                 let _e550 = global_3.member[_e506].member[_e544];
                                                 let _e560 = global_3.member[_e506].member_1;
                                                 let _e564 = global_3.member[_e506].member_2;
-                                                phi_2007_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e526[0], _e526[1], _e526[2], _e526[3]), vec4<f32>(_e538[0], _e538[1], _e538[2], _e538[3]), vec4<f32>(_e550[0], _e550[1], _e550[2], _e550[3])), _e560, _e564);
+                                                phi_2010_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e526[0], _e526[1], _e526[2], _e526[3]), vec4<f32>(_e538[0], _e538[1], _e538[2], _e538[3]), vec4<f32>(_e550[0], _e550[1], _e550[2], _e550[3])), _e560, _e564);
                                             }
-                                            let _e567 = phi_2007_;
+                                            let _e567 = phi_2010_;
                                             let _e579 = ((_e567.member[0].x - _e350) * _e355);
                                             let _e580 = ((_e567.member[0].y - _e350) * _e355);
                                             let _e581 = ((_e567.member[0].z - _e351) * _e355);
@@ -1057,173 +1057,173 @@ fn function_() {
                                             if _e667 {
                                                 if _e668 {
                                                     if _e669 {
-                                                        phi_2351_ = _e567.member_2;
+                                                        phi_2354_ = _e567.member_2;
                                                     } else {
-                                                        phi_2351_ = _e567.member_1;
+                                                        phi_2354_ = _e567.member_1;
                                                     }
-                                                    let _e673 = phi_2351_;
+                                                    let _e673 = phi_2354_;
                                                     let _e674 = (_e510 % 128u);
                                                     let _e675 = (_e674 < 128u);
                                                     if _e675 {
                                                     } else {
-                                                        phi_2603_ = true;
+                                                        phi_2606_ = true;
                                                         break;
                                                     }
                                                     local[_e674] = _e673;
                                                     if _e675 {
                                                     } else {
-                                                        phi_2603_ = true;
+                                                        phi_2606_ = true;
                                                         break;
                                                     }
                                                     local_1[_e674] = select(_e662, _e660, (_e660 > _e662));
                                                     if _e669 {
-                                                        phi_2377_ = _e567.member_1;
+                                                        phi_2380_ = _e567.member_1;
                                                     } else {
-                                                        phi_2377_ = _e567.member_2;
+                                                        phi_2380_ = _e567.member_2;
                                                     }
-                                                    let _e684 = phi_2377_;
-                                                    phi_2378_ = _e684;
-                                                    phi_2379_ = (_e510 + 1u);
+                                                    let _e684 = phi_2380_;
+                                                    phi_2381_ = _e684;
+                                                    phi_2382_ = (_e510 + 1u);
                                                 } else {
-                                                    phi_2378_ = u32();
-                                                    phi_2379_ = u32();
+                                                    phi_2381_ = u32();
+                                                    phi_2382_ = u32();
                                                 }
-                                                let _e686 = phi_2378_;
-                                                let _e688 = phi_2379_;
-                                                phi_2381_ = _e686;
-                                                phi_2382_ = _e688;
-                                                phi_2383_ = select(true, false, _e668);
+                                                let _e686 = phi_2381_;
+                                                let _e688 = phi_2382_;
+                                                phi_2384_ = _e686;
+                                                phi_2385_ = _e688;
+                                                phi_2386_ = select(true, false, _e668);
                                             } else {
-                                                phi_2381_ = u32();
-                                                phi_2382_ = u32();
-                                                phi_2383_ = true;
+                                                phi_2384_ = u32();
+                                                phi_2385_ = u32();
+                                                phi_2386_ = true;
                                             }
-                                            let _e691 = phi_2381_;
-                                            let _e693 = phi_2382_;
-                                            let _e695 = phi_2383_;
+                                            let _e691 = phi_2384_;
+                                            let _e693 = phi_2385_;
+                                            let _e695 = phi_2386_;
                                             if _e695 {
                                                 if _e667 {
-                                                    phi_2392_ = _e567.member_1;
+                                                    phi_2395_ = _e567.member_1;
                                                 } else {
-                                                    phi_2392_ = _e567.member_2;
+                                                    phi_2395_ = _e567.member_2;
                                                 }
-                                                let _e699 = phi_2392_;
-                                                phi_2397_ = _e699;
-                                                phi_2398_ = select(_e668, true, _e667);
+                                                let _e699 = phi_2395_;
+                                                phi_2400_ = _e699;
+                                                phi_2401_ = select(_e668, true, _e667);
                                             } else {
-                                                phi_2397_ = _e691;
-                                                phi_2398_ = _e508;
+                                                phi_2400_ = _e691;
+                                                phi_2401_ = _e508;
                                             }
-                                            let _e702 = phi_2397_;
-                                            let _e704 = phi_2398_;
-                                            phi_2607_ = _e481;
-                                            phi_2400_ = _e483;
-                                            phi_2401_ = _e702;
-                                            phi_2402_ = _e704;
-                                            phi_2403_ = select(_e693, _e510, _e695);
+                                            let _e702 = phi_2400_;
+                                            let _e704 = phi_2401_;
+                                            phi_2610_ = _e481;
+                                            phi_2403_ = _e483;
+                                            phi_2404_ = _e702;
+                                            phi_2405_ = _e704;
+                                            phi_2406_ = select(_e693, _e510, _e695);
                                         }
-                                        let _e1365 = phi_2607_;
-                                        let _e1367 = phi_2400_;
-                                        let _e1369 = phi_2401_;
-                                        let _e1371 = phi_2402_;
-                                        let _e1373 = phi_2403_;
-                                        phi_2606_ = _e1365;
-                                        phi_2404_ = _e1367;
-                                        phi_2405_ = _e1369;
-                                        phi_2406_ = (_e487 - 1u);
-                                        phi_2407_ = _e1371;
-                                        phi_2408_ = _e1373;
+                                        let _e1367 = phi_2610_;
+                                        let _e1369 = phi_2403_;
+                                        let _e1371 = phi_2404_;
+                                        let _e1373 = phi_2405_;
+                                        let _e1375 = phi_2406_;
+                                        phi_2609_ = _e1367;
+                                        phi_2407_ = _e1369;
+                                        phi_2408_ = _e1371;
+                                        phi_2409_ = (_e487 - 1u);
+                                        phi_2410_ = _e1373;
+                                        phi_2411_ = _e1375;
                                     } else {
-                                        phi_2606_ = _e481;
-                                        phi_2404_ = _e483;
-                                        phi_2405_ = _e506;
-                                        phi_2406_ = _e487;
-                                        phi_2407_ = _e508;
-                                        phi_2408_ = _e510;
+                                        phi_2609_ = _e481;
+                                        phi_2407_ = _e483;
+                                        phi_2408_ = _e506;
+                                        phi_2409_ = _e487;
+                                        phi_2410_ = _e508;
+                                        phi_2411_ = _e510;
                                     }
-                                    let _e1375 = phi_2606_;
-                                    let _e1377 = phi_2404_;
-                                    let _e1379 = phi_2405_;
-                                    let _e1381 = phi_2406_;
-                                    let _e1383 = phi_2407_;
-                                    let _e1385 = phi_2408_;
-                                    phi_2605_ = _e1375;
-                                    phi_2409_ = _e1377;
-                                    phi_2410_ = _e1379;
-                                    phi_2411_ = _e1381;
-                                    phi_2412_ = _e1383;
-                                    phi_2413_ = _e1385;
+                                    let _e1377 = phi_2609_;
+                                    let _e1379 = phi_2407_;
+                                    let _e1381 = phi_2408_;
+                                    let _e1383 = phi_2409_;
+                                    let _e1385 = phi_2410_;
+                                    let _e1387 = phi_2411_;
+                                    phi_2608_ = _e1377;
+                                    phi_2412_ = _e1379;
+                                    phi_2413_ = _e1381;
+                                    phi_2414_ = _e1383;
+                                    phi_2415_ = _e1385;
+                                    phi_2416_ = _e1387;
                                 } else {
-                                    phi_2605_ = _e481;
-                                    phi_2409_ = type_55();
-                                    phi_2410_ = u32();
-                                    phi_2411_ = u32();
-                                    phi_2412_ = bool();
+                                    phi_2608_ = _e481;
+                                    phi_2412_ = type_55();
                                     phi_2413_ = u32();
+                                    phi_2414_ = u32();
+                                    phi_2415_ = bool();
+                                    phi_2416_ = u32();
                                 }
-                                let _e1387 = phi_2605_;
-                                let _e1389 = phi_2409_;
-                                let _e1391 = phi_2410_;
-                                let _e1393 = phi_2411_;
-                                let _e1395 = phi_2412_;
-                                let _e1397 = phi_2413_;
-                                phi_2604_ = _e1387;
-                                phi_798_ = _e1389;
-                                phi_801_ = _e1391;
-                                phi_803_ = _e1393;
-                                phi_805_ = _e1395;
-                                phi_807_ = _e1397;
-                                phi_2414_ = _e495;
+                                let _e1389 = phi_2608_;
+                                let _e1391 = phi_2412_;
+                                let _e1393 = phi_2413_;
+                                let _e1395 = phi_2414_;
+                                let _e1397 = phi_2415_;
+                                let _e1399 = phi_2416_;
+                                phi_2607_ = _e1389;
+                                phi_798_ = _e1391;
+                                phi_801_ = _e1393;
+                                phi_803_ = _e1395;
+                                phi_805_ = _e1397;
+                                phi_807_ = _e1399;
+                                phi_2417_ = _e495;
                             } else {
-                                phi_2604_ = _e481;
+                                phi_2607_ = _e481;
                                 phi_798_ = type_55();
                                 phi_801_ = u32();
                                 phi_803_ = u32();
                                 phi_805_ = bool();
                                 phi_807_ = u32();
-                                phi_2414_ = false;
+                                phi_2417_ = false;
                             }
-                            let _e1399 = phi_2604_;
-                            let _e1401 = phi_798_;
-                            let _e1403 = phi_801_;
-                            let _e1405 = phi_803_;
-                            let _e1407 = phi_805_;
-                            let _e1409 = phi_807_;
-                            let _e1411 = phi_2414_;
+                            let _e1401 = phi_2607_;
+                            let _e1403 = phi_798_;
+                            let _e1405 = phi_801_;
+                            let _e1407 = phi_803_;
+                            let _e1409 = phi_805_;
+                            let _e1411 = phi_807_;
+                            let _e1413 = phi_2417_;
                             continue;
                             continuing {
-                                phi_2483_ = _e1399;
-                                phi_797_ = _e1401;
-                                phi_800_ = _e1403;
-                                phi_802_ = _e1405;
-                                phi_804_ = _e1407;
-                                phi_806_ = _e1409;
-                                phi_2603_ = _e1399;
-                                break if !(_e1411);
+                                phi_2486_ = _e1401;
+                                phi_797_ = _e1403;
+                                phi_800_ = _e1405;
+                                phi_802_ = _e1407;
+                                phi_804_ = _e1409;
+                                phi_806_ = _e1411;
+                                phi_2606_ = _e1401;
+                                break if !(_e1413);
                             }
                         }
-                        let _e1414 = phi_2603_;
-                        if _e1414 {
+                        let _e1416 = phi_2606_;
+                        if _e1416 {
                             break;
                         }
-                        let _e1416 = local_3;
-                        if _e1416.member_1 {
+                        let _e1418 = local_3;
+                        if _e1418.member_1 {
                         } else {
                             if _e95 {
                             } else {
                                 break;
                             }
-                            let _e1420 = global_9.member[_e93];
+                            let _e1422 = global_9.member[_e93];
                             if _e94 {
                             } else {
                                 break;
                             }
-                            let _e1424 = global_8.member[_e93].member_1;
+                            let _e1426 = global_8.member[_e93].member_1;
                             if _e95 {
                             } else {
                                 break;
                             }
-                            global_9.member[_e93] = type_30(_e1420.member, _e1420.member_1, _e1420.member_2, array<f32, 3>((_e1420.member_3[0] + (_e1424[0] * _e1420.member_1[0])), (_e1420.member_3[1] + (_e1424[1] * _e1420.member_1[1])), (_e1420.member_3[2] + (_e1424[2] * _e1420.member_1[2]))), _e1420.member_4);
+                            global_9.member[_e93] = type_30(_e1422.member, _e1422.member_1, _e1422.member_2, array<f32, 3>((_e1422.member_3[0] + (_e1426[0] * _e1422.member_1[0])), (_e1422.member_3[1] + (_e1426[1] * _e1422.member_1[1])), (_e1422.member_3[2] + (_e1426[2] * _e1422.member_1[2]))), _e1422.member_4);
                         }
                     }
                 }

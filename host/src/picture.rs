@@ -35,6 +35,9 @@ pub struct RenderSettings {
     pub view: View,
     /// How many mirrors a path may meet.
     pub mirror_depth: u32,
+    /// Whether shadow rays also go where there is no light: from surfaces that face away from it, beyond its range, to a
+    /// black one. The picture stays the same.
+    pub dark_rays: bool,
 }
 
 impl Default for RenderSettings {
@@ -44,6 +47,7 @@ impl Default for RenderSettings {
             sample_count: 1,
             view: View::Color,
             mirror_depth: 4,
+            dark_rays: false,
         }
     }
 }

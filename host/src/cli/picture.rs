@@ -35,6 +35,11 @@ pub struct PictureArguments {
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = |text: &str| options::whole(text, 0..=64))]
     mirror_depth: u32,
 
+    /// Trace shadow rays where there is no light, too: from surfaces that face away, beyond a light's range, to black lights.
+    /// The picture stays the same
+    #[arg(long)]
+    dark_rays: bool,
+
     /// Bits of the codes that order triangles: 30, or 63 for scenes with small details
     #[arg(long, value_enum, default_value_t = Codes::Bits30)]
     codes: Codes,
@@ -56,6 +61,7 @@ impl PictureArguments {
             sample_count: self.spp,
             view: self.view,
             mirror_depth: self.mirror_depth,
+            dark_rays: self.dark_rays,
         }
     }
 

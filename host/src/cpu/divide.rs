@@ -4,7 +4,7 @@ use super::select::Selection;
 use crate::{Mesh, Stages};
 use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
-use slimbvh_core::classify::{Reach, is_in_set};
+use slimbvh_core::classify::{Reach, word_of_set};
 use slimbvh_core::float::PowerOfTwo;
 
 /// Finds the triangles that rays from or to a target may hit, and keeps its buffers from one target to the next.
@@ -34,8 +34,8 @@ impl Division {
         let (selection, primitives) = (&mut self.selection, &mut self.primitives);
         let mut stages = Stages::default();
         stages.time("classify", || {
-            let is_in_set = |i: usize| is_in_set(i as u32, &triangles, &scale, &reach);
-            selection.mark(mesh.indices.len(), is_in_set);
+            let word = |word| word_of_set(word, &triangles, &scale, &reach);
+            selection.mark_words(mesh.indices.len().div_ceil(32), word);
         });
         let count = stages.time("scan", || selection.scan());
         stages.time("compact", || {

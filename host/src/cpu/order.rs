@@ -6,7 +6,7 @@ use super::sort::Sorter;
 use crate::Stages;
 use rayon::prelude::*;
 use slimbvh_core::bounds::run_bounds;
-use slimbvh_core::classify::{Reach, is_in_set};
+use slimbvh_core::classify::{Reach, word_of_set};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::{Aabb, IndexedTriangles, LeafTriangle};
@@ -136,8 +136,9 @@ impl<const W: usize> Order<W> {
         reach: &Reach,
     ) -> usize {
         let reach = reach.scaled(scale);
-        let is_in_set = |i: usize| is_in_set(i as u32, triangles, scale, &reach);
-        self.members.select(triangles.indices.len(), is_in_set)
+        let word = |word| word_of_set(word, triangles, scale, &reach);
+        self.members
+            .fill(triangles.indices.len().div_ceil(32), word)
     }
 
     /// How many triangles were sorted last.

@@ -13,7 +13,7 @@ use slimbvh_core::ray::{Hit, PreparedRay};
 use slimbvh_core::sampling::Draw;
 use slimbvh_core::shade::{
     Environment, Light as CoreLight, Material as CoreMaterial, Path, Shadow, ambient_light,
-    direct_light,
+    direct_light, direct_light_or_dark,
 };
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
@@ -45,6 +45,7 @@ struct Stage<'a> {
     lights: Vec<CoreLight>,
     materials: Vec<CoreMaterial>,
     environment: Environment,
+    dark_rays: bool,
 }
 
 impl Renderer {
@@ -418,6 +419,7 @@ impl<'a> Stage<'a> {
                 .collect::<Result<_, ViewError>>()?,
             materials: scene.core_materials(),
             environment: Scene::environment(camera.up),
+            dark_rays: settings.dark_rays,
         })
     }
 
@@ -429,7 +431,12 @@ impl<'a> Stage<'a> {
             sample_count: self.camera.sample_count,
             bounce,
         };
-        direct_light(&surface, hit.primitive, &material, &light.sampled(&draw))
+        let light = light.sampled(&draw);
+        if self.dark_rays {
+            direct_light_or_dark(&surface, hit.primitive, &material, &light)
+        } else {
+            direct_light(&surface, hit.primitive, &material, &light)
+        }
     }
 
     /// The point that a path hit, and what it is made of.

@@ -42,7 +42,7 @@ impl Selection {
         });
     }
 
-    fn mark_words(&mut self, word_count: usize, word: impl Fn(u32) -> u32 + Sync) {
+    pub fn mark_words(&mut self, word_count: usize, word: impl Fn(u32) -> u32 + Sync) {
         self.bits.resize(word_count, 0);
         self.before.resize(word_count, 0);
         let bits = self.bits.par_chunks_mut(WORDS);

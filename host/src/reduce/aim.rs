@@ -115,7 +115,11 @@ impl Aim {
 /// The camera and each light, whole as long as nothing is known.
 pub fn aims(asked: &Asked) -> Result<Vec<Aim>, ViewError> {
     let RenderSettings {
-        size, sample_count, ..
+        size,
+        sample_count,
+        view,
+        dark_rays,
+        ..
     } = *asked.settings;
     let Scene {
         cameras, lights, ..
@@ -126,7 +130,7 @@ pub fn aims(asked: &Asked) -> Result<Vec<Aim>, ViewError> {
     for (index, light) in lights.iter().enumerate() {
         let light = light.to_core(index)?;
         let mut aim = Aim::new(AimKind::Lights, vec![index], light_target(&light));
-        let is_used = asked.settings.view == View::Color && light.color != [0.0; 3];
+        let is_used = view == View::Color && (dark_rays || light.color != [0.0; 3]);
         if !is_used {
             aim.choice = Choice::Unused;
         }

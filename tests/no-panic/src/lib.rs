@@ -5,7 +5,7 @@
 use core::panic::PanicInfo;
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent};
 use slimbvh_core::camera::Camera;
-use slimbvh_core::classify::{Except, Facing, Reach, Sides, is_in_set};
+use slimbvh_core::classify::{Except, Facing, Reach, Sides, is_in_set, word_of_set};
 use slimbvh_core::color::{pack_texel, srgb_bytes};
 use slimbvh_core::compact::{is_set, pack_lanes, rank};
 use slimbvh_core::decide::{
@@ -20,7 +20,7 @@ use slimbvh_core::refit::{PyramidBox, group_bounds, parent_bounds, refit_node};
 use slimbvh_core::sampling::Draw;
 use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
 use slimbvh_core::shade::{
-    Environment, Light, Material, Path, Shadow, ambient_light, direct_light, mean_radiance,
+    Environment, Light, Material, Path, Shadow, ambient_light, direct_light_or_dark, mean_radiance,
 };
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::sort::{
@@ -160,7 +160,9 @@ pub fn trace(
 pub fn classify(primitive: u32, mesh: &IndexedTriangles, reach: &Reach, flags: &[u32; 64]) -> u32 {
     let scale = PowerOfTwo::new(5);
     let reach = reach.scaled(&scale);
-    u32::from(is_in_set(primitive, mesh, &scale, &reach)) ^ pack_lanes(primitive, flags)
+    u32::from(is_in_set(primitive, mesh, &scale, &reach))
+        ^ word_of_set(primitive, mesh, &scale, &reach)
+        ^ pack_lanes(primitive, flags)
 }
 
 #[unsafe(no_mangle)]
@@ -208,7 +210,7 @@ pub fn shade(
         path.with_light(ambient_light(material, environment))
             .scattered(&surface, material, hit.primitive),
         path.escaped(environment),
-        direct_light(
+        direct_light_or_dark(
             &surface,
             hit.primitive,
             material,

@@ -76,6 +76,7 @@ const SETTINGS: RenderSettings = RenderSettings {
     sample_count: 2,
     view: slimbvh::View::Color,
     mirror_depth: 0,
+    dark_rays: false,
 };
 
 /// The eye, the sun and the lamp.

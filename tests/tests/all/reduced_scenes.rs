@@ -18,6 +18,7 @@ const SETTINGS: RenderSettings = RenderSettings {
     sample_count: 1,
     view: slimbvh::View::Color,
     mirror_depth: 2,
+    dark_rays: false,
 };
 
 /// Pixels of a thousand that may differ from a picture without the rule.

@@ -21,6 +21,7 @@ const SETTINGS: RenderSettings = RenderSettings {
     sample_count: 1,
     view: slimbvh::View::Color,
     mirror_depth: 2,
+    dark_rays: false,
 };
 
 /// Pictures for controls.

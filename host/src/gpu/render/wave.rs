@@ -148,7 +148,8 @@ impl Plan<'_> {
         let exponent = Uniform::Stored(&self.trees.primary.built.exponent);
         let each = || threads(wave.sample_count);
         for depth in 0..=self.mirror_depth {
-            let draw = [self.settings.sample_count, depth, 0, 0];
+            let dark_rays = u32::from(self.settings.dark_rays);
+            let draw = [self.settings.sample_count, depth, dark_rays, 0];
             for i in 0..self.light_count as u64 {
                 let light = all
                     .view

@@ -24,6 +24,7 @@ const SETTINGS: RenderSettings = RenderSettings {
     sample_count: 1,
     view: slimbvh::View::Color,
     mirror_depth: 2,
+    dark_rays: false,
 };
 
 /// Decides all targets in one frame, the first being the eye of the others, which take the smaller sets.

@@ -75,6 +75,35 @@ fn check(gpu: &Gpu, what: &str, scene: &Scene, settings: &RenderSettings) {
     }
 }
 
+/// Without them there are fewer, and none to a black light or one that reaches nothing; the picture is the same.
+#[test]
+fn rays_to_where_no_light_comes_from_change_nothing() {
+    let mut scene = hall_of_mirrors();
+    for (color, range) in [([0.0; 3], f32::INFINITY), ([9.0; 3], 1e-3)] {
+        let position = [0.0, 2.0, 1.0];
+        scene.lights.push(Light::Point {
+            position,
+            color,
+            range,
+        });
+    }
+    let settings = settings(View::Color);
+    let dark = RenderSettings {
+        dark_rays: true,
+        ..settings
+    };
+    let hit_count = |report: &RenderReport| {
+        report.primary_hit_count * scene.lights.len() as u64 <= report.shadow_ray_count
+    };
+    let (a, a_report) = of_cpu(&scene, &settings);
+    let (b, b_report) = of_cpu(&scene, &dark);
+    assert!(a == b && !hit_count(&a_report) && hit_count(&b_report));
+    let Some(gpu) = gpu() else { return };
+    let (a, a_report) = of_gpu(gpu, &scene, &settings);
+    let (b, b_report) = of_gpu(gpu, &scene, &dark);
+    assert!(a == b && !hit_count(&a_report) && hit_count(&b_report));
+}
+
 fn look_at(eye: [f32; 3], target: [f32; 3], projection: Projection) -> Camera {
     Camera {
         eye,
