@@ -33,10 +33,11 @@ pub struct Costs {
 
 impl Costs {
     /// Measured on two cores of a shared server with the CPU backend, at 1280x720 and one sample a pixel, in default views
-    /// of the Stanford dragon (871,414 triangles) and the armadillo (52,000), with 0, 1 and 2 suns; least of five runs.
-    /// Dragon and armadillo in this order: sort 61 and 50, tree 127 and 80, classify 18 (triangles in the mesh's order), topology 200 and 208,
-    /// seams 1400 and 1570, primary 7.8 and 5.0, shadow 39 and 33 a level, shadow rays 0.18 and 0.09. A set of half the
-    /// triangles took 0.92 and 0.97 of the whole tree's time a ray; one level less makes it 0.95 and 0.94.
+    /// of the Stanford dragon (871,414 triangles) and the armadillo (52,000), with one light; least of five runs (`slimbvh
+    /// render FILE --threads 2 --json -`, with `--reduce off` and `--reduce on`). Dragon and armadillo in this order: sort 25
+    /// and 26, tree 61 and 58, classify 8 and 7 (with the order of the mesh, of half the triangles), topology 143 and 156,
+    /// seams 600 and 560, primary 2.8 and 1.9, shadow 16 and 14 a level, shadow rays 0.18 and 0.09. A set of half the
+    /// triangles took 0.92 of the whole tree's time a ray from the camera; one level less makes it 0.95 and 0.94.
     ///
     /// For shadow rays in sets of either half, nodes were counted (`slimbvh reproduce reduced`): of doll, toasters, 24-cell and
     /// armadillo a ray opens 0.31, 0.60, 0.56 and 0.31 times as many in L− as in L+. With 39 % of the triangles in both sets, of
@@ -45,13 +46,13 @@ impl Costs {
     ///
     /// The GPU backend goes by them as well: there all but the survey is faster, so plans for few frames still decline.
     pub const MEASURED: Self = Self {
-        sort: 60.0,
-        tree: 125.0,
-        classify: 18.0,
-        topology: 205.0,
-        seams: 1450.0,
-        primary_level: 6.5,
-        shadow_level: 36.0,
+        sort: 26.0,
+        tree: 62.0,
+        classify: 7.5,
+        topology: 150.0,
+        seams: 600.0,
+        primary_level: 2.5,
+        shadow_level: 15.0,
         shadow_rays: 0.2,
         away: 0.5,
         both: 0.75,

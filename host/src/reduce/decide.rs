@@ -5,6 +5,9 @@ use super::{Asked, Costs, Reduce};
 
 const COSTS: Costs = Costs::MEASURED;
 
+/// How many times what it takes a survey must promise to save: that half can be left out is a hope.
+const CAUTION: f64 = 2.0;
+
 /// What a set keeps of a closed surface, before anything is known of it.
 const LIKELY_SHARE: f64 = 0.5;
 
@@ -92,13 +95,13 @@ pub fn decline(asked: &Asked, candidates: &[Candidate], has_mirrors: bool) -> Op
     let (saving, _) = best_saving(&hoped, asked, has_mirrors);
     let survey = COSTS.survey_ms(count, asked.switches.seams);
     let frame_count = f64::from(asked.frame_count);
-    (saving * frame_count <= survey).then(|| {
+    (saving * frame_count <= CAUTION * survey).then(|| {
         let frames = match asked.frame_count {
             1 => "the one frame".to_owned(),
             count => format!("{count} frames"),
         };
         format!(
-            "finding out what may be left out takes about {survey:.1} ms, and would save about {:.1} ms in {frames}",
+            "finding out what may be left out takes about {survey:.1} ms; it should save {CAUTION} times as much, and hardly saves more than {:.1} ms in {frames}",
             saving * frame_count
         )
     })
