@@ -12,7 +12,7 @@ use crate::frustum::Frustum;
 use crate::orientation::{Orientation, Target};
 use crate::ray::NO_PRIMITIVE;
 use crate::snap::snap_triangle;
-use crate::trace::{Rule, TriangleSource};
+use crate::trace::Rule;
 use crate::triangle::{IndexedTriangles, Triangle};
 use glam::Vec3;
 
@@ -162,7 +162,7 @@ pub struct Facing<'a> {
 
 impl Rule for Facing<'_> {
     #[inline(always)]
-    fn counts<T: TriangleSource>(&self, place: u32, primitive: u32, triangles: &T) -> bool {
+    fn counts(&self, primitive: u32, corners: &[[f32; 3]; 3], axes: [u32; 3]) -> bool {
         if primitive == self.skip {
             return false;
         }
@@ -170,13 +170,25 @@ impl Rule for Facing<'_> {
         if side == 0 {
             return true;
         }
-        let corners = triangles.corners(place, [0, 1, 2]);
         let triangle = Triangle {
-            v0: Vec3::from_array(corners[0]),
-            v1: Vec3::from_array(corners[1]),
-            v2: Vec3::from_array(corners[2]),
+            v0: in_mesh_order(corners[0], axes),
+            v1: in_mesh_order(corners[1], axes),
+            v2: in_mesh_order(corners[2], axes),
         };
         faces(&triangle, side, &self.target)
+    }
+}
+
+/// A vertex whose coordinates are in the order of a ray's axes, each the next after the last.
+#[inline(always)]
+fn in_mesh_order(v: [f32; 3], axes: [u32; 3]) -> Vec3 {
+    let [a, b, c] = v;
+    if axes[0] == 0 {
+        Vec3::new(a, b, c)
+    } else if axes[0] == 1 {
+        Vec3::new(c, a, b)
+    } else {
+        Vec3::new(b, c, a)
     }
 }
 
@@ -191,7 +203,7 @@ impl Except {
 
 impl Rule for Except {
     #[inline(always)]
-    fn counts<T: TriangleSource>(&self, _: u32, primitive: u32, _: &T) -> bool {
+    fn counts(&self, primitive: u32, _: &[[f32; 3]; 3], _: [u32; 3]) -> bool {
         primitive != self.0
     }
 }

@@ -1,4 +1,7 @@
-//! Floats to integers by their bits, so that every device finds the same integer.
+//! Floats to integers by their bits, so that every device finds the same integer; boxes of such integers.
+
+use crate::aabb::Aabb;
+use bytemuck::{Pod, Zeroable};
 
 /// The multiple of `2^step_exponent` nearest to `x`, ties away from zero, as a count of steps.
 ///
@@ -31,6 +34,92 @@ pub const fn to_lattice(x: f32, step_exponent: i32) -> i32 {
     (magnitude as i32 ^ sign) - sign
 }
 
+/// The largest multiple of `2^step_exponent` that is not above `x`, as a count of steps.
+///
+/// Monotone, and without float arithmetic. `x` must be finite with `|x| < 2^(step_exponent + 30)`.
+#[inline(always)]
+#[must_use]
+pub const fn lattice_floor(x: f32, step_exponent: i32) -> i32 {
+    let (magnitude, has_rest) = magnitude_in_steps(x, step_exponent);
+    let sign = x.to_bits() as i32 >> 31;
+    // Below zero, what is cut off counts as a whole step.
+    let away = magnitude as i32 + (has_rest & (sign != 0)) as i32;
+    (away ^ sign) - sign
+}
+
+/// The smallest multiple of `2^step_exponent` that is not below `x`, as a count of steps.
+///
+/// Monotone, and without float arithmetic. `x` must be finite with `|x| < 2^(step_exponent + 30)`.
+#[inline(always)]
+#[must_use]
+pub const fn lattice_ceil(x: f32, step_exponent: i32) -> i32 {
+    -lattice_floor(-x, step_exponent)
+}
+
+/// How many whole steps a magnitude holds, and whether anything is left of it.
+#[inline(always)]
+const fn magnitude_in_steps(x: f32, step_exponent: i32) -> (u32, bool) {
+    let bits = x.to_bits();
+    let biased = (bits >> 23) & 0xff;
+    let is_normal = (biased != 0) as u32;
+    let significand = (bits & 0x007f_ffff) | (is_normal << 23);
+    let shift = step_exponent - (biased as i32 - is_normal as i32 + 1 - 150);
+    let left = if shift < 0 { -shift } else { 0 };
+    let right = if shift < 0 {
+        0
+    } else if shift > 31 {
+        31
+    } else {
+        shift
+    };
+    let whole = significand.wrapping_shl(left as u32) >> right;
+    let rest = significand & ((1u32 << right) - 1);
+    (whole, rest != 0)
+}
+
+/// A box on the lattice, in steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct LatticeBox {
+    /// Bytes 0–11: smallest coordinates.
+    pub min: [i32; 3],
+    /// Bytes 12–23: largest coordinates.
+    pub max: [i32; 3],
+}
+
+const _: () = assert!(size_of::<LatticeBox>() == 24);
+
+impl LatticeBox {
+    /// A box with nothing in it but the origin; all bits zero.
+    pub const ZERO: Self = Self {
+        min: [0; 3],
+        max: [0; 3],
+    };
+
+    /// The smallest box on the lattice that holds another, whose coordinates are less than `2^(step_exponent + 30)`.
+    #[inline(always)]
+    #[must_use]
+    pub fn around(bounds: &Aabb, step_exponent: i32) -> Self {
+        let (a, b) = (bounds.min, bounds.max);
+        let floor = |x: f32| lattice_floor(x, step_exponent);
+        let ceil = |x: f32| lattice_ceil(x, step_exponent);
+        Self {
+            min: [floor(a.x), floor(a.y), floor(a.z)],
+            max: [ceil(b.x), ceil(b.y), ceil(b.z)],
+        }
+    }
+
+    /// Whether the whole of `other` lies inside.
+    #[must_use]
+    pub fn contains(&self, other: &Self) -> bool {
+        let mut contains = true;
+        for axis in 0..3 {
+            contains &= self.min[axis] <= other.min[axis] && self.max[axis] >= other.max[axis];
+        }
+        contains
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -49,11 +138,39 @@ mod tests {
         assert_eq!(to_lattice(f32::from_bits(3), -149), 3);
     }
 
+    #[test]
+    fn floors_and_ceilings_of_known_values() {
+        for (x, e, floor, ceil) in [
+            (0.0, -10, 0, 0),
+            (-0.0, -10, 0, 0),
+            (1.5, 0, 1, 2),
+            (-1.5, 0, -2, -1),
+            (1e-30, 0, 0, 1),
+            (-1e-30, 0, -1, 0),
+            (f32::from_bits(1), -24, 0, 1),
+            (0.75, -24, 3 << 22, 3 << 22),
+            (1.0, -24, 1 << 24, 1 << 24),
+        ] {
+            assert_eq!(
+                (lattice_floor(x, e), lattice_ceil(x, e)),
+                (floor, ceil),
+                "{x} {e}"
+            );
+        }
+    }
+
     proptest! {
         #[test]
         fn nearest_step(x in -1.0f32..1.0, e in -24i32..0) {
             let exact = f64::from(x) * 2f64.powi(-e);
             prop_assert_eq!(f64::from(to_lattice(x, e)), exact.round());
+        }
+
+        #[test]
+        fn nothing_comes_between_a_number_and_its_floor_and_ceiling(x in prop_oneof![-1.0f32..1.0, -1e-6f32..1e-6], e in -24i32..0) {
+            let exact = f64::from(x) * 2f64.powi(-e);
+            prop_assert_eq!(f64::from(lattice_floor(x, e)), exact.floor());
+            prop_assert_eq!(f64::from(lattice_ceil(x, e)), exact.ceil());
         }
 
         #[test]

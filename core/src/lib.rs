@@ -17,6 +17,7 @@ pub mod classify;
 pub mod color;
 pub mod compact;
 pub mod decide;
+pub mod encode;
 pub mod float;
 pub mod frustum;
 pub mod lattice;

@@ -18,14 +18,17 @@ pub trait NodeSource {
     /// What names a node on the stack, with all that decoding it needs.
     type Cursor: Copy;
 
+    /// What decoding a leaf's triangles needs: its box, where that is their frame.
+    type Frame: Copy;
+
     /// Fills the stack before use; all bits zero, so that one constant does it.
     const UNUSED: Self::Cursor;
 
-    /// Where to begin.
-    fn root(&self) -> Self::Cursor;
+    /// Where to begin, for a ray whose axes are in this order.
+    fn root(&self, axes: [u32; 3]) -> Self::Cursor;
 
     /// What a cursor stands for: a leaf and its triangles, or an inner node.
-    fn leaf(&self, cursor: Self::Cursor) -> LeafRun;
+    fn leaf(&self, cursor: Self::Cursor) -> LeafRun<Self::Frame>;
 
     /// An inner node's children.
     fn children(&self, cursor: Self::Cursor, axes: [u32; 3]) -> Children<Self::Cursor>;
@@ -36,13 +39,26 @@ pub trait NodeSource {
 
 /// What a cursor stands for.
 #[derive(Clone, Copy, Debug)]
-pub struct LeafRun {
+pub struct LeafRun<F> {
     /// Whether it is a leaf at all.
     pub is_leaf: bool,
-    /// First triangle.
+    /// Where its triangles begin.
     pub first: u32,
     /// How many.
     pub count: u32,
+    /// In what they are to be read.
+    pub frame: F,
+}
+
+/// A triangle of a leaf.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<F> {
+    /// Where its leaf's triangles begin.
+    pub first: u32,
+    /// Its number among them.
+    pub number: u32,
+    /// In what they are to be read.
+    pub frame: F,
 }
 
 /// An inner node, opened.
@@ -56,19 +72,20 @@ pub struct Children<C> {
     pub right: C,
 }
 
-/// Where the traversal finds triangles.
-pub trait TriangleSource {
-    /// The corners of the triangle at a place in leaf order, coordinates in the order of the axes.
-    fn corners(&self, place: u32, axes: [u32; 3]) -> [[f32; 3]; 3];
+/// Where the traversal finds triangles, in leaves with frames of this kind.
+pub trait TriangleSource<F: Copy> {
+    /// The corners of a triangle, coordinates in the order of the axes, as the frame's are.
+    fn corners(&self, place: &Place<F>, axes: [u32; 3]) -> [[f32; 3]; 3];
 
     /// Its index in the caller's list.
-    fn primitive(&self, place: u32) -> u32;
+    fn primitive(&self, place: &Place<F>) -> u32;
 }
 
 /// Which triangles count for a ray.
 pub trait Rule {
-    /// Whether a triangle that the ray meets counts.
-    fn counts<T: TriangleSource>(&self, place: u32, primitive: u32, triangles: &T) -> bool;
+    /// Whether a triangle that the ray meets counts, by its index in the caller's list and its corners, coordinates in the
+    /// order of the axes.
+    fn counts(&self, primitive: u32, corners: &[[f32; 3]; 3], axes: [u32; 3]) -> bool;
 }
 
 /// The stack holds one entry a level below the root. Trees of 63-bit codes have at most 63 + 28 levels
@@ -81,14 +98,14 @@ const _: () = assert!(STACK_SIZE as u32 > depth_bound(63, crate::MAX_TRIANGLES))
 ///
 /// A node is passed over only if the ray misses its box or enters it beyond the collector's limit.
 #[inline(always)]
-pub fn traverse<N: NodeSource, T: TriangleSource, R: Rule, C: Collector>(
+pub fn traverse<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
     nodes: &N,
     triangles: &T,
     ray: &PreparedRay,
     rule: &R,
     collector: &mut C,
 ) {
-    let mut cursor = nodes.root();
+    let mut cursor = nodes.root(ray.axes);
     let mut stack = [N::UNUSED; STACK_SIZE];
     let mut stack_enter = [0.0f32; STACK_SIZE];
     let mut depth = 0usize;
@@ -106,16 +123,17 @@ pub fn traverse<N: NodeSource, T: TriangleSource, R: Rule, C: Collector>(
             steps -= 1;
             let run = nodes.leaf(cursor);
             if run.is_leaf {
-                for place in run.first..run.first + run.count {
+                for number in 0..run.count {
                     collector.count_triangle();
-                    let primitive = triangles.primitive(place);
-                    let hit = intersect(
-                        ray,
-                        triangles.corners(place, ray.axes),
-                        collector.limit(),
-                        primitive,
-                    );
-                    if hit.is_hit() && rule.counts(place, primitive, triangles) {
+                    let place = Place {
+                        first: run.first,
+                        number,
+                        frame: run.frame,
+                    };
+                    let primitive = triangles.primitive(&place);
+                    let corners = triangles.corners(&place, ray.axes);
+                    let hit = intersect(ray, corners, collector.limit(), primitive);
+                    if hit.is_hit() && rule.counts(primitive, &corners, ray.axes) {
                         collector.offer(hit);
                     }
                 }
@@ -147,7 +165,7 @@ pub fn traverse<N: NodeSource, T: TriangleSource, R: Rule, C: Collector>(
 /// The hit with the smallest `(t, primitive)`, or [`Hit::MISS`].
 #[inline]
 #[must_use]
-pub fn closest_hit<N: NodeSource, T: TriangleSource, R: Rule>(
+pub fn closest_hit<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule>(
     nodes: &N,
     triangles: &T,
     ray: &Ray,
@@ -164,7 +182,7 @@ pub fn closest_hit<N: NodeSource, T: TriangleSource, R: Rule>(
 #[doc(alias = "occluded")]
 #[inline]
 #[must_use]
-pub fn any_hit<N: NodeSource, T: TriangleSource, R: Rule>(
+pub fn any_hit<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule>(
     nodes: &N,
     triangles: &T,
     ray: &Ray,
@@ -180,7 +198,7 @@ pub fn any_hit<N: NodeSource, T: TriangleSource, R: Rule>(
 /// The K hits with the smallest `(t, primitive)` in order, the rest [`Hit::MISS`].
 #[inline]
 #[must_use]
-pub fn nearest_hits<const K: usize, N: NodeSource, T: TriangleSource>(
+pub fn nearest_hits<const K: usize, N: NodeSource, T: TriangleSource<N::Frame>>(
     nodes: &N,
     triangles: &T,
     ray: &Ray,

@@ -1,6 +1,6 @@
 //! Where nodes and triangles come from: the plain tree, and the brute-force list that every tree must agree with.
 
-use super::{Children, LeafRun, NodeSource, TriangleSource};
+use super::{Children, LeafRun, NodeSource, Place, TriangleSource};
 use crate::node::{Node, NodeRef};
 use crate::ray::NO_PRIMITIVE;
 use crate::slab::PlanePair;
@@ -12,10 +12,11 @@ pub struct PlainNodes<'a>(pub &'a [Node]);
 
 impl NodeSource for PlainNodes<'_> {
     type Cursor = NodeRef;
+    type Frame = ();
     const UNUSED: NodeRef = NodeRef::inner(0);
 
     #[inline(always)]
-    fn root(&self) -> NodeRef {
+    fn root(&self, _axes: [u32; 3]) -> NodeRef {
         if self.0.is_empty() {
             NodeRef::NOTHING
         } else {
@@ -24,11 +25,12 @@ impl NodeSource for PlainNodes<'_> {
     }
 
     #[inline(always)]
-    fn leaf(&self, cursor: NodeRef) -> LeafRun {
+    fn leaf(&self, cursor: NodeRef) -> LeafRun<()> {
         LeafRun {
             is_leaf: cursor.is_leaf(),
             first: cursor.first(),
             count: cursor.count(),
+            frame: (),
         }
     }
 
@@ -71,17 +73,19 @@ pub struct BruteForce(pub u32);
 
 impl NodeSource for BruteForce {
     type Cursor = ();
+    type Frame = ();
     const UNUSED: () = ();
 
     #[inline(always)]
-    fn root(&self) {}
+    fn root(&self, _axes: [u32; 3]) {}
 
     #[inline(always)]
-    fn leaf(&self, (): ()) -> LeafRun {
+    fn leaf(&self, (): ()) -> LeafRun<()> {
         LeafRun {
             is_leaf: true,
             first: 0,
             count: self.0,
+            frame: (),
         }
     }
 
@@ -104,10 +108,10 @@ impl NodeSource for BruteForce {
 #[derive(Clone, Copy)]
 pub struct LeafTriangles<'a>(pub &'a [LeafTriangle]);
 
-impl TriangleSource for LeafTriangles<'_> {
+impl<F: Copy> TriangleSource<F> for LeafTriangles<'_> {
     #[inline(always)]
-    fn corners(&self, place: u32, axes: [u32; 3]) -> [[f32; 3]; 3] {
-        let place = place as usize;
+    fn corners(&self, place: &Place<F>, axes: [u32; 3]) -> [[f32; 3]; 3] {
+        let place = (place.first + place.number) as usize;
         if place >= self.0.len() {
             return [[0.0; 3]; 3];
         }
@@ -123,8 +127,8 @@ impl TriangleSource for LeafTriangles<'_> {
     }
 
     #[inline(always)]
-    fn primitive(&self, place: u32) -> u32 {
-        let place = place as usize;
+    fn primitive(&self, place: &Place<F>) -> u32 {
+        let place = (place.first + place.number) as usize;
         if place < self.0.len() {
             self.0[place].primitive
         } else {

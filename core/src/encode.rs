@@ -1,0 +1,21 @@
+//! Stage `encode`: nodes and triangles in fewer bytes, boxes never smaller than what they hold.
+//!
+//! Two codecs. The **lattice** codec knows integers only: all planes lie on one lattice of the scene, a child's planes are
+//! counted from its decoded parent's, and what cannot be counted exactly is rounded outward. The **printed** codec (after
+//! the paper on compressed hierarchies that README cites) places planes by floats between those of the decoded parent; it is
+//! there to be measured against.
+
+mod lattice_leaf;
+mod lattice_node;
+mod links;
+mod printed;
+
+pub use lattice_leaf::{LatticeTriangles, LeafWidth, encode_triangle};
+pub use lattice_node::{
+    EncodedNode, LatticeCursor, LatticeNodes, decode_node, encode_node, node_words,
+};
+pub use links::Links;
+pub use printed::{
+    PrintedBox, PrintedCursor, PrintedNode, PrintedNodes, PrintedTriangle, PrintedTriangles,
+    encode_printed_node, encode_printed_triangle,
+};

@@ -1,0 +1,214 @@
+//! The lattice codec's triangle: its vertices, counted from the leaf's decoded box, exactly.
+
+use crate::lattice::LatticeBox;
+use crate::ray::NO_PRIMITIVE;
+use crate::trace::{Place, TriangleSource};
+
+/// How many bits a coordinate takes, by the extent of the leaf's box. All triangles of a leaf have the same.
+///
+/// ```text
+/// narrow   16 bytes   3 vertices × 1 word:   z (10 bits) y (10) x (10), from the box's min; index
+/// middle   28 bytes   3 vertices × 2 words:  z (21 bits) y (21) x (21), from the box's min; index
+/// wide     40 bytes   3 vertices × 3 words:  lattice coordinates; index
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LeafWidth {
+    /// No extent over 1023 steps.
+    Narrow,
+    /// No extent over 2^21 − 1 steps.
+    Middle,
+    /// Any.
+    Wide,
+}
+
+impl LeafWidth {
+    /// Of the triangles in a box.
+    #[inline(always)]
+    #[must_use]
+    pub fn of(bounds: &LatticeBox) -> Self {
+        let extent = |axis: usize| bounds.max[axis].wrapping_sub(bounds.min[axis]) as u32;
+        // Their bits together are as long as the longest.
+        let any = extent(0) | extent(1) | extent(2);
+        if any < 1 << 10 {
+            Self::Narrow
+        } else if any < 1 << 21 {
+            Self::Middle
+        } else {
+            Self::Wide
+        }
+    }
+
+    /// Words of a triangle.
+    #[inline(always)]
+    #[must_use]
+    pub const fn words(self) -> u32 {
+        3 * self.vertex_words() + 1
+    }
+
+    /// Words of a vertex.
+    #[inline(always)]
+    const fn vertex_words(self) -> u32 {
+        match self {
+            Self::Narrow => 1,
+            Self::Middle => 2,
+            Self::Wide => 3,
+        }
+    }
+}
+
+/// One thread per triangle. Reads its vertices in steps, its index and its leaf's box, decoded, in which it lies. Returns its
+/// words, of which the box tells how many count.
+#[inline]
+#[must_use]
+pub fn encode_triangle(vertices: &[[i32; 3]; 3], primitive: u32, bounds: &LatticeBox) -> [u32; 10] {
+    let width = LeafWidth::of(bounds);
+    let size = width.vertex_words() as usize;
+    let mut words = [0; 10];
+    for corner in 0..3usize {
+        let [x, y, z] = vertices[corner];
+        let from = |v: i32, min: i32| v.wrapping_sub(min) as u32;
+        let (a, b, c) = (
+            from(x, bounds.min[0]),
+            from(y, bounds.min[1]),
+            from(z, bounds.min[2]),
+        );
+        let to = corner * size;
+        match width {
+            LeafWidth::Narrow => words[to % 10] = a | b << 10 | c << 20,
+            LeafWidth::Middle => {
+                words[to % 10] = a | b << 21;
+                words[(to + 1) % 10] = b >> 11 | c << 10;
+            }
+            LeafWidth::Wide => {
+                words[to % 10] = x as u32;
+                words[(to + 1) % 10] = y as u32;
+                words[(to + 2) % 10] = z as u32;
+            }
+        }
+    }
+    words[(3 * size) % 10] = primitive;
+    words
+}
+
+/// Triangles of the lattice codec. A leaf's triangles begin at a word.
+#[derive(Clone, Copy)]
+pub struct LatticeTriangles<'a> {
+    /// Their words.
+    pub words: &'a [u32],
+    /// The lattice's step, a power of two.
+    pub step: f32,
+}
+
+impl LatticeTriangles<'_> {
+    /// Where a triangle's words begin.
+    #[inline(always)]
+    const fn begin(place: &Place<LatticeBox>, width: LeafWidth) -> u32 {
+        place.first.wrapping_add(place.number * width.words())
+    }
+}
+
+impl TriangleSource<LatticeBox> for LatticeTriangles<'_> {
+    #[inline(always)]
+    fn corners(&self, place: &Place<LatticeBox>, axes: [u32; 3]) -> [[f32; 3]; 3] {
+        let width = LeafWidth::of(&place.frame);
+        let begin = Self::begin(place, width);
+        let size = width.vertex_words();
+        let word = |i: u32| crate::load(self.words, begin.wrapping_add(i), 0);
+        let mut corners = [[0.0; 3]; 3];
+        for corner in 0..3u32 {
+            let at = corner * size;
+            let (a, b) = (word(at), word(at + 1));
+            for i in 0..3usize {
+                let axis = axes[i];
+                let min = place.frame.min[i];
+                let steps = match width {
+                    LeafWidth::Narrow => min.wrapping_add(((a >> (10 * axis)) & 0x3ff) as i32),
+                    LeafWidth::Middle => {
+                        let bits = if axis == 0 {
+                            a
+                        } else if axis == 1 {
+                            a >> 21 | b << 11
+                        } else {
+                            b >> 10
+                        };
+                        min.wrapping_add((bits & 0x001f_ffff) as i32)
+                    }
+                    LeafWidth::Wide => word(at + axis) as i32,
+                };
+                corners[corner as usize][i] = steps as f32 * self.step;
+            }
+        }
+        corners
+    }
+
+    #[inline(always)]
+    fn primitive(&self, place: &Place<LatticeBox>) -> u32 {
+        let width = LeafWidth::of(&place.frame);
+        let at = Self::begin(place, width).wrapping_add(3 * width.vertex_words());
+        crate::load(self.words, at, NO_PRIMITIVE)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn coordinates() -> impl Strategy<Value = [[i32; 3]; 3]> {
+        let extents = prop_oneof![Just(1i32 << 24), 0i32..1023, 0i32..3000, 0i32..(1 << 22)];
+        (extents, proptest::array::uniform3(-(1i32 << 24)..1 << 24)).prop_flat_map(
+            |(extent, center)| {
+                let near = move |i: usize| {
+                    (center[i] - extent / 2).max(-(1 << 24))..=(center[i] + extent / 2).min(1 << 24)
+                };
+                proptest::array::uniform3(
+                    (near(0), near(1), near(2)).prop_map(|(x, y, z)| [x, y, z]),
+                )
+            },
+        )
+    }
+
+    proptest! {
+        #[test]
+        fn vertices_come_back_exactly(vertices in coordinates(), slack in proptest::array::uniform3(0i32..9), primitive: u32, first in 0u32..50) {
+            let mut bounds = LatticeBox { min: vertices[0], max: vertices[0] };
+            for axis in 0..3 {
+                for vertex in vertices {
+                    bounds.min[axis] = bounds.min[axis].min(vertex[axis]);
+                    bounds.max[axis] = bounds.max[axis].max(vertex[axis]);
+                }
+                bounds.min[axis] -= slack[axis];
+                bounds.max[axis] += slack[axis];
+            }
+            let width = LeafWidth::of(&bounds);
+            let mut words = std::vec![7; first as usize + 2 * width.words() as usize];
+            let own = encode_triangle(&vertices, primitive, &bounds);
+            let at = (first + width.words()) as usize;
+            words[at..].copy_from_slice(&own[..width.words() as usize]);
+            let triangles = LatticeTriangles { words: &words, step: 0.5 };
+            for axes in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
+                let order = |v: [i32; 3]| axes.map(|axis: u32| v[axis as usize]);
+                let frame = LatticeBox { min: order(bounds.min), max: order(bounds.max) };
+                let place = Place { first, number: 1, frame };
+                let expected = vertices.map(|v| order(v).map(|x| x as f32 * 0.5));
+                prop_assert_eq!(triangles.corners(&place, axes), expected);
+                prop_assert_eq!(triangles.primitive(&place), primitive);
+            }
+        }
+    }
+
+    #[test]
+    fn widths_end_where_they_say() {
+        let of = |extent: i32| {
+            LeafWidth::of(&LatticeBox {
+                min: [5; 3],
+                max: [5, 5 + extent, 6],
+            })
+        };
+        assert_eq!([of(0), of(1023), of(1024)].map(LeafWidth::words), [4, 4, 7]);
+        assert_eq!(
+            [of((1 << 21) - 1), of(1 << 21)].map(LeafWidth::words),
+            [7, 10]
+        );
+    }
+}

@@ -1,0 +1,466 @@
+//! The lattice codec's node: both children's boxes and what they are, in 12 to 28 bytes.
+//!
+//! Of both children's planes on one side of their parent, one is the parent's own, as a parent is no larger than its children
+//! need. So a side takes one bit for which child has it, and one number for how far inside the other's plane lies: half of
+//! what two boxes take (Fabianowski and Dingliana 2009, "Compact BVH Storage for Ray Tracing and Photon Mapping", share planes
+//! so). The number counts steps of a power of two that follows from the decoded parent's extent, and is rounded down: outward
+//! on both sides. Nothing overflows, no child leaves its parent, and all is exact.
+//!
+//! ```text
+//! shift = bits(max − min) − BITS, or 0
+//! inner min = min + (number << shift)
+//! inner max = max − (number << shift)
+//! ```
+//!
+//! Words of a node: those of [`Links`] that have no other place, then for each axis its lower and its upper side, in one word
+//! up to 15 bits, else in two. What an axis leaves free takes links: for 10 bits
+//!
+//! ```text
+//! word 0      links word 0
+//! word 1–3    llllllllll h uuuuuuuuuu g nnnnnnnnnn   from the top: 10 bits of links word 1, which child has the upper side (0
+//!             left, 1 right), the other's upper number, the same of the lower side
+//! ```
+
+use super::lattice_leaf::LeafWidth;
+use super::links::Links;
+use crate::lattice::LatticeBox;
+use crate::node::NodeRef;
+use crate::slab::PlanePair;
+use crate::trace::{Children, LeafRun, NodeSource};
+
+/// Words of an axis.
+const fn axis_words(bits: u32) -> usize {
+    if bits <= 15 { 1 } else { 2 }
+}
+
+/// Bits that an axis leaves free in its last word.
+const fn free_bits(bits: u32) -> u32 {
+    32 - (bits + 1) * (2 / axis_words(bits) as u32)
+}
+
+/// Words before the axes.
+const fn link_words(bits: u32) -> usize {
+    if free_bits(bits) >= 21 {
+        0
+    } else if free_bits(bits) >= 10 {
+        1
+    } else {
+        2
+    }
+}
+
+/// Words of a node with numbers of 1 to 21 bits: 3 for up to 4, 4 for up to 10, 5 for up to 15, 7 for more.
+#[must_use]
+pub const fn node_words(bits: u32) -> usize {
+    link_words(bits) + 3 * axis_words(bits)
+}
+
+/// A node in words, and its children's boxes as they come out of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EncodedNode<const WORDS: usize> {
+    /// What is stored.
+    pub words: [u32; WORDS],
+    /// The left child's box, decoded.
+    pub left: LatticeBox,
+    /// The right child's box, decoded.
+    pub right: LatticeBox,
+}
+
+/// One thread per node. Reads its box, decoded, and the smallest boxes on the lattice that hold its children, which lie in it.
+/// Returns the node. `WORDS` must be [`node_words`] of `BITS`.
+#[inline]
+#[must_use]
+pub fn encode_node<const BITS: u32, const WORDS: usize>(
+    parent: &LatticeBox,
+    left: &LatticeBox,
+    right: &LatticeBox,
+    links: Links,
+) -> EncodedNode<WORDS> {
+    let mut words = [0; WORDS];
+    let [a, b] = links.0;
+    if link_words(BITS) > 0 {
+        words[0] = a;
+    }
+    if link_words(BITS) > 1 {
+        words[1 % WORDS] = b;
+    }
+    for axis in 0..3usize {
+        let (low, high) = (parent.min[axis], parent.max[axis]);
+        let shift = shift::<BITS>(low, high);
+        let lower = side::<BITS>(
+            left.min[axis].wrapping_sub(low),
+            right.min[axis].wrapping_sub(low),
+            shift,
+        );
+        let upper = side::<BITS>(
+            high.wrapping_sub(left.max[axis]),
+            high.wrapping_sub(right.max[axis]),
+            shift,
+        );
+        let first = link_words(BITS) + axis * axis_words(BITS);
+        let last = (first + axis_words(BITS) - 1) % WORDS;
+        if axis_words(BITS) == 1 {
+            words[last] = lower | upper << ((BITS + 1) & 31);
+        } else {
+            words[first % WORDS] = lower;
+            words[last] = upper;
+        }
+        words[last] |= link_piece::<BITS>(a, b, axis);
+    }
+    let [left, right] = decode_node::<BITS, WORDS>(&words, parent);
+    EncodedNode { words, left, right }
+}
+
+/// Both children's boxes, from a node's words and its own box, decoded.
+#[inline]
+#[must_use]
+pub fn decode_node<const BITS: u32, const WORDS: usize>(
+    words: &[u32; WORDS],
+    parent: &LatticeBox,
+) -> [LatticeBox; 2] {
+    let mut children = [LatticeBox::ZERO; 2];
+    for axis in 0..3usize {
+        let first = link_words(BITS) + axis * axis_words(BITS);
+        let sides = [
+            words[first % WORDS],
+            words[(first + axis_words(BITS) - 1) % WORDS],
+        ];
+        let planes = axis_planes::<BITS>(sides, parent.min[axis], parent.max[axis]);
+        children[0].min[axis] = planes[0];
+        children[1].min[axis] = planes[1];
+        children[0].max[axis] = planes[2];
+        children[1].max[axis] = planes[3];
+    }
+    children
+}
+
+/// By how much numbers are shifted in a box between two planes.
+#[inline(always)]
+const fn shift<const BITS: u32>(low: i32, high: i32) -> u32 {
+    let extent_bits = 32 - (high.wrapping_sub(low) as u32).leading_zeros();
+    if extent_bits > BITS {
+        extent_bits - BITS
+    } else {
+        0
+    }
+}
+
+/// A side: which child has it, and the other's number. Distances from the side are never negative.
+#[inline(always)]
+const fn side<const BITS: u32>(left: i32, right: i32, shift: u32) -> u32 {
+    let is_right = left > right;
+    let inner = if is_right { left } else { right };
+    (inner as u32 >> shift) & ((1 << BITS) - 1) | (is_right as u32) << BITS
+}
+
+/// The planes of one axis: left min, right min, left max, right max.
+#[inline(always)]
+const fn axis_planes<const BITS: u32>([lower, upper]: [u32; 2], low: i32, high: i32) -> [i32; 4] {
+    let mask = (1 << BITS) - 1;
+    let upper = if axis_words(BITS) == 1 {
+        upper >> ((BITS + 1) & 31)
+    } else {
+        upper
+    };
+    let shift = shift::<BITS>(low, high);
+    let inner_low = low.wrapping_add(((lower & mask) << shift) as i32);
+    let inner_high = high.wrapping_sub(((upper & mask) << shift) as i32);
+    let is_low_right = (lower >> BITS) & 1 == 1;
+    let is_high_right = (upper >> BITS) & 1 == 1;
+    [
+        if is_low_right { inner_low } else { low },
+        if is_low_right { low } else { inner_low },
+        if is_high_right { inner_high } else { high },
+        if is_high_right { high } else { inner_high },
+    ]
+}
+
+/// What an axis holds of the links, at the top of its last word.
+#[inline(always)]
+const fn link_piece<const BITS: u32>(a: u32, b: u32, axis: usize) -> u32 {
+    let bits = 10 * axis as u32;
+    match link_words(BITS) {
+        // 21 bits each of the 62.
+        0 => {
+            let piece = match axis {
+                0 => a,
+                1 => a >> 21 | b << 11,
+                _ => b >> 10,
+            };
+            piece << 11
+        }
+        1 => (b >> bits) << 22,
+        _ => 0,
+    }
+}
+
+/// The links, from the words before the axes and the last word of each.
+#[inline(always)]
+const fn links<const BITS: u32>(before: [u32; 2], [x, y, z]: [u32; 3]) -> Links {
+    match link_words(BITS) {
+        0 => {
+            let (x, y, z) = (x >> 11, y >> 11, z >> 11);
+            Links([x | y << 21, (y >> 11) | z << 10])
+        }
+        1 => Links([before[0], x >> 22 | (y >> 22) << 10 | (z >> 22) << 20]),
+        _ => Links(before),
+    }
+}
+
+/// A node or a leaf, and its box, coordinates in the order of the ray's axes. 28 bytes.
+#[derive(Clone, Copy, Debug)]
+pub struct LatticeCursor {
+    /// Which.
+    pub node: NodeRef,
+    /// Its box, decoded.
+    pub bounds: LatticeBox,
+}
+
+/// Nodes of the lattice codec, the root first. `MIXED` where leaves hold triangles of the lattice codec, whose size follows
+/// from their box.
+#[derive(Clone, Copy)]
+pub struct LatticeNodes<'a, const BITS: u32, const WORDS: usize, const MIXED: bool> {
+    /// Words of nodes.
+    pub nodes: &'a [[u32; WORDS]],
+    /// The root's box.
+    pub root: LatticeBox,
+    /// The lattice's step, a power of two.
+    pub step: f32,
+}
+
+impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
+    for LatticeNodes<'_, BITS, WORDS, MIXED>
+{
+    type Cursor = LatticeCursor;
+    type Frame = LatticeBox;
+    const UNUSED: LatticeCursor = LatticeCursor {
+        node: NodeRef::inner(0),
+        bounds: LatticeBox::ZERO,
+    };
+
+    #[inline(always)]
+    fn root(&self, axes: [u32; 3]) -> LatticeCursor {
+        LatticeCursor {
+            node: if self.nodes.is_empty() {
+                NodeRef::NOTHING
+            } else {
+                NodeRef::inner(0)
+            },
+            bounds: LatticeBox {
+                min: ordered(self.root.min, axes),
+                max: ordered(self.root.max, axes),
+            },
+        }
+    }
+
+    #[inline(always)]
+    fn leaf(&self, cursor: LatticeCursor) -> LeafRun<LatticeBox> {
+        LeafRun {
+            is_leaf: cursor.node.is_leaf(),
+            first: cursor.node.first(),
+            count: cursor.node.count(),
+            frame: cursor.bounds,
+        }
+    }
+
+    #[inline(always)]
+    fn children(&self, cursor: LatticeCursor, axes: [u32; 3]) -> Children<LatticeCursor> {
+        let index = cursor.node.index() as usize;
+        let nothing = LatticeCursor {
+            node: NodeRef::NOTHING,
+            bounds: LatticeBox::ZERO,
+        };
+        if index >= self.nodes.len() {
+            return Children {
+                planes: [PlanePair::ZERO; 3],
+                left: nothing,
+                right: nothing,
+            };
+        }
+        // Words are read where they lie, by axis.
+        let words = &self.nodes[index];
+        let last_word = axis_words(BITS) - 1;
+        let mut last = [0; 3];
+        let mut planes = [PlanePair::ZERO; 3];
+        let (mut left, mut right) = (nothing, nothing);
+        for i in 0..3usize {
+            let first = link_words(BITS) + axes[i] as usize * axis_words(BITS);
+            let sides = [words[first % WORDS], words[(first + last_word) % WORDS]];
+            let [a, b, c, d] =
+                axis_planes::<BITS>(sides, cursor.bounds.min[i], cursor.bounds.max[i]);
+            planes[i] = PlanePair::new(a as f32, b as f32, c as f32, d as f32) * self.step;
+            (left.bounds.min[i], right.bounds.min[i]) = (a, b);
+            (left.bounds.max[i], right.bounds.max[i]) = (c, d);
+        }
+        for axis in 0..3usize {
+            let word = link_words(BITS) + axis * axis_words(BITS) + last_word;
+            last[axis] = words[word % WORDS];
+        }
+        let links = links::<BITS>([words[0], words[1 % WORDS]], last);
+        [left.node, right.node] = links.children(|| {
+            if MIXED {
+                LeafWidth::of(&left.bounds).words()
+            } else {
+                1
+            }
+        });
+        Children {
+            planes,
+            left,
+            right,
+        }
+    }
+
+    #[inline(always)]
+    fn step_limit(&self) -> u32 {
+        // Every inner node once, and a leaf on both sides of each.
+        3 * self.nodes.len() as u32 + 1
+    }
+}
+
+/// Coordinates in the order of a ray's axes.
+#[inline(always)]
+const fn ordered(v: [i32; 3], axes: [u32; 3]) -> [i32; 3] {
+    [
+        v[axes[0] as usize % 3],
+        v[axes[1] as usize % 3],
+        v[axes[2] as usize % 3],
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn sizes_are_those_that_are_stated() {
+        for (bits, words) in [
+            (1, 3),
+            (4, 3),
+            (5, 4),
+            (6, 4),
+            (8, 4),
+            (10, 4),
+            (11, 5),
+            (12, 5),
+            (15, 5),
+            (16, 7),
+            (21, 7),
+        ] {
+            assert_eq!(node_words(bits), words, "{bits}");
+        }
+    }
+
+    /// A box in another.
+    fn inside(outer: LatticeBox) -> impl Strategy<Value = LatticeBox> {
+        let axis = move |i: usize| {
+            let range = outer.min[i]..=outer.max[i];
+            (range.clone(), range).prop_map(|(a, b)| [a.min(b), a.max(b)])
+        };
+        [axis(0), axis(1), axis(2)].prop_map(|[x, y, z]| LatticeBox {
+            min: [x[0], y[0], z[0]],
+            max: [x[1], y[1], z[1]],
+        })
+    }
+
+    fn any_box() -> impl Strategy<Value = LatticeBox> {
+        prop_oneof![Just(1 << 24), 0i32..5000, 0i32..1 << 20].prop_flat_map(|most| {
+            inside(LatticeBox {
+                min: [-most; 3],
+                max: [most; 3],
+            })
+        })
+    }
+
+    fn family() -> impl Strategy<Value = [LatticeBox; 3]> {
+        any_box()
+            .prop_flat_map(|parent| (Just(parent), inside(parent), inside(parent)))
+            .prop_map(|(parent, left, right)| [parent, left, right])
+    }
+
+    fn links_of_any() -> impl Strategy<Value = Links> {
+        (any::<u32>(), 0..1u32 << 30).prop_map(|(a, b)| Links([a, b]))
+    }
+
+    fn check<const BITS: u32, const WORDS: usize>(
+        [parent, left, right]: [LatticeBox; 3],
+        given: Links,
+    ) -> Result<(), TestCaseError> {
+        assert_eq!(WORDS, node_words(BITS));
+        let node = encode_node::<BITS, WORDS>(&parent, &left, &right, given);
+        for (decoded, exact) in [(node.left, left), (node.right, right)] {
+            prop_assert!(decoded.contains(&exact), "{decoded:?} {exact:?}");
+            prop_assert!(parent.contains(&decoded));
+            for axis in 0..3 {
+                // At most a step of the number beyond what the parent's own planes leave no choice of.
+                let extent = i64::from(parent.max[axis]) - i64::from(parent.min[axis]);
+                let step = (extent >> (BITS - 1)).max(1);
+                let slack =
+                    |d: i32, e: i32, side: i32| d == side || i64::from(d.abs_diff(e)) < step.max(1);
+                prop_assert!(slack(decoded.min[axis], exact.min[axis], parent.min[axis]));
+                prop_assert!(slack(decoded.max[axis], exact.max[axis], parent.max[axis]));
+            }
+        }
+        let first = |axis: usize| link_words(BITS) + axis * axis_words(BITS) + axis_words(BITS) - 1;
+        let last = [0, 1, 2].map(|axis| node.words[first(axis)]);
+        prop_assert_eq!(links::<BITS>([node.words[0], node.words[1]], last), given);
+        Ok(())
+    }
+
+    proptest! {
+        #[test]
+        fn decoded_boxes_hold_the_children_and_stay_in_the_parent(family in family(), links in links_of_any()) {
+            check::<4, 3>(family, links)?;
+            check::<6, 4>(family, links)?;
+            check::<8, 4>(family, links)?;
+            check::<10, 4>(family, links)?;
+            check::<12, 5>(family, links)?;
+            check::<16, 7>(family, links)?;
+            check::<21, 7>(family, links)?;
+        }
+    }
+
+    /// All pairs of cells of one axis, for all extents up to 70 and 3 bits.
+    #[test]
+    fn every_pair_of_cells_of_one_axis() {
+        for extent in 0..=70 {
+            let parent = LatticeBox {
+                min: [-7; 3],
+                max: [extent - 7; 3],
+            };
+            for low in 0..=extent {
+                for high in low..=extent {
+                    let child = LatticeBox {
+                        min: [low - 7; 3],
+                        max: [high - 7; 3],
+                    };
+                    for (left, right) in [(child, parent), (parent, child), (child, child)] {
+                        let node = encode_node::<3, 3>(&parent, &left, &right, Links::default());
+                        assert!(node.left.contains(&left) && node.right.contains(&right));
+                        assert!(parent.contains(&node.left) && parent.contains(&node.right));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Extents that the numbers can count come out as they went in, where one child has each side.
+    #[test]
+    fn small_boxes_are_exact() {
+        let parent = LatticeBox {
+            min: [100, -100, 0],
+            max: [1123, 923, 7],
+        };
+        let left = LatticeBox {
+            min: [100, -99, 0],
+            max: [600, 923, 3],
+        };
+        let right = LatticeBox {
+            min: [599, -100, 2],
+            max: [1123, 0, 7],
+        };
+        let node = encode_node::<10, 4>(&parent, &left, &right, Links::default());
+        assert_eq!((node.left, node.right), (left, right));
+    }
+}

@@ -1,0 +1,140 @@
+//! What a node's children are, in 62 bits.
+
+use crate::node::{LEAF_SIZE, NodeRef};
+
+/// The count of a child that is an inner node.
+const INNER: u32 = 0;
+
+/// The count of a child that is not there.
+const NOTHING: u32 = 7;
+const _: () = assert!(LEAF_SIZE < NOTHING);
+
+const INDEX_BITS: u32 = 28;
+const INDEX_MASK: u32 = (1 << INDEX_BITS) - 1;
+
+/// A node's children, as they lie one after the other. A left child that is an inner node comes right before a right one, and
+/// a left leaf's triangles right before a right one's: one index for both nodes, and one place for both leaves.
+///
+/// ```text
+/// word 0   r lll iiiiiiii iiiiiiii iiiiiiii iiii   first child's index, 28 bits; left count; lowest bit of the right count
+/// word 1   00 rr ffffffff ffffffff ffffffff ffff   where the first leaf's triangles begin, 28 bits; rest of the right count
+/// ```
+///
+/// A count is that of a leaf's triangles, 0 for an inner node, 7 for no child at all.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Links(pub [u32; 2]);
+
+impl Links {
+    /// Joins a plain node's children. `place_of` tells where a leaf's triangles begin, by the first of them.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(left: NodeRef, right: NodeRef, place_of: impl Fn(u32) -> u32) -> Self {
+        let index = if left.is_leaf() {
+            if right.is_leaf() { 0 } else { right.index() }
+        } else {
+            left.index()
+        };
+        let first = if left.is_leaf() && left.count() > 0 {
+            place_of(left.first())
+        } else if right.is_leaf() && right.count() > 0 {
+            place_of(right.first())
+        } else {
+            0
+        };
+        let (left, right) = (count_of(left), count_of(right));
+        Self([
+            (index & INDEX_MASK) | left << INDEX_BITS | right << 31,
+            (first & INDEX_MASK) | (right >> 1) << INDEX_BITS,
+        ])
+    }
+
+    /// Both children. A leaf's reference holds where its triangles begin; `width_of` is how far one triangle of the left leaf
+    /// is from the next.
+    #[inline(always)]
+    #[must_use]
+    pub fn children(self, stride: impl Fn() -> u32) -> [NodeRef; 2] {
+        let [a, b] = self.0;
+        let (index, first) = (a & INDEX_MASK, b & INDEX_MASK);
+        let left_count = (a >> INDEX_BITS) & 7;
+        let right_count = a >> 31 | (b >> INDEX_BITS & 3) << 1;
+        let is_left_leaf = left_count != INNER;
+        let left = child(left_count, index, first);
+        let right_first = if is_left_leaf && left_count != NOTHING {
+            first + left_count * stride()
+        } else {
+            first
+        };
+        let right = child(right_count, index + (!is_left_leaf) as u32, right_first);
+        [left, right]
+    }
+}
+
+#[inline(always)]
+const fn count_of(child: NodeRef) -> u32 {
+    if !child.is_leaf() {
+        INNER
+    } else if child.count() == 0 {
+        NOTHING
+    } else {
+        child.count()
+    }
+}
+
+#[inline(always)]
+const fn child(count: u32, index: u32, first: u32) -> NodeRef {
+    if count == INNER {
+        NodeRef::inner(index)
+    } else if count == NOTHING {
+        NodeRef::NOTHING
+    } else {
+        NodeRef::leaf(first & INDEX_MASK, count)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn counts() -> impl Strategy<Value = u32> {
+        0..=LEAF_SIZE
+    }
+
+    proptest! {
+        /// Children as the topology places them.
+        #[test]
+        fn children_come_back(left in counts(), right in counts(), index in 0..INDEX_MASK, first in 0..INDEX_MASK - 100, stride in 1u32..11) {
+            let left = if left == 0 { NodeRef::inner(index) } else { NodeRef::leaf(first, left) };
+            let right = match right {
+                0 => NodeRef::inner(index + u32::from(!left.is_leaf())),
+                _ if left.is_leaf() => NodeRef::leaf(first + left.count(), right),
+                _ => NodeRef::leaf(first, right),
+            };
+            let links = Links::new(left, right, |triangle| triangle);
+            prop_assert_eq!(links.0[1] >> 30, 0);
+            prop_assert_eq!(links.children(|| 1), [left, right]);
+
+            // Each triangle takes so many places.
+            let links = Links::new(left, right, |triangle| (triangle - first) * stride + 5);
+            let [a, b] = links.children(|| stride);
+            for (child, expected) in [(a, left), (b, right)] {
+                if expected.is_leaf() {
+                    prop_assert_eq!(child, NodeRef::leaf((expected.first() - first) * stride + 5, expected.count()));
+                } else {
+                    prop_assert_eq!(child, expected);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_there_comes_back() {
+        let links = Links::new(NodeRef::leaf(0, 3), NodeRef::NOTHING, |triangle| triangle);
+        assert_eq!(
+            links.children(|| 1),
+            [NodeRef::leaf(0, 3), NodeRef::NOTHING]
+        );
+        let links = Links::new(NodeRef::NOTHING, NodeRef::NOTHING, |triangle| triangle);
+        assert_eq!(links.children(|| 1), [NodeRef::NOTHING; 2]);
+    }
+}

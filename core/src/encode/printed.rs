@@ -1,0 +1,416 @@
+//! The printed codec: 10 bits a plane between the decoded parent's planes, 10 bits a coordinate in the leaf's box.
+//!
+//! Floats decide here, so that every product is shielded from being fused with a sum, and the encoder asks the decoder.
+
+use crate::float::{abs, max, min};
+use crate::node::NodeRef;
+use crate::orientation::product;
+use crate::ray::NO_PRIMITIVE;
+use crate::slab::PlanePair;
+use crate::trace::{Children, LeafRun, NodeSource, Place, TriangleSource};
+use crate::triangle::LeafTriangle;
+use bytemuck::{Pod, Zeroable};
+
+/// The largest number of 10 bits.
+const LAST: u32 = 1023;
+
+/// A box as the codec decodes it. 24 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PrintedBox {
+    /// Bytes 0–11: smallest coordinates.
+    pub min: [f32; 3],
+    /// Bytes 12–23: largest coordinates.
+    pub max: [f32; 3],
+}
+
+impl PrintedBox {
+    /// Nothing but the origin; all bits zero.
+    pub const ZERO: Self = Self {
+        min: [0.0; 3],
+        max: [0.0; 3],
+    };
+}
+
+/// A node: 24 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PrintedNode {
+    /// Bytes 0–7: the left child's box, min then max: z, y and x, 10 bits each from bit 29 down.
+    pub left_box: [u32; 2],
+    /// Bytes 8–15: the right child's box.
+    pub right_box: [u32; 2],
+    /// Bytes 16–19: left child.
+    pub left: NodeRef,
+    /// Bytes 20–23: right child.
+    pub right: NodeRef,
+}
+
+const _: () = assert!(size_of::<PrintedNode>() == 24);
+
+impl PrintedNode {
+    const NOTHING: Self = Self {
+        left_box: [0; 2],
+        right_box: [0; 2],
+        left: NodeRef::NOTHING,
+        right: NodeRef::NOTHING,
+    };
+}
+
+/// A number's place between two planes. Monotone; 0 is the lower plane and 1023 the upper one.
+#[inline(always)]
+fn decode(number: u32, low: f32, high: f32, zero: u32) -> f32 {
+    let cell = product(high - low, 1.0 / LAST as f32, zero);
+    let inner = min(low + product(number as f32, cell, zero), high);
+    if number == LAST { high } else { inner }
+}
+
+/// The largest number that is not above a coordinate, which lies between the planes.
+#[inline(always)]
+fn number_below(x: f32, low: f32, high: f32, zero: u32) -> u32 {
+    let extent = high - low;
+    let guess = if extent > 0.0 {
+        (x - low) / extent * LAST as f32
+    } else {
+        0.0
+    };
+    // Off by one, or by two where the division is rounded otherwise.
+    let mut number = max(min(guess, LAST as f32), 0.0) as u32;
+    for _ in 0..3u32 {
+        if number > 0 && decode(number, low, high, zero) > x {
+            number -= 1;
+        }
+    }
+    for _ in 0..3u32 {
+        if number < LAST && decode(number + 1, low, high, zero) <= x {
+            number += 1;
+        }
+    }
+    // Whatever was rounded how: never inside.
+    if decode(number, low, high, zero) > x {
+        0
+    } else {
+        number
+    }
+}
+
+/// The smallest number that is not below a coordinate, which lies between the planes.
+#[inline(always)]
+fn number_above(x: f32, low: f32, high: f32, zero: u32) -> u32 {
+    let below = number_below(x, low, high, zero);
+    if below < LAST && decode(below, low, high, zero) < x {
+        below + 1
+    } else {
+        below
+    }
+}
+
+/// One thread per node. Reads its box, decoded, and its children's boxes, which lie in it; `zero` is 0, but only at run time.
+/// Returns the node, and its children's boxes as they come out of it.
+#[inline]
+#[must_use]
+pub fn encode_printed_node(
+    parent: &PrintedBox,
+    children: [(PrintedBox, NodeRef); 2],
+    zero: u32,
+) -> (PrintedNode, [PrintedBox; 2]) {
+    let [(left_box, left), (right_box, right)] = children;
+    let node = PrintedNode {
+        left_box: encode_box(parent, &left_box, zero),
+        right_box: encode_box(parent, &right_box, zero),
+        left,
+        right,
+    };
+    let axes = [0, 1, 2];
+    let boxes = [
+        decode_box(node.left_box, parent, axes, zero),
+        decode_box(node.right_box, parent, axes, zero),
+    ];
+    (node, boxes)
+}
+
+#[inline(always)]
+fn encode_box(parent: &PrintedBox, child: &PrintedBox, zero: u32) -> [u32; 2] {
+    let mut words = [0; 2];
+    for axis in 0..3usize {
+        let (low, high) = (parent.min[axis], parent.max[axis]);
+        words[0] |= number_below(child.min[axis], low, high, zero) << (10 * axis);
+        words[1] |= number_above(child.max[axis], low, high, zero) << (10 * axis);
+    }
+    words
+}
+
+/// A child's box from its words, coordinates in the order of the axes, as the parent's are.
+#[inline(always)]
+fn decode_box(words: [u32; 2], parent: &PrintedBox, axes: [u32; 3], zero: u32) -> PrintedBox {
+    let mut child = PrintedBox::ZERO;
+    for i in 0..3usize {
+        let (low, high) = (parent.min[i], parent.max[i]);
+        let number = |word: u32| (word >> (10 * axes[i])) & LAST;
+        child.min[i] = decode(number(words[0]), low, high, zero);
+        child.max[i] = decode(number(words[1]), low, high, zero);
+    }
+    child
+}
+
+/// A node or a leaf, and its box, coordinates in the order of the ray's axes. 28 bytes.
+#[derive(Clone, Copy, Debug)]
+pub struct PrintedCursor {
+    /// Which.
+    pub node: NodeRef,
+    /// Its box, decoded.
+    pub bounds: PrintedBox,
+}
+
+/// Nodes of the printed codec, the root first.
+#[derive(Clone, Copy)]
+pub struct PrintedNodes<'a> {
+    /// The nodes.
+    pub nodes: &'a [PrintedNode],
+    /// The root's box.
+    pub root: PrintedBox,
+    /// 0, but only at run time.
+    pub zero: u32,
+}
+
+impl NodeSource for PrintedNodes<'_> {
+    type Cursor = PrintedCursor;
+    type Frame = PrintedBox;
+    const UNUSED: PrintedCursor = PrintedCursor {
+        node: NodeRef::inner(0),
+        bounds: PrintedBox::ZERO,
+    };
+
+    #[inline(always)]
+    fn root(&self, axes: [u32; 3]) -> PrintedCursor {
+        let ordered = |v: [f32; 3]| {
+            [
+                v[axes[0] as usize % 3],
+                v[axes[1] as usize % 3],
+                v[axes[2] as usize % 3],
+            ]
+        };
+        PrintedCursor {
+            node: if self.nodes.is_empty() {
+                NodeRef::NOTHING
+            } else {
+                NodeRef::inner(0)
+            },
+            bounds: PrintedBox {
+                min: ordered(self.root.min),
+                max: ordered(self.root.max),
+            },
+        }
+    }
+
+    #[inline(always)]
+    fn leaf(&self, cursor: PrintedCursor) -> LeafRun<PrintedBox> {
+        LeafRun {
+            is_leaf: cursor.node.is_leaf(),
+            first: cursor.node.first(),
+            count: cursor.node.count(),
+            frame: cursor.bounds,
+        }
+    }
+
+    #[inline(always)]
+    fn children(&self, cursor: PrintedCursor, axes: [u32; 3]) -> Children<PrintedCursor> {
+        let node = crate::load(self.nodes, cursor.node.index(), PrintedNode::NOTHING);
+        let a = decode_box(node.left_box, &cursor.bounds, axes, self.zero);
+        let b = decode_box(node.right_box, &cursor.bounds, axes, self.zero);
+        let planes = |i: usize| PlanePair::new(a.min[i], b.min[i], a.max[i], b.max[i]);
+        Children {
+            planes: [planes(0), planes(1), planes(2)],
+            left: PrintedCursor {
+                node: node.left,
+                bounds: a,
+            },
+            right: PrintedCursor {
+                node: node.right,
+                bounds: b,
+            },
+        }
+    }
+
+    #[inline(always)]
+    fn step_limit(&self) -> u32 {
+        3 * self.nodes.len() as u32 + 1
+    }
+}
+
+/// A triangle in its leaf's box. 16 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PrintedTriangle {
+    /// Bytes 0–11: v0, v1 and v2: z, y and x, 10 bits each from bit 29 down.
+    pub vertices: [u32; 3],
+    /// Bytes 12–15: the caller's index.
+    pub primitive: u32,
+}
+
+const _: () = assert!(size_of::<PrintedTriangle>() == 16);
+
+/// One thread per triangle. Reads it and its leaf's box, decoded, in which it lies; `zero` is 0, but only at run time. Returns
+/// it with every coordinate moved to the nearest of those that there are in the box.
+#[inline]
+#[must_use]
+pub fn encode_printed_triangle(
+    triangle: &LeafTriangle,
+    bounds: &PrintedBox,
+    zero: u32,
+) -> PrintedTriangle {
+    let mut vertices = [0; 3];
+    for corner in 0..3usize {
+        for axis in 0..3usize {
+            let x = triangle.vertices[(3 * corner + axis) % 9];
+            let (low, high) = (bounds.min[axis], bounds.max[axis]);
+            let below = number_below(x, low, high, zero);
+            let above = if below < LAST { below + 1 } else { below };
+            let to_below = abs(x - decode(below, low, high, zero));
+            let to_above = abs(decode(above, low, high, zero) - x);
+            let nearest = if to_above < to_below { above } else { below };
+            vertices[corner] |= nearest << (10 * axis);
+        }
+    }
+    PrintedTriangle {
+        vertices,
+        primitive: triangle.primitive,
+    }
+}
+
+/// Triangles of the printed codec.
+#[derive(Clone, Copy)]
+pub struct PrintedTriangles<'a> {
+    /// The triangles, in leaf order.
+    pub triangles: &'a [PrintedTriangle],
+    /// 0, but only at run time.
+    pub zero: u32,
+}
+
+impl TriangleSource<PrintedBox> for PrintedTriangles<'_> {
+    #[inline(always)]
+    fn corners(&self, place: &Place<PrintedBox>, axes: [u32; 3]) -> [[f32; 3]; 3] {
+        let at = place.first.wrapping_add(place.number);
+        let PrintedTriangle { vertices, .. } = crate::load(
+            self.triangles,
+            at,
+            PrintedTriangle {
+                vertices: [0; 3],
+                primitive: NO_PRIMITIVE,
+            },
+        );
+        let mut corners = [[0.0; 3]; 3];
+        for corner in 0..3usize {
+            for i in 0..3usize {
+                let number = (vertices[corner] >> (10 * axes[i])) & LAST;
+                let (low, high) = (place.frame.min[i], place.frame.max[i]);
+                corners[corner][i] = decode(number, low, high, self.zero);
+            }
+        }
+        corners
+    }
+
+    #[inline(always)]
+    fn primitive(&self, place: &Place<PrintedBox>) -> u32 {
+        let at = place.first.wrapping_add(place.number) as usize;
+        if at < self.triangles.len() {
+            self.triangles[at].primitive
+        } else {
+            NO_PRIMITIVE
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Coordinates as scenes have them at magnitude 1, tiny ones among them.
+    fn coordinate() -> impl Strategy<Value = f32> {
+        prop_oneof![
+            -1.0f32..1.0,
+            -1e-6f32..1e-6,
+            Just(0.0),
+            (-1.0f32..1.0).prop_map(|x| 0.75 + x * 1e-6),
+            (-126i32..0, -16i32..=16).prop_map(|(e, ulps)| f32::from_bits(
+                (2f32.powi(e).to_bits() as i32 + ulps) as u32
+            )),
+        ]
+    }
+
+    fn any_box() -> impl Strategy<Value = PrintedBox> {
+        proptest::array::uniform3((coordinate(), coordinate())).prop_map(|axes| PrintedBox {
+            min: axes.map(|(a, b)| a.min(b)),
+            max: axes.map(|(a, b)| a.max(b)),
+        })
+    }
+
+    /// The smaller of both planes at each side, and the boxes themselves.
+    fn family() -> impl Strategy<Value = [PrintedBox; 3]> {
+        (any_box(), any_box(), any_box()).prop_map(|(a, b, slack)| {
+            let mut parent = a;
+            for axis in 0..3 {
+                for other in [b, slack] {
+                    parent.min[axis] = parent.min[axis].min(other.min[axis]);
+                    parent.max[axis] = parent.max[axis].max(other.max[axis]);
+                }
+            }
+            [parent, a, b]
+        })
+    }
+
+    fn contains(a: &PrintedBox, b: &PrintedBox) -> bool {
+        (0..3).all(|axis| a.min[axis] <= b.min[axis] && a.max[axis] >= b.max[axis])
+    }
+
+    proptest! {
+        #[test]
+        fn decoded_boxes_hold_the_children_and_stay_in_the_parent([parent, left, right] in family()) {
+            let refs = (NodeRef::leaf(3, 2), NodeRef::inner(9));
+            let (node, boxes) = encode_printed_node(&parent, [(left, refs.0), (right, refs.1)], 0);
+            prop_assert_eq!((node.left, node.right), refs);
+            for (decoded, exact) in boxes.iter().zip([left, right]) {
+                prop_assert!(contains(decoded, &exact), "{decoded:?} {exact:?}");
+                prop_assert!(contains(&parent, decoded));
+                for axis in 0..3 {
+                    // Within a cell and the roundings of its ends.
+                    let extent = f64::from(parent.max[axis]) - f64::from(parent.min[axis]);
+                    let largest = parent.min[axis].abs().max(parent.max[axis].abs());
+                    let cell = extent / 1023.0 * 1.001 + 4.0 * f64::from(largest) * 2f64.powi(-24) + 1e-37;
+                    prop_assert!(f64::from(exact.min[axis]) - f64::from(decoded.min[axis]) <= cell);
+                    prop_assert!(f64::from(decoded.max[axis]) - f64::from(exact.max[axis]) <= cell);
+                }
+            }
+        }
+
+        #[test]
+        fn triangles_stay_in_their_box_and_move_half_a_cell(bounds in any_box(), weights in proptest::array::uniform9(0.0f32..=1.0), primitive: u32) {
+            let mut triangle = LeafTriangle { primitive, ..LeafTriangle::default() };
+            for i in 0..9 {
+                let (low, high) = (bounds.min[i % 3], bounds.max[i % 3]);
+                triangle.vertices[i] = (low + (high - low) * weights[i]).clamp(low, high);
+            }
+            let own = [encode_printed_triangle(&triangle, &bounds, 0)];
+            let source = PrintedTriangles { triangles: &own, zero: 0 };
+            let place = Place { first: 0, number: 0, frame: bounds };
+            prop_assert_eq!(source.primitive(&place), primitive);
+            let corners = source.corners(&place, [0, 1, 2]);
+            for i in 0..9 {
+                let (low, high) = (bounds.min[i % 3], bounds.max[i % 3]);
+                let x = corners[i / 3][i % 3];
+                prop_assert!((low..=high).contains(&x));
+                let largest = f64::from(low.abs().max(high.abs()));
+                let half = (f64::from(high) - f64::from(low)) / 2046.0 * 1.001 + 4.0 * largest * 2f64.powi(-24) + 1e-37;
+                prop_assert!((f64::from(x) - f64::from(triangle.vertices[i])).abs() <= half);
+            }
+        }
+
+        #[test]
+        fn numbers_are_monotone(a in coordinate(), b in coordinate(), number in 0..LAST) {
+            let (low, high) = (a.min(b), a.max(b));
+            prop_assert!(decode(number, low, high, 0) <= decode(number + 1, low, high, 0));
+            prop_assert_eq!([decode(0, low, high, 0), decode(LAST, low, high, 0)], [low, high]);
+        }
+    }
+}
