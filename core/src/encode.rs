@@ -12,10 +12,11 @@ mod printed;
 
 pub use lattice_leaf::{LatticeTriangles, LeafWidth, encode_triangle};
 pub use lattice_node::{
-    EncodedNode, LatticeCursor, LatticeNodes, decode_node, encode_node, node_words,
+    EncodedNode, LatticeCursor, LatticeNodes, decode_node, encode_node, links_of, node_words,
+    with_links,
 };
 pub use links::Links;
 pub use printed::{
     PrintedBox, PrintedCursor, PrintedNode, PrintedNodes, PrintedTriangle, PrintedTriangles,
-    encode_printed_node, encode_printed_triangle,
+    decode_printed_node, encode_printed_node, encode_printed_triangle,
 };

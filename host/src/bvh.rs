@@ -1,11 +1,17 @@
 //! A built hierarchy, and the questions it answers.
 
+use crate::codec::{MeshCodec, NodeCodec};
+use crate::coded::{Coded, Shared};
+use crate::cpu::decode;
 use rayon::prelude::*;
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
-use slimbvh_core::classify::Except;
-use slimbvh_core::ray::{Hit, Ray};
-use slimbvh_core::trace::{self, LeafTriangles, PlainNodes};
+use slimbvh_core::classify::{Except, Facing, Sides};
+use slimbvh_core::orientation::Target;
+use slimbvh_core::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
+use slimbvh_core::trace::{
+    self, ClosestOrAny, Collector, LeafTriangles, NearestHits, PlainNodes, traverse,
+};
 use slimbvh_core::{LeafTriangle, Node};
 
 /// A bounding volume hierarchy over a mesh. Filled by a [`crate::Builder`], which can fill it again without allocating.
@@ -17,6 +23,8 @@ pub struct Bvh {
     pub(crate) bounds: Option<Aabb>,
     pub(crate) scene_exponent: i32,
     pub(crate) depth_bound: u32,
+    /// What is stored in a codec, in place of nodes and perhaps triangles.
+    pub(crate) coded: Option<Coded>,
 }
 
 impl Bvh {
@@ -26,37 +34,28 @@ impl Bvh {
     /// infinite `t_max` aside), hits nothing.
     #[must_use]
     pub fn closest_hit(&self, ray: &Ray) -> Hit {
-        trace::closest_hit(
-            &self.node_source(),
-            &self.triangle_source(),
-            ray,
-            self.scene_exponent,
-            &Except::NOTHING,
-        )
+        self.closest_hit_by(ray, self.scene_exponent, NO_PRIMITIVE, None)
     }
 
     /// Whether the ray meets anything; stops at the first triangle found.
     #[doc(alias = "occluded")]
     #[must_use]
     pub fn any_hit(&self, ray: &Ray) -> bool {
-        trace::any_hit(
-            &self.node_source(),
-            &self.triangle_source(),
-            ray,
-            self.scene_exponent,
-            &Except::NOTHING,
-        )
+        self.any_hit_by(ray, self.scene_exponent, NO_PRIMITIVE, None)
     }
 
     /// The K hits with the smallest `(t, primitive)`, in order; [`Hit::MISS`] fills what is left.
     #[must_use]
     pub fn nearest_hits<const K: usize>(&self, ray: &Ray) -> [Hit; K] {
-        trace::nearest_hits(
-            &self.node_source(),
-            &self.triangle_source(),
-            ray,
-            self.scene_exponent,
-        )
+        let Some(coded) = &self.coded else {
+            let (nodes, triangles) = (self.node_source(), self.triangle_source());
+            return trace::nearest_hits(&nodes, &triangles, ray, self.scene_exponent);
+        };
+        let prepared = PreparedRay::new(ray, self.scene_exponent);
+        let mut collector = NearestHits::<K>::new(prepared.t_max);
+        let rule = facing(NO_PRIMITIVE, None);
+        coded.trace_any(&self.triangles, &prepared, &rule, &mut collector);
+        collector.hits.map(|hit| prepared.restore(hit))
     }
 
     /// [`Self::closest_hit`] of many rays, in parallel. `hits` gets as many entries as there are rays.
@@ -69,6 +68,90 @@ impl Bvh {
                 *hit = self.closest_hit(ray);
             }
         });
+    }
+
+    /// [`Self::closest_hit`] of a ray whose scene has this exponent, without a primitive, and where there is a target without
+    /// what faces away from it.
+    pub(crate) fn closest_hit_by(
+        &self,
+        ray: &Ray,
+        exponent: i32,
+        skip: u32,
+        target: Option<(Sides, Target)>,
+    ) -> Hit {
+        if let Some(coded) = &self.coded {
+            let prepared = PreparedRay::new(ray, exponent);
+            let mut collector = ClosestOrAny::closest(prepared.t_max);
+            let rule = facing(skip, target);
+            coded.trace(&self.triangles, &prepared, &rule, &mut collector);
+            return prepared.restore(collector.closest.hit);
+        }
+        let (nodes, triangles) = (self.node_source(), self.triangle_source());
+        match target {
+            None => trace::closest_hit(&nodes, &triangles, ray, exponent, &Except(skip)),
+            Some(_) => trace::closest_hit(&nodes, &triangles, ray, exponent, &facing(skip, target)),
+        }
+    }
+
+    /// [`Self::any_hit`], as [`Self::closest_hit_by`].
+    pub(crate) fn any_hit_by(
+        &self,
+        ray: &Ray,
+        exponent: i32,
+        skip: u32,
+        target: Option<(Sides, Target)>,
+    ) -> bool {
+        if let Some(coded) = &self.coded {
+            let prepared = PreparedRay::new(ray, exponent);
+            let mut collector = ClosestOrAny::any(prepared.t_max);
+            let rule = facing(skip, target);
+            coded.trace(&self.triangles, &prepared, &rule, &mut collector);
+            return collector.closest.hit.is_hit();
+        }
+        let (nodes, triangles) = (self.node_source(), self.triangle_source());
+        match target {
+            None => trace::any_hit(&nodes, &triangles, ray, exponent, &Except(skip)),
+            Some(_) => trace::any_hit(&nodes, &triangles, ray, exponent, &facing(skip, target)),
+        }
+    }
+
+    /// Traces one ray with whatever is asked, and counts what is touched on the way. Slower than the other questions.
+    pub fn collect(&self, ray: &PreparedRay, skip: u32, collector: &mut dyn Collector) {
+        if let Some(coded) = &self.coded {
+            coded.trace_any(&self.triangles, ray, &facing(skip, None), collector);
+        } else {
+            let (nodes, triangles) = (self.node_source(), self.triangle_source());
+            traverse(
+                &nodes,
+                &triangles,
+                ray,
+                &Except(skip),
+                &mut Shared(collector),
+            );
+        }
+    }
+
+    /// The same with plain nodes and triangles: as they come out of the codec.
+    #[must_use]
+    pub fn decoded(&self) -> Self {
+        let Some(coded) = &self.coded else {
+            return self.clone();
+        };
+        let (nodes, triangles) = decode(coded, &self.triangles);
+        Self {
+            nodes,
+            triangles,
+            coded: None,
+            ..*self
+        }
+    }
+
+    /// How nodes and triangles are stored.
+    #[must_use]
+    pub fn codecs(&self) -> (NodeCodec, MeshCodec) {
+        self.coded
+            .as_ref()
+            .map_or_else(Default::default, |coded| coded.codecs(self.scene_exponent))
     }
 
     /// Takes the bounds of the mesh, and the scale that goes with them.
@@ -86,7 +169,8 @@ impl Bvh {
     /// How many triangles there are in it.
     #[must_use]
     pub fn triangle_count(&self) -> usize {
-        self.triangles.len()
+        let coded = self.coded.as_ref();
+        coded.map_or(self.triangles.len(), |coded| coded.triangle_count)
     }
 
     /// How many triangles the mesh has that it was built over. A reduced hierarchy leaves out some.
@@ -98,19 +182,25 @@ impl Bvh {
     /// How many inner nodes there are.
     #[must_use]
     pub fn node_count(&self) -> usize {
-        self.nodes.len()
+        let coded = self.coded.as_ref();
+        coded.map_or(self.nodes.len(), |coded| coded.nodes.count())
     }
 
     /// Bytes of the nodes.
     #[must_use]
     pub fn node_bytes(&self) -> usize {
-        size_of_val(self.nodes.as_slice())
+        let coded = self.coded.as_ref().map_or(0, |coded| coded.nodes.bytes());
+        size_of_val(self.nodes.as_slice()) + coded
     }
 
     /// Bytes of the triangles in the leaves.
     #[must_use]
     pub fn triangle_bytes(&self) -> usize {
-        size_of_val(self.triangles.as_slice())
+        let coded = self
+            .coded
+            .as_ref()
+            .map_or(0, |coded| coded.triangles.bytes());
+        size_of_val(self.triangles.as_slice()) + coded
     }
 
     /// Bytes of the memory that is held for both, which a larger hierarchy may have left.
@@ -118,6 +208,7 @@ impl Bvh {
     pub fn held_bytes(&self) -> usize {
         self.nodes.capacity() * size_of::<Node>()
             + self.triangles.capacity() * size_of::<LeafTriangle>()
+            + self.coded.as_ref().map_or(0, Coded::held_bytes)
     }
 
     /// No path from the root is longer than this.
@@ -132,27 +223,41 @@ impl Bvh {
         self.scene_exponent
     }
 
-    /// The nodes, the root first.
+    /// The nodes, the root first; none where they are stored in a codec.
     #[must_use]
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 
-    /// The triangles in leaf order, carried to magnitude 1.
+    /// The triangles in leaf order, carried to magnitude 1; none where they are stored in a codec.
     #[must_use]
     pub fn leaf_triangles(&self) -> &[LeafTriangle] {
         &self.triangles
     }
 
-    /// The nodes, as the tracer reads them.
+    /// [`Self::nodes`], as the tracer reads them.
     #[must_use]
     pub fn node_source(&self) -> PlainNodes<'_> {
         PlainNodes(&self.nodes)
     }
 
-    /// The triangles, as the tracer reads them.
+    /// [`Self::leaf_triangles`], as the tracer reads them.
     #[must_use]
     pub fn triangle_source(&self) -> LeafTriangles<'_> {
         LeafTriangles(&self.triangles)
+    }
+}
+
+/// The rule of all trees in codecs: where there is no target, no triangle faces away.
+fn facing<'a>(skip: u32, target: Option<(Sides<'a>, Target)>) -> Facing<'a> {
+    let everything = Sides {
+        components: &[],
+        sides: &[],
+    };
+    let (sides, target) = target.unwrap_or((everything, Target::position([0.0; 3])));
+    Facing {
+        skip,
+        sides,
+        target,
     }
 }

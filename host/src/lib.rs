@@ -4,6 +4,8 @@
 pub mod analysis;
 pub mod animate;
 mod bvh;
+mod codec;
+mod coded;
 mod cpu;
 #[cfg(feature = "scenes")]
 pub mod generate;
@@ -15,10 +17,12 @@ pub mod reduce;
 pub mod scene;
 mod stages;
 mod text;
+mod tolerance;
 pub mod topology;
 mod wide;
 
 pub use bvh::Bvh;
+pub use codec::{CodecError, LatticeBits, MeshCodec, NodeCodec, check_codecs};
 pub use cpu::{
     BuildConfig, Builder, CodeBits, Decisions, Division, RefitError, Renderer, Subset, Tree, Trees,
     Turns,
@@ -28,3 +32,4 @@ pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
 pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError};
 pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;
+pub use tolerance::Tolerance;

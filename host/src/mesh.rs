@@ -1,6 +1,7 @@
 //! Indexed triangle meshes and the checks at the door.
 
 mod error;
+mod snap;
 
 use crate::text::excerpt;
 pub use error::MeshError;

@@ -67,23 +67,15 @@ pub struct EncodedNode<const WORDS: usize> {
 }
 
 /// One thread per node. Reads its box, decoded, and the smallest boxes on the lattice that hold its children, which lie in it.
-/// Returns the node. `WORDS` must be [`node_words`] of `BITS`.
+/// Returns the node, yet without links. `WORDS` must be [`node_words`] of `BITS`.
 #[inline]
 #[must_use]
 pub fn encode_node<const BITS: u32, const WORDS: usize>(
     parent: &LatticeBox,
     left: &LatticeBox,
     right: &LatticeBox,
-    links: Links,
 ) -> EncodedNode<WORDS> {
     let mut words = [0; WORDS];
-    let [a, b] = links.0;
-    if link_words(BITS) > 0 {
-        words[0] = a;
-    }
-    if link_words(BITS) > 1 {
-        words[1 % WORDS] = b;
-    }
     for axis in 0..3usize {
         let (low, high) = (parent.min[axis], parent.max[axis]);
         let shift = shift::<BITS>(low, high);
@@ -98,17 +90,49 @@ pub fn encode_node<const BITS: u32, const WORDS: usize>(
             shift,
         );
         let first = link_words(BITS) + axis * axis_words(BITS);
-        let last = (first + axis_words(BITS) - 1) % WORDS;
         if axis_words(BITS) == 1 {
-            words[last] = lower | upper << ((BITS + 1) & 31);
+            words[first % WORDS] = lower | upper << ((BITS + 1) & 31);
         } else {
             words[first % WORDS] = lower;
-            words[last] = upper;
+            words[(first + 1) % WORDS] = upper;
         }
-        words[last] |= link_piece::<BITS>(a, b, axis);
     }
     let [left, right] = decode_node::<BITS, WORDS>(&words, parent);
     EncodedNode { words, left, right }
+}
+
+/// One thread per node. Reads its words without links. Returns them with links.
+#[inline]
+#[must_use]
+pub fn with_links<const BITS: u32, const WORDS: usize>(
+    words: [u32; WORDS],
+    links: Links,
+) -> [u32; WORDS] {
+    let mut words = words;
+    let [a, b] = links.0;
+    if link_words(BITS) > 0 {
+        words[0] = a;
+    }
+    if link_words(BITS) > 1 {
+        words[1 % WORDS] = b;
+    }
+    for axis in 0..3usize {
+        words[last_word(BITS, axis) % WORDS] |= link_piece::<BITS>(a, b, axis);
+    }
+    words
+}
+
+/// The links of a node's words.
+#[inline(always)]
+#[must_use]
+pub fn links_of<const BITS: u32, const WORDS: usize>(words: &[u32; WORDS]) -> Links {
+    let last = |axis: usize| words[last_word(BITS, axis) % WORDS];
+    links::<BITS>([words[0], words[1 % WORDS]], [last(0), last(1), last(2)])
+}
+
+/// An axis' last word.
+const fn last_word(bits: u32, axis: usize) -> usize {
+    link_words(bits) + (axis + 1) * axis_words(bits) - 1
 }
 
 /// Both children's boxes, from a node's words and its own box, decoded.
@@ -279,24 +303,21 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
         }
         // Words are read where they lie, by axis.
         let words = &self.nodes[index];
-        let last_word = axis_words(BITS) - 1;
-        let mut last = [0; 3];
         let mut planes = [PlanePair::ZERO; 3];
         let (mut left, mut right) = (nothing, nothing);
         for i in 0..3usize {
             let first = link_words(BITS) + axes[i] as usize * axis_words(BITS);
-            let sides = [words[first % WORDS], words[(first + last_word) % WORDS]];
+            let sides = [
+                words[first % WORDS],
+                words[last_word(BITS, axes[i] as usize) % WORDS],
+            ];
             let [a, b, c, d] =
                 axis_planes::<BITS>(sides, cursor.bounds.min[i], cursor.bounds.max[i]);
             planes[i] = PlanePair::new(a as f32, b as f32, c as f32, d as f32) * self.step;
             (left.bounds.min[i], right.bounds.min[i]) = (a, b);
             (left.bounds.max[i], right.bounds.max[i]) = (c, d);
         }
-        for axis in 0..3usize {
-            let word = link_words(BITS) + axis * axis_words(BITS) + last_word;
-            last[axis] = words[word % WORDS];
-        }
-        let links = links::<BITS>([words[0], words[1 % WORDS]], last);
+        let links = links_of::<BITS, WORDS>(words);
         [left.node, right.node] = links.children(|| {
             if MIXED {
                 LeafWidth::of(&left.bounds).words()
@@ -388,7 +409,7 @@ mod tests {
         given: Links,
     ) -> Result<(), TestCaseError> {
         assert_eq!(WORDS, node_words(BITS));
-        let node = encode_node::<BITS, WORDS>(&parent, &left, &right, given);
+        let node = encode_node::<BITS, WORDS>(&parent, &left, &right);
         for (decoded, exact) in [(node.left, left), (node.right, right)] {
             prop_assert!(decoded.contains(&exact), "{decoded:?} {exact:?}");
             prop_assert!(parent.contains(&decoded));
@@ -402,9 +423,12 @@ mod tests {
                 prop_assert!(slack(decoded.max[axis], exact.max[axis], parent.max[axis]));
             }
         }
-        let first = |axis: usize| link_words(BITS) + axis * axis_words(BITS) + axis_words(BITS) - 1;
-        let last = [0, 1, 2].map(|axis| node.words[first(axis)]);
-        prop_assert_eq!(links::<BITS>([node.words[0], node.words[1]], last), given);
+        let words = with_links::<BITS, WORDS>(node.words, given);
+        prop_assert_eq!(links_of::<BITS, WORDS>(&words), given);
+        prop_assert_eq!(
+            decode_node::<BITS, WORDS>(&words, &parent),
+            [node.left, node.right]
+        );
         Ok(())
     }
 
@@ -436,7 +460,7 @@ mod tests {
                         max: [high - 7; 3],
                     };
                     for (left, right) in [(child, parent), (parent, child), (child, child)] {
-                        let node = encode_node::<3, 3>(&parent, &left, &right, Links::default());
+                        let node = encode_node::<3, 3>(&parent, &left, &right);
                         assert!(node.left.contains(&left) && node.right.contains(&right));
                         assert!(parent.contains(&node.left) && parent.contains(&node.right));
                     }
@@ -460,7 +484,7 @@ mod tests {
             min: [599, -100, 2],
             max: [1123, 0, 7],
         };
-        let node = encode_node::<10, 4>(&parent, &left, &right, Links::default());
+        let node = encode_node::<10, 4>(&parent, &left, &right);
         assert_eq!((node.left, node.right), (left, right));
     }
 }

@@ -121,12 +121,18 @@ pub fn encode_printed_node(
         left,
         right,
     };
+    (node, decode_printed_node(&node, parent, zero))
+}
+
+/// Both children's boxes, from a node and its own box, decoded.
+#[inline]
+#[must_use]
+pub fn decode_printed_node(node: &PrintedNode, parent: &PrintedBox, zero: u32) -> [PrintedBox; 2] {
     let axes = [0, 1, 2];
-    let boxes = [
+    [
         decode_box(node.left_box, parent, axes, zero),
         decode_box(node.right_box, parent, axes, zero),
-    ];
-    (node, boxes)
+    ]
 }
 
 #[inline(always)]

@@ -11,6 +11,7 @@ mod picture;
 mod reduce;
 mod render;
 mod reproduce;
+mod storage;
 
 use anyhow::{Context, Result};
 use clap::{Args, Parser, Subcommand};

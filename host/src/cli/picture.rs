@@ -72,6 +72,7 @@ impl PictureArguments {
                 Codes::Bits30 => CodeBits::Bits30,
                 Codes::Bits63 => CodeBits::Bits63,
             },
+            ..BuildConfig::default()
         }
     }
 

@@ -6,12 +6,13 @@ use super::backend::{BackendArguments, Chosen, choose};
 use super::output::{self, bytes, count, things};
 use super::picture::PictureArguments;
 use super::reduce::{self, PlanSummary, ReduceArguments};
+use super::storage::StorageArguments;
 use super::{SceneArguments, ThreadArguments};
 use anyhow::{Result, bail};
 use clap::Args;
 use job::{Job, Outcome};
 use serde::Serialize;
-use slimbvh::{Picture, Scene, Stages, View};
+use slimbvh::{BuildConfig, Picture, Scene, Stages, View};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -41,6 +42,9 @@ pub struct RenderArguments {
 
     #[command(flatten)]
     picture: PictureArguments,
+
+    #[command(flatten)]
+    storage: StorageArguments,
 
     #[command(flatten)]
     reduce: ReduceArguments,
@@ -131,8 +135,13 @@ fn render(
     scene: &mut Scene,
 ) -> Result<(Summary, String, Picture)> {
     let settings = arguments.picture.settings();
-    let config = arguments.picture.build_config();
     arguments.picture.prepare(scene, &arguments.scene.name())?;
+    let storage = arguments.storage.apply(scene, &settings)?;
+    let config = BuildConfig {
+        nodes: storage.nodes,
+        mesh: storage.mesh,
+        ..arguments.picture.build_config()
+    };
     let asked = arguments.reduce.asked(scene, &settings);
     let mut room = None;
     let (plan, survey) = reduce::plan(&asked, config, &mut room)?;

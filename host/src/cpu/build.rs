@@ -1,8 +1,11 @@
 //! Builds and refits on the CPU.
 
+use super::decode::decode;
+use super::encode::Encoder;
 use super::order::{Order, gather_again, scene_bounds};
 use super::refit::{fill_boxes, fill_pyramid};
 use super::topology::Connections;
+use crate::codec::{MeshCodec, NodeCodec};
 use crate::{Bvh, Mesh, MeshError, Stages};
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::Reach;
@@ -28,6 +31,10 @@ pub enum CodeBits {
 pub struct BuildConfig {
     /// Length of the Morton codes.
     pub code_bits: CodeBits,
+    /// How inner nodes are stored.
+    pub nodes: NodeCodec,
+    /// How triangles are stored. Must go with the nodes ([`crate::check_codecs`]).
+    pub mesh: MeshCodec,
 }
 
 /// Why a hierarchy cannot be moved to a mesh.
@@ -67,12 +74,19 @@ pub struct Builder {
     order_63: Order<2>,
     connections: Connections,
     pyramid: Vec<PyramidBox>,
+    encoder: Encoder,
 }
 
 impl Builder {
     /// A builder without buffers yet.
+    ///
+    /// # Panics
+    /// If the codecs of nodes and triangles do not go together ([`crate::check_codecs`]).
     #[must_use]
     pub fn new(config: BuildConfig) -> Self {
+        if let Err(error) = crate::check_codecs(config.nodes, config.mesh) {
+            panic!("{error}");
+        }
         Self {
             config,
             ..Self::default()
@@ -109,10 +123,19 @@ impl Builder {
         self.sort_some(mesh, None)
     }
 
+    /// What the mesh must be for this builder.
+    fn check(&self, mesh: &Mesh) -> Result<(), MeshError> {
+        mesh.validate()?;
+        match self.config.mesh {
+            MeshCodec::Lattice { step_exponent } => mesh.check_lattice(step_exponent),
+            MeshCodec::F32 | MeshCodec::Leaf10 => Ok(()),
+        }
+    }
+
     /// Sorts all of a mesh's triangles, or only those in a set.
     fn sort_some(&mut self, mesh: &Mesh, reach: Option<&Reach>) -> Result<Stages, MeshError> {
         let mut stages = Stages::default();
-        stages.time("validate", || mesh.validate())?;
+        stages.time("validate", || self.check(mesh))?;
         let triangles = mesh.triangles();
         let bounds = stages.time("bounds", || scene_bounds(&triangles));
         self.bounds = Some(bounds);
@@ -195,6 +218,7 @@ impl Builder {
         let bounds = self.bounds.unwrap_or(Aabb::EMPTY);
         bvh.set_bounds(bounds);
         bvh.mesh_triangle_count = mesh.indices.len();
+        self.encoder.lend(bvh);
         let scale = PowerOfTwo::new(bvh.scene_exponent);
         let triangles = mesh.triangles();
         let (to, leaves) = (&mut stages, &mut bvh.triangles);
@@ -233,7 +257,18 @@ impl Builder {
             CodeBits::Bits63 => depth_bound(63, count),
         };
         stages.time("refit", || self.fit(bvh));
+        self.encode(&mut stages, bvh);
         stages
+    }
+
+    /// Stage `encode`, where a codec is asked for.
+    fn encode(&mut self, stages: &mut Stages, bvh: &mut Bvh) {
+        let codecs = (self.config.nodes, self.config.mesh);
+        if codecs.0 == NodeCodec::F32 {
+            bvh.coded = None;
+        } else {
+            stages.time("encode", || self.encoder.encode(codecs, bvh));
+        }
     }
 
     /// Moves a hierarchy's boxes to where the mesh's vertices are now; the triangles must be those that it was built over.
@@ -243,15 +278,20 @@ impl Builder {
     /// Those of [`Mesh::validate`], and a mesh with another number of triangles; the hierarchy stays as it was.
     pub fn refit(&mut self, mesh: &Mesh, bvh: &mut Bvh) -> Result<Stages, RefitError> {
         let mut stages = Stages::default();
-        stages.time("validate", || mesh.validate())?;
+        stages.time("validate", || self.check(mesh))?;
         if mesh.indices.len() != bvh.mesh_triangle_count {
             return Err(RefitError::TriangleCount {
                 triangle_count: mesh.indices.len(),
                 expected: bvh.mesh_triangle_count,
             });
         }
-        if bvh.triangles.len() != bvh.mesh_triangle_count {
+        if bvh.triangle_count() != bvh.mesh_triangle_count {
             return Err(RefitError::Reduced);
+        }
+        // What is coded is decoded first; its boxes are replaced.
+        if let Some(coded) = &bvh.coded {
+            let decoded = stages.time("decode", || decode(coded, &bvh.triangles));
+            (bvh.nodes, bvh.triangles) = decoded;
         }
         let triangles = mesh.triangles();
         let bounds = stages.time("bounds", || scene_bounds(&triangles));
@@ -271,6 +311,7 @@ impl Builder {
             );
             self.fit(bvh);
         });
+        self.encode(&mut stages, bvh);
         Ok(stages)
     }
 
@@ -294,5 +335,6 @@ impl Builder {
             + self.order_63.bytes()
             + self.connections.bytes()
             + size_of_val(self.pyramid.as_slice())
+            + self.encoder.bytes()
     }
 }

@@ -2,7 +2,9 @@
 
 mod build;
 mod decide;
+mod decode;
 mod divide;
+mod encode;
 mod order;
 mod paint;
 mod refit;
@@ -14,6 +16,7 @@ mod trees;
 
 pub use build::{BuildConfig, Builder, CodeBits, RefitError, Subset};
 pub use decide::Decisions;
+pub(crate) use decode::decode;
 pub use divide::Division;
 pub(crate) use order::scene_bounds;
 pub use render::Renderer;

@@ -7,7 +7,6 @@ use crate::scene::ViewError;
 use crate::{Bvh, Scene};
 use rayon::prelude::*;
 use slimbvh_core::camera::Camera as CoreCamera;
-use slimbvh_core::classify::Except;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::ray::{Hit, PreparedRay};
 use slimbvh_core::sampling::Draw;
@@ -17,7 +16,7 @@ use slimbvh_core::shade::{
 };
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
-use slimbvh_core::trace::{ClosestHit, Counted, traverse};
+use slimbvh_core::trace::{ClosestHit, Counted};
 use slimbvh_core::view;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
@@ -354,7 +353,6 @@ impl Renderer {
     /// Counts the nodes that each sample visits.
     fn count_nodes(&mut self, stage: &Stage, report: &mut RenderReport) {
         let bvh = stage.trees.primary.bvh;
-        let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
         let begin = self.heat.len();
         self.heat.resize(begin + self.paths.len(), 0);
         let blocks = self.heat[begin..]
@@ -367,7 +365,7 @@ impl Renderer {
                     for (count, path) in heat.iter_mut().zip(paths) {
                         let ray = PreparedRay::new(&path.ray, 0);
                         let mut collector = Counted::new(ClosestHit::new(ray.t_max));
-                        traverse(&nodes, &triangles, &ray, &Except(path.skip), &mut collector);
+                        bvh.collect(&ray, path.skip, &mut collector);
                         *count = collector.node_count;
                         hits += u64::from(collector.inner.hit.is_hit());
                     }

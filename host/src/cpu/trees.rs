@@ -1,11 +1,10 @@
 //! Which hierarchy rays of each kind are traced through.
 
 use crate::Bvh;
-use slimbvh_core::classify::{Except, Facing, Sides};
+use slimbvh_core::classify::Sides;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, Ray};
-use slimbvh_core::trace;
 
 /// A hierarchy for rays of one kind.
 #[derive(Clone, Copy, Debug)]
@@ -69,34 +68,12 @@ impl<'a> Tree<'a> {
 
     /// The closest hit of a ray in the scene's magnitude.
     pub(super) fn closest_hit(&self, ray: &Ray, skip: u32) -> Hit {
-        let (nodes, triangles) = (self.bvh.node_source(), self.bvh.triangle_source());
-        match self.rule {
-            None => trace::closest_hit(&nodes, &triangles, ray, 0, &Except(skip)),
-            Some((sides, target)) => {
-                let rule = Facing {
-                    skip,
-                    sides,
-                    target,
-                };
-                trace::closest_hit(&nodes, &triangles, ray, 0, &rule)
-            }
-        }
+        self.bvh.closest_hit_by(ray, 0, skip, self.rule)
     }
 
     /// Whether a ray in the scene's magnitude meets anything.
     pub(super) fn any_hit(&self, ray: &Ray, skip: u32) -> bool {
-        let (nodes, triangles) = (self.bvh.node_source(), self.bvh.triangle_source());
-        match self.rule {
-            None => trace::any_hit(&nodes, &triangles, ray, 0, &Except(skip)),
-            Some((sides, target)) => {
-                let rule = Facing {
-                    skip,
-                    sides,
-                    target,
-                };
-                trace::any_hit(&nodes, &triangles, ray, 0, &rule)
-            }
-        }
+        self.bvh.any_hit_by(ray, 0, skip, self.rule)
     }
 }
 

@@ -47,6 +47,24 @@ pub enum MeshError {
         /// Its coordinates.
         z: f32,
     },
+    /// A vertex is not on the lattice that triangles are to be stored on.
+    #[error(
+        "face {face} has vertex {vertex} at ({x}, {y}, {z}), which is not on the lattice of step 2^{step_exponent}; snap the mesh first"
+    )]
+    OffLattice {
+        /// The face, counted from 0.
+        face: usize,
+        /// The vertex, counted from 0.
+        vertex: u32,
+        /// Its coordinates.
+        x: f32,
+        /// Its coordinates.
+        y: f32,
+        /// Its coordinates.
+        z: f32,
+        /// The step is 2 to this power.
+        step_exponent: i32,
+    },
     /// Parts leave a gap, overlap, or are out of order.
     #[error(
         "mesh \"{part}\" begins at triangle {first_triangle}, but the one before it ends at {expected}"

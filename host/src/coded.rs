@@ -1,0 +1,235 @@
+//! Nodes and triangles in codecs, and traversal of them.
+
+use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
+use slimbvh_core::LeafTriangle;
+use slimbvh_core::classify::Facing;
+use slimbvh_core::encode::{
+    LatticeNodes, LatticeTriangles, PrintedBox, PrintedNode, PrintedNodes, PrintedTriangle,
+    PrintedTriangles,
+};
+use slimbvh_core::float::power_of_two;
+use slimbvh_core::lattice::LatticeBox;
+use slimbvh_core::ray::PreparedRay;
+use slimbvh_core::trace::{ClosestOrAny, Collector, LeafTriangles, traverse};
+
+/// What stands in a hierarchy that is stored in a codec.
+#[derive(Clone, Debug)]
+pub struct Coded {
+    pub nodes: CodedNodes,
+    pub triangles: CodedTriangles,
+    /// How many triangles there are.
+    pub triangle_count: usize,
+}
+
+/// Inner nodes.
+#[derive(Clone, Debug)]
+pub enum CodedNodes {
+    Printed {
+        root: PrintedBox,
+        nodes: Vec<PrintedNode>,
+    },
+    Lattice {
+        bits: LatticeBits,
+        root: LatticeBox,
+        /// The step is 2 to this power, in the scene's magnitude.
+        step_exponent: i32,
+        words: Vec<u32>,
+    },
+}
+
+/// Triangles in leaves.
+#[derive(Clone, Debug)]
+pub enum CodedTriangles {
+    /// In full, where the hierarchy has them.
+    F32,
+    Leaf10(Vec<PrintedTriangle>),
+    Lattice(Vec<u32>),
+}
+
+impl CodedNodes {
+    pub fn count(&self) -> usize {
+        match self {
+            Self::Printed { nodes, .. } => nodes.len(),
+            Self::Lattice { bits, words, .. } => words.len() / bits.words(),
+        }
+    }
+
+    pub fn bytes(&self) -> usize {
+        match self {
+            Self::Printed { nodes, .. } => size_of_val(nodes.as_slice()),
+            Self::Lattice { words, .. } => size_of_val(words.as_slice()),
+        }
+    }
+
+    pub fn held_bytes(&self) -> usize {
+        match self {
+            Self::Printed { nodes, .. } => nodes.capacity() * size_of::<PrintedNode>(),
+            Self::Lattice { words, .. } => words.capacity() * size_of::<u32>(),
+        }
+    }
+}
+
+impl CodedTriangles {
+    pub fn bytes(&self) -> usize {
+        match self {
+            Self::F32 => 0,
+            Self::Leaf10(triangles) => size_of_val(triangles.as_slice()),
+            Self::Lattice(words) => size_of_val(words.as_slice()),
+        }
+    }
+
+    pub fn held_bytes(&self) -> usize {
+        match self {
+            Self::F32 => 0,
+            Self::Leaf10(triangles) => triangles.capacity() * size_of::<PrintedTriangle>(),
+            Self::Lattice(words) => words.capacity() * size_of::<u32>(),
+        }
+    }
+}
+
+impl Coded {
+    /// No nodes yet.
+    pub const fn nothing() -> Self {
+        Self {
+            nodes: CodedNodes::Printed {
+                root: PrintedBox::ZERO,
+                nodes: Vec::new(),
+            },
+            triangles: CodedTriangles::F32,
+            triangle_count: 0,
+        }
+    }
+
+    pub fn held_bytes(&self) -> usize {
+        self.nodes.held_bytes() + self.triangles.held_bytes()
+    }
+
+    /// Of a hierarchy whose scene has this exponent.
+    pub fn codecs(&self, scene_exponent: i32) -> (NodeCodec, MeshCodec) {
+        match (&self.nodes, &self.triangles) {
+            (CodedNodes::Printed { .. }, CodedTriangles::Leaf10(_)) => {
+                (NodeCodec::Printed, MeshCodec::Leaf10)
+            }
+            (CodedNodes::Printed { .. }, _) => (NodeCodec::Printed, MeshCodec::F32),
+            (
+                CodedNodes::Lattice {
+                    bits,
+                    step_exponent,
+                    ..
+                },
+                CodedTriangles::Lattice(_),
+            ) => {
+                let step_exponent = step_exponent - scene_exponent;
+                (
+                    NodeCodec::Lattice(*bits),
+                    MeshCodec::Lattice { step_exponent },
+                )
+            }
+            (CodedNodes::Lattice { bits, .. }, _) => (NodeCodec::Lattice(*bits), MeshCodec::F32),
+        }
+    }
+
+    /// The closest hit, or any, as the collector wants. `plain` are the triangles where they are stored in full.
+    pub fn trace(
+        &self,
+        plain: &[LeafTriangle],
+        ray: &PreparedRay,
+        rule: &Facing,
+        collector: &mut ClosestOrAny,
+    ) {
+        self.walk(plain, ray, rule, collector);
+    }
+
+    /// Whatever else may be asked, at the price of a call for each node.
+    pub fn trace_any(
+        &self,
+        plain: &[LeafTriangle],
+        ray: &PreparedRay,
+        rule: &Facing,
+        collector: &mut dyn Collector,
+    ) {
+        self.walk(plain, ray, rule, &mut Shared(collector));
+    }
+
+    /// One traversal for each codec.
+    #[inline(always)]
+    fn walk<C: Collector>(
+        &self,
+        plain: &[LeafTriangle],
+        ray: &PreparedRay,
+        rule: &Facing,
+        collector: &mut C,
+    ) {
+        match (&self.nodes, &self.triangles) {
+            (CodedNodes::Printed { root, nodes }, triangles) => {
+                let nodes = PrintedNodes {
+                    nodes,
+                    root: *root,
+                    zero: 0,
+                };
+                if let CodedTriangles::Leaf10(triangles) = triangles {
+                    let triangles = PrintedTriangles { triangles, zero: 0 };
+                    traverse(&nodes, &triangles, ray, rule, collector);
+                } else {
+                    traverse(&nodes, &LeafTriangles(plain), ray, rule, collector);
+                }
+            }
+            (CodedNodes::Lattice { bits, .. }, _) => {
+                by_bits!(*bits, lattice(self, plain, ray, rule, collector));
+            }
+        }
+    }
+}
+
+fn lattice<const BITS: u32, const WORDS: usize>(
+    coded: &Coded,
+    plain: &[LeafTriangle],
+    ray: &PreparedRay,
+    rule: &Facing,
+    collector: &mut impl Collector,
+) {
+    let CodedNodes::Lattice {
+        root,
+        step_exponent,
+        words,
+        ..
+    } = &coded.nodes
+    else {
+        return;
+    };
+    let (root, step) = (*root, power_of_two(*step_exponent));
+    let nodes: &[[u32; WORDS]] = bytemuck::cast_slice(words);
+    if let CodedTriangles::Lattice(words) = &coded.triangles {
+        let nodes = LatticeNodes::<BITS, WORDS, true> { nodes, root, step };
+        let triangles = LatticeTriangles { words, step };
+        traverse(&nodes, &triangles, ray, rule, collector);
+    } else {
+        let nodes = LatticeNodes::<BITS, WORDS, false> { nodes, root, step };
+        traverse(&nodes, &LeafTriangles(plain), ray, rule, collector);
+    }
+}
+
+/// A collector behind a reference.
+pub struct Shared<'a>(pub &'a mut dyn Collector);
+
+impl Collector for Shared<'_> {
+    fn limit(&self) -> f32 {
+        self.0.limit()
+    }
+
+    fn offer(&mut self, hit: slimbvh_core::Hit) {
+        self.0.offer(hit);
+    }
+
+    fn is_done(&self) -> bool {
+        self.0.is_done()
+    }
+
+    fn count_node(&mut self) {
+        self.0.count_node();
+    }
+
+    fn count_triangle(&mut self) {
+        self.0.count_triangle();
+    }
+}

@@ -1,0 +1,70 @@
+//! How far vertices may move, and the lattice that follows from it.
+
+use crate::{Aabb, Projection, RenderSettings, Scene};
+use glam::Vec3;
+
+/// How far a vertex may move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Tolerance {
+    /// A distance in the scene's unit.
+    Length(f32),
+    /// Pixels of the picture, for what is nearest to the eye.
+    Pixels(f32),
+}
+
+/// What is nearer to the eye than this share of the scene's diagonal may move further than was asked for.
+const NEAREST: f32 = 0.01;
+
+/// A vertex moves at most half a step along each axis: this many steps in all.
+const STEPS: f64 = 0.866_025_403_784_438_6;
+
+impl Tolerance {
+    /// The largest distance in the scene's unit.
+    #[must_use]
+    pub fn length(self, scene: &Scene, settings: &RenderSettings) -> f32 {
+        match self {
+            Self::Length(length) => length,
+            Self::Pixels(count) => count * pixel(scene, settings),
+        }
+    }
+
+    /// The largest step of a lattice on which no vertex moves farther, as a power of two; `None` where that is finer than
+    /// floats can tell, so that nothing should move.
+    #[must_use]
+    pub fn step_exponent(self, scene: &Scene, settings: &RenderSettings) -> Option<i32> {
+        let length = f64::from(self.length(scene, settings));
+        let finest = scene.mesh.finest_step();
+        if !length.is_finite() || length <= 0.0 {
+            return None;
+        }
+        let step = (length / STEPS).log2().floor() as i32;
+        // Rounding of the logarithm must not let a vertex farther.
+        let step = if 2f64.powi(step) * STEPS > length {
+            step - 1
+        } else {
+            step
+        };
+        (step >= finest).then_some(step)
+    }
+}
+
+/// The size of a pixel at the scene's nearest point, but no nearer than a hundredth of the scene's size.
+fn pixel(scene: &Scene, settings: &RenderSettings) -> f32 {
+    let (Some(camera), Some(bounds)) = (scene.cameras.first(), scene.mesh.bounds()) else {
+        return 0.0;
+    };
+    let height = settings.size[1] as f32;
+    match camera.projection {
+        Projection::Orthographic { height: picture } => picture / height,
+        Projection::Perspective { vertical_fov } | Projection::ThinLens { vertical_fov, .. } => {
+            let diagonal = (bounds.max - bounds.min).length();
+            let distance = distance_to(&bounds, Vec3::from(camera.eye)).max(NEAREST * diagonal);
+            2.0 * (0.5 * vertical_fov.to_radians()).tan() * distance / height
+        }
+    }
+}
+
+/// How far a point is from a box, 0 inside.
+fn distance_to(bounds: &Aabb, p: Vec3) -> f32 {
+    p.distance(p.clamp(bounds.min, bounds.max))
+}
