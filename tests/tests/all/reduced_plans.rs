@@ -134,7 +134,9 @@ fn declining_says_why_with_figures() {
     let lines = plan.explain();
     assert_eq!(lines[0].0, "nothing");
     assert!(
-        lines[0].1.contains(" ms; it should save 2 times as much, and hardly saves more than "),
+        lines[0]
+            .1
+            .contains(" ms; it should save 2 times as much, and hardly saves more than "),
         "{lines:?}"
     );
 }
