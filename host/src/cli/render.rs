@@ -1,6 +1,6 @@
 //! `slimbvh render`.
 
-mod job;
+pub mod job;
 
 use super::backend::{BackendArguments, Chosen, choose};
 use super::output::{self, bytes, count, things};

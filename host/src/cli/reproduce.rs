@@ -9,6 +9,7 @@ mod printed;
 mod protocol;
 mod report;
 mod rounds;
+mod savings;
 mod scenes;
 mod table;
 mod tables;

@@ -30,18 +30,42 @@ pub struct Job<'a> {
     pub settings: &'a RenderSettings,
 }
 
+/// What builds and renders on this machine's cores, with memory that it keeps from one job to the next.
+#[derive(Default)]
+pub struct Cpu {
+    builder: Builder,
+    hierarchies: Hierarchies,
+    renderer: Renderer,
+}
+
 impl Job<'_> {
     /// Builds and renders on this machine's cores.
     pub fn on_cpu(&self, picture: &mut Picture) -> Result<Outcome> {
-        let (mut builder, mut hierarchies) = (Builder::new(self.config), Hierarchies::new());
-        let (mesh, plan) = (&self.scene.mesh, self.plan);
-        let mut build = hierarchies.build(&mut builder, mesh, plan)?;
-        let mut renderer = Renderer::new();
+        let mut cpu = Cpu {
+            builder: Builder::new(self.config),
+            ..Cpu::default()
+        };
         let progress = output::bar("rendering");
-        let show = |share| progress.set(share);
+        self.again_on_cpu(&mut cpu, picture, |share| progress.set(share))
+    }
+
+    /// [`Self::on_cpu`] in memory that is there, which must be of the same configuration.
+    pub fn again_on_cpu(
+        &self,
+        cpu: &mut Cpu,
+        picture: &mut Picture,
+        show: impl FnMut(f64),
+    ) -> Result<Outcome> {
+        let Cpu {
+            builder,
+            hierarchies,
+            renderer,
+        } = cpu;
+        let (mesh, plan) = (&self.scene.mesh, self.plan);
+        let mut build = hierarchies.build(builder, mesh, plan)?;
         let mut in_turn = Done::default();
         let report = if plan.in_turn {
-            let (trees, mut turns) = hierarchies.split(&mut builder, mesh, plan);
+            let (trees, mut turns) = hierarchies.split(builder, mesh, plan);
             let both: (_, &mut dyn Turns) = (&trees, &mut turns);
             let report = renderer.render_in_turn(self.scene, both, self.settings, picture, show)?;
             in_turn = turns.done();

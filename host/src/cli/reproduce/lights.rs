@@ -30,9 +30,7 @@ impl Rig {
     /// Puts `side * side` lights so far apart that one set for all of them keeps this share of the triangles, or the nearest
     /// that there is.
     pub fn new(scene: &Scene, topology: &Topology, side: u32, share: f64) -> Self {
-        let bounds = scene.mesh.bounds().unwrap_or(slimbvh::Aabb::EMPTY);
-        let middle = 0.5 * bounds.min + 0.5 * bounds.max;
-        let diagonal = (bounds.max - bounds.min).length();
+        let (middle, diagonal) = extent(scene);
         let center = middle + Vec3::new(0.0, HEIGHT * diagonal, 0.0);
         // The set keeps the more, the farther apart they are; the ball around them must not touch the model.
         // No light is outside, whatever was rounded.
@@ -73,6 +71,13 @@ impl Rig {
     pub fn group(&self, topology: &Topology) -> Aim {
         Aim::ball(self.center, self.radius, topology)
     }
+}
+
+/// The middle of the model's box, and its diagonal.
+pub fn extent(scene: &Scene) -> (Vec3, f32) {
+    let bounds = scene.mesh.bounds().unwrap_or(slimbvh::Aabb::EMPTY);
+    let middle = 0.5 * bounds.min + 0.5 * bounds.max;
+    (middle, (bounds.max - bounds.min).length())
 }
 
 /// What the plan decides for one frame of a scene whose surfaces are known, in words, and as trees.

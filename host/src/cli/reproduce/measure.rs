@@ -7,6 +7,7 @@ use super::machine::{self, Machine};
 use super::printed;
 use super::protocol::Protocol;
 use super::rounds::Rounds;
+use super::savings::{self, SavingRecord};
 use super::scenes::Subject;
 use super::times::{Build, Division, Picture, ms};
 use super::visits::{self, Visits};
@@ -44,6 +45,7 @@ pub struct SceneRecord {
     pub pictures: Vec<Pictures>,
     pub visits: Visits,
     pub lights: Vec<LightsRecord>,
+    pub savings: Vec<SavingRecord>,
 }
 
 /// Trees over all triangles and over each set.
@@ -104,7 +106,7 @@ pub struct LightsRow {
     pub rounds: Rounds<Picture>,
 }
 
-/// Measures one scene. Lights near each other are tried on the one of which that is printed.
+/// Measures one scene. Lights near each other are tried on the one of which that is printed; so are savings, on the CPU.
 pub fn measure(
     subject: Subject,
     chosen: &Chosen,
@@ -142,6 +144,10 @@ pub fn measure(
             all_lights.push(many_lights(&subject, chosen, protocol, side)?);
         }
     }
+    let savings = match chosen {
+        Chosen::Cpu if has_lights => savings::measure(&subject, protocol)?,
+        _ => Vec::new(),
+    };
     let facts = topology.facts();
     let reducible = facts.iter().filter(|facts| facts.reducible).count();
     let visits = visits::count(scene, topology, (&camera, &light), protocol.size)?;
@@ -159,10 +165,12 @@ pub fn measure(
         pictures: all_pictures,
         visits,
         lights: all_lights,
+        savings,
     })
 }
 
-fn settings(protocol: &Protocol, sample_count: u32) -> RenderSettings {
+/// One picture of so many samples a pixel.
+pub fn settings(protocol: &Protocol, sample_count: u32) -> RenderSettings {
     RenderSettings {
         size: protocol.size,
         sample_count,

@@ -15,6 +15,8 @@ pub struct Protocol {
     pub light_rounds: u32,
     /// How many lights these have.
     pub light_sides: Vec<u32>,
+    /// How often pictures are made with each saving and without it.
+    pub saving_rounds: u32,
 }
 
 impl Protocol {
@@ -26,6 +28,7 @@ impl Protocol {
             build_rounds: 11,
             light_rounds: 5,
             light_sides: vec![2, 3],
+            saving_rounds: 3,
         }
     }
 
@@ -37,6 +40,7 @@ impl Protocol {
             build_rounds: 3,
             light_rounds: 1,
             light_sides: vec![2, 3],
+            saving_rounds: 3,
         }
     }
 }

@@ -111,6 +111,7 @@ impl Report {
             pictures,
             build_rounds,
             light_rounds,
+            saving_rounds,
             ..
         } = &self.protocol;
         let mut head = vec![
@@ -134,7 +135,7 @@ impl Report {
         head.push((
             "times",
             format!(
-                "medians of those rounds, of {build_rounds} for trees and {light_rounds} for many lights; within each round all ways take turns, \
+                "medians of those rounds, of {build_rounds} for trees, {light_rounds} for many lights and {saving_rounds} for savings; within each round all ways take turns, \
                  and ratios are medians of the rounds' ratios. Spread: from the fastest to the slowest round, as a share of the median"
             ),
         ));

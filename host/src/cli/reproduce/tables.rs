@@ -2,6 +2,7 @@
 
 mod builds;
 mod pictures;
+mod savings;
 
 use super::measure::SceneRecord;
 use super::table::Table;
@@ -18,6 +19,7 @@ pub fn tables(records: &[SceneRecord]) -> Vec<Table> {
     tables.extend(records.iter().flat_map(pictures::near_lights));
     tables.push(pictures::supersampling(records));
     tables.push(visits(records));
+    tables.extend(records.iter().filter_map(savings::table));
     tables.push(builds::once_or_each(records));
     tables
 }

@@ -31,6 +31,7 @@ fn help_has_every_option() {
         "--camera",
         "--codes",
         "--cull",
+        "--dark-rays",
         "--explain",
         "--help",
         "--json",

@@ -55,7 +55,8 @@ fn tables_of_one_scene_as_text_markdown_and_json() {
     ] {
         assert!(text.contains(part), "{part} is not in {text}");
     }
-    // Lights near each other are printed of the armadillo alone, and so is nothing of others.
+    // Lights near each other are printed of the armadillo alone, and so is nothing of others. Savings are tried on it alone.
+    assert!(!text.contains("What each saving saves"), "{text}");
     assert!(
         !text.contains("Table V:") && !text.contains("toasters") && !text.contains("NaN"),
         "{text}"
@@ -135,7 +136,16 @@ fn tables_of_one_scene_as_text_markdown_and_json() {
 #[test]
 fn what_is_missing_is_stood_in_for() {
     let folder = Folder::new();
-    let options = ["--only", "armadillo", "--scenes", ".", "--json", "-"];
+    let options = [
+        "--only",
+        "armadillo",
+        "--scenes",
+        ".",
+        "--out",
+        "armadillo.md",
+        "--json",
+        "-",
+    ];
     let report = parse(&folder.succeed([&QUICK[..], &options].concat()));
     let scene = &report["scenes"][0];
     let stand_in = scene["stand_in"].as_str().expect("it is a sentence");
@@ -153,4 +163,28 @@ fn what_is_missing_is_stood_in_for() {
         assert_eq!(rows[0]["triangles"], 331_906);
         assert!(rows.len() >= 4);
     }
+
+    let savings = scene["savings"].as_array().unwrap();
+    let names: Vec<&str> = savings
+        .iter()
+        .map(|saving| saving["saving"].as_str().unwrap())
+        .collect();
+    let expected = [
+        "frustum",
+        "away",
+        "groups",
+        "turns",
+        "unseen",
+        "alone",
+        "dark rays",
+    ];
+    assert_eq!(names, expected);
+    let bytes = |way: &str| number(&savings[3][way], "tree_bytes");
+    assert!(bytes("with") < 0.5 * bytes("without"), "{}", savings[3]);
+    let rays = |way: &str| number(&savings[6][way], "shadow_rays");
+    assert!(rays("with") < 0.5 * rays("without"), "{}", savings[6]);
+    let file = String::from_utf8(folder.read("armadillo.md")).unwrap();
+    let rows = rows(&file, "What each saving saves");
+    assert_eq!(rows.len(), 2 + expected.len());
+    assert!(rows.iter().all(|row| row.len() == rows[0].len()));
 }
