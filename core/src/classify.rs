@@ -136,14 +136,16 @@ pub fn word_of_set(word: u32, mesh: &IndexedTriangles, scale: &PowerOfTwo, reach
         ..reach.target
     };
     let mut bits = 0;
-    for lane in 0..TOGETHER {
-        let is_in_set = faces(&triangle(lane), sides[lane], &target);
-        bits |= u32::from(is_in_set).wrapping_neg() & BITS[lane];
+    for (lane, (&side, &bit)) in sides.iter().zip(&BITS).enumerate() {
+        let is_in_set = faces(&triangle(lane % TOGETHER), side, &target);
+        bits |= u32::from(is_in_set).wrapping_neg() & bit;
     }
     if reach.frustum.is_bounded == 1 {
-        for lane in 0..TOGETHER {
-            let is_outside = reach.frustum.is_certainly_outside(&triangle(lane));
-            bits &= !(u32::from(is_outside).wrapping_neg() & BITS[lane]);
+        for (lane, &bit) in BITS.iter().enumerate() {
+            let is_outside = reach
+                .frustum
+                .is_certainly_outside(&triangle(lane % TOGETHER));
+            bits &= !(u32::from(is_outside).wrapping_neg() & bit);
         }
     }
     bits & u32::MAX.checked_shr((TOGETHER - count) as u32).unwrap_or(0)

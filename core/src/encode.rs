@@ -12,8 +12,8 @@ mod printed;
 
 pub use lattice_leaf::{LatticeTriangles, LeafWidth, encode_triangle};
 pub use lattice_node::{
-    EncodedNode, LatticeCursor, LatticeNodes, decode_node, encode_node, links_of, node_words,
-    with_links,
+    EncodedNode, LatticeCursor, LatticeFrame, LatticeNodes, decode_node, encode_node, links_of,
+    node_words, with_links,
 };
 pub use links::Links;
 pub use printed::{

@@ -93,10 +93,33 @@ pub trait Rule {
 pub const STACK_SIZE: usize = 128;
 const _: () = assert!(STACK_SIZE as u32 > depth_bound(63, crate::MAX_TRIANGLES));
 
-/// Walks the tree, near child first, and offers every triangle that the ray meets and that counts by the
-/// rule to the collector.
-///
-/// A node is passed over only if the ray misses its box or enters it beyond the collector's limit.
+/// Nodes that wait. Memory of a caller who asks more than once: it need not be cleared in between.
+#[derive(Clone, Copy, Debug)]
+pub struct Stack<C> {
+    cursors: [C; STACK_SIZE],
+    enter: [f32; STACK_SIZE],
+}
+
+impl<C: Copy> Stack<C> {
+    /// Nothing waits. Takes what a source fills it with before use ([`NodeSource::UNUSED`]).
+    #[inline(always)]
+    #[must_use]
+    pub const fn new(unused: C) -> Self {
+        Self {
+            cursors: [unused; STACK_SIZE],
+            enter: [0.0; STACK_SIZE],
+        }
+    }
+
+    /// For nodes of a source.
+    #[inline(always)]
+    #[must_use]
+    pub const fn of<N: NodeSource<Cursor = C>>(_: &N) -> Self {
+        Self::new(N::UNUSED)
+    }
+}
+
+/// [`traverse_with`], with a stack of its own.
 #[inline(always)]
 pub fn traverse<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
     nodes: &N,
@@ -105,9 +128,24 @@ pub fn traverse<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collecto
     rule: &R,
     collector: &mut C,
 ) {
+    let mut stack = Stack::of(nodes);
+    traverse_with(&mut stack, nodes, triangles, ray, rule, collector);
+}
+
+/// Walks the tree, near child first, and offers every triangle that the ray meets and that counts by the
+/// rule to the collector.
+///
+/// A node is passed over only if the ray misses its box or enters it beyond the collector's limit.
+#[inline(always)]
+pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
+    stack: &mut Stack<N::Cursor>,
+    nodes: &N,
+    triangles: &T,
+    ray: &PreparedRay,
+    rule: &R,
+    collector: &mut C,
+) {
     let mut cursor = nodes.root(ray.axes);
-    let mut stack = [N::UNUSED; STACK_SIZE];
-    let mut stack_enter = [0.0f32; STACK_SIZE];
     let mut depth = 0usize;
     let mut at_node = ray.t_min <= ray.t_max;
     let mut steps = nodes.step_limit();
@@ -116,8 +154,8 @@ pub fn traverse<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collecto
         if !at_node {
             // Take the nearest node that waits, unless a hit has been found before it.
             depth -= 1;
-            cursor = stack[depth % STACK_SIZE];
-            at_node = stack_enter[depth % STACK_SIZE] <= collector.limit();
+            cursor = stack.cursors[depth % STACK_SIZE];
+            at_node = stack.enter[depth % STACK_SIZE] <= collector.limit();
         }
         if at_node {
             steps -= 1;
@@ -149,8 +187,9 @@ pub fn traverse<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collecto
                 let (meets_left, meets_right) = (boxes.meets_a, boxes.meets_b);
                 let left_first = enter_left <= enter_right;
                 if meets_left && meets_right {
-                    stack[depth % STACK_SIZE] = if left_first { node.right } else { node.left };
-                    stack_enter[depth % STACK_SIZE] = max(enter_left, enter_right);
+                    stack.cursors[depth % STACK_SIZE] =
+                        if left_first { node.right } else { node.left };
+                    stack.enter[depth % STACK_SIZE] = max(enter_left, enter_right);
                     depth += 1;
                     cursor = if left_first { node.left } else { node.right };
                 } else {

@@ -1,7 +1,7 @@
 //! A built hierarchy, and the questions it answers.
 
 use crate::codec::{MeshCodec, NodeCodec};
-use crate::coded::{Coded, Shared};
+use crate::coded::{Coded, Shared, Stacks, with_stacks};
 use crate::cpu::decode;
 use rayon::prelude::*;
 use slimbvh_core::aabb::Aabb;
@@ -10,7 +10,8 @@ use slimbvh_core::classify::{Except, Facing, Sides};
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
 use slimbvh_core::trace::{
-    self, ClosestOrAny, Collector, LeafTriangles, NearestHits, PlainNodes, traverse,
+    self, AnyHit, ClosestHit, ClosestOrAny, Collector, LeafTriangles, NearestHits, PlainNodes,
+    traverse, traverse_with,
 };
 use slimbvh_core::{LeafTriangle, Node};
 
@@ -79,18 +80,18 @@ impl Bvh {
         skip: u32,
         target: Option<(Sides, Target)>,
     ) -> Hit {
+        let prepared = PreparedRay::new(ray, exponent);
         if let Some(coded) = &self.coded {
-            let prepared = PreparedRay::new(ray, exponent);
             let mut collector = ClosestOrAny::closest(prepared.t_max);
             let rule = facing(skip, target);
-            coded.trace(&self.triangles, &prepared, &rule, &mut collector);
+            with_stacks(|stacks| {
+                coded.trace(&self.triangles, &prepared, &rule, &mut collector, stacks);
+            });
             return prepared.restore(collector.closest.hit);
         }
-        let (nodes, triangles) = (self.node_source(), self.triangle_source());
-        match target {
-            None => trace::closest_hit(&nodes, &triangles, ray, exponent, &Except(skip)),
-            Some(_) => trace::closest_hit(&nodes, &triangles, ray, exponent, &facing(skip, target)),
-        }
+        let mut collector = ClosestHit::new(prepared.t_max);
+        self.trace_plain(&prepared, skip, target, &mut collector);
+        prepared.restore(collector.hit)
     }
 
     /// [`Self::any_hit`], as [`Self::closest_hit_by`].
@@ -101,18 +102,36 @@ impl Bvh {
         skip: u32,
         target: Option<(Sides, Target)>,
     ) -> bool {
+        let prepared = PreparedRay::new(ray, exponent);
         if let Some(coded) = &self.coded {
-            let prepared = PreparedRay::new(ray, exponent);
             let mut collector = ClosestOrAny::any(prepared.t_max);
             let rule = facing(skip, target);
-            coded.trace(&self.triangles, &prepared, &rule, &mut collector);
+            with_stacks(|stacks| {
+                coded.trace(&self.triangles, &prepared, &rule, &mut collector, stacks);
+            });
             return collector.closest.hit.is_hit();
         }
+        let mut collector = AnyHit::new(prepared.t_max);
+        self.trace_plain(&prepared, skip, target, &mut collector);
+        collector.found
+    }
+
+    #[inline(always)]
+    fn trace_plain<C: Collector>(
+        &self,
+        ray: &PreparedRay,
+        skip: u32,
+        target: Option<(Sides, Target)>,
+        collector: &mut C,
+    ) {
         let (nodes, triangles) = (self.node_source(), self.triangle_source());
-        match target {
-            None => trace::any_hit(&nodes, &triangles, ray, exponent, &Except(skip)),
-            Some(_) => trace::any_hit(&nodes, &triangles, ray, exponent, &facing(skip, target)),
-        }
+        with_stacks(|Stacks { plain, .. }| match target {
+            None => traverse_with(plain, &nodes, &triangles, ray, &Except(skip), collector),
+            Some(_) => {
+                let rule = facing(skip, target);
+                traverse_with(plain, &nodes, &triangles, ray, &rule, collector);
+            }
+        });
     }
 
     /// Traces one ray with whatever is asked, and counts what is touched on the way. Slower than the other questions.

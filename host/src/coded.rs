@@ -1,16 +1,19 @@
 //! Nodes and triangles in codecs, and traversal of them.
 
 use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
-use slimbvh_core::LeafTriangle;
 use slimbvh_core::classify::Facing;
 use slimbvh_core::encode::{
-    LatticeNodes, LatticeTriangles, PrintedBox, PrintedNode, PrintedNodes, PrintedTriangle,
-    PrintedTriangles,
+    LatticeCursor, LatticeNodes, LatticeTriangles, PrintedBox, PrintedCursor, PrintedNode,
+    PrintedNodes, PrintedTriangle, PrintedTriangles,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::trace::{ClosestOrAny, Collector, LeafTriangles, traverse};
+use slimbvh_core::trace::{
+    ClosestOrAny, Collector, LeafTriangles, NodeSource, PlainNodes, Stack, traverse_with,
+};
+use slimbvh_core::{LeafTriangle, NodeRef};
+use std::cell::RefCell;
 
 /// What stands in a hierarchy that is stored in a codec.
 #[derive(Clone, Debug)]
@@ -136,8 +139,9 @@ impl Coded {
         ray: &PreparedRay,
         rule: &Facing,
         collector: &mut ClosestOrAny,
+        stacks: &mut Stacks,
     ) {
-        self.walk(plain, ray, rule, collector);
+        self.walk(plain, ray, rule, collector, stacks);
     }
 
     /// Whatever else may be asked, at the price of a call for each node.
@@ -148,7 +152,8 @@ impl Coded {
         rule: &Facing,
         collector: &mut dyn Collector,
     ) {
-        self.walk(plain, ray, rule, &mut Shared(collector));
+        let mut stacks = Stacks::NEW;
+        self.walk(plain, ray, rule, &mut Shared(collector), &mut stacks);
     }
 
     /// One traversal for each codec.
@@ -159,6 +164,7 @@ impl Coded {
         ray: &PreparedRay,
         rule: &Facing,
         collector: &mut C,
+        stacks: &mut Stacks,
     ) {
         match (&self.nodes, &self.triangles) {
             (CodedNodes::Printed { root, nodes }, triangles) => {
@@ -169,13 +175,15 @@ impl Coded {
                 };
                 if let CodedTriangles::Leaf10(triangles) = triangles {
                     let triangles = PrintedTriangles { triangles, zero: 0 };
-                    traverse(&nodes, &triangles, ray, rule, collector);
+                    let stack = &mut stacks.printed;
+                    traverse_with(stack, &nodes, &triangles, ray, rule, collector);
                 } else {
-                    traverse(&nodes, &LeafTriangles(plain), ray, rule, collector);
+                    let (triangles, stack) = (LeafTriangles(plain), &mut stacks.printed);
+                    traverse_with(stack, &nodes, &triangles, ray, rule, collector);
                 }
             }
             (CodedNodes::Lattice { bits, .. }, _) => {
-                by_bits!(*bits, lattice(self, plain, ray, rule, collector));
+                by_bits!(*bits, lattice(self, plain, ray, rule, collector, stacks));
             }
         }
     }
@@ -187,7 +195,9 @@ fn lattice<const BITS: u32, const WORDS: usize>(
     ray: &PreparedRay,
     rule: &Facing,
     collector: &mut impl Collector,
+    stacks: &mut Stacks,
 ) {
+    let stack = &mut stacks.lattice;
     let CodedNodes::Lattice {
         root,
         step_exponent,
@@ -202,11 +212,38 @@ fn lattice<const BITS: u32, const WORDS: usize>(
     if let CodedTriangles::Lattice(words) = &coded.triangles {
         let nodes = LatticeNodes::<BITS, WORDS, true> { nodes, root, step };
         let triangles = LatticeTriangles { words, step };
-        traverse(&nodes, &triangles, ray, rule, collector);
+        traverse_with(stack, &nodes, &triangles, ray, rule, collector);
     } else {
         let nodes = LatticeNodes::<BITS, WORDS, false> { nodes, root, step };
-        traverse(&nodes, &LeafTriangles(plain), ray, rule, collector);
+        let triangles = LeafTriangles(plain);
+        traverse_with(stack, &nodes, &triangles, ray, rule, collector);
     }
+}
+
+/// Stacks for each kind of nodes.
+#[derive(Debug)]
+pub struct Stacks {
+    pub plain: Stack<NodeRef>,
+    printed: Stack<PrintedCursor>,
+    lattice: Stack<LatticeCursor>,
+}
+
+impl Stacks {
+    /// Nothing waits.
+    pub const NEW: Self = Self {
+        plain: Stack::new(PlainNodes::UNUSED),
+        printed: Stack::new(PrintedNodes::UNUSED),
+        lattice: Stack::new(LatticeNodes::<10, 4, false>::UNUSED),
+    };
+}
+
+thread_local! {
+    static STACKS: RefCell<Stacks> = const { RefCell::new(Stacks::NEW) };
+}
+
+/// With the thread's own stacks.
+pub fn with_stacks<R>(run: impl FnOnce(&mut Stacks) -> R) -> R {
+    STACKS.with_borrow_mut(run)
 }
 
 /// A collector behind a reference.

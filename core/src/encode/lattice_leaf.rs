@@ -1,5 +1,7 @@
 //! The lattice codec's triangle: its vertices, counted from the leaf's decoded box, exactly.
 
+use super::lattice_node::LatticeFrame;
+use crate::float::max;
 use crate::lattice::LatticeBox;
 use crate::ray::NO_PRIMITIVE;
 use crate::trace::{Place, TriangleSource};
@@ -38,6 +40,21 @@ impl LeafWidth {
         }
     }
 
+    /// The same from the box that the traversal carries.
+    #[inline(always)]
+    #[must_use]
+    pub fn of_frame(frame: &LatticeFrame, step: f32) -> Self {
+        let extent = |axis: usize| frame.max[axis] - frame.min[axis];
+        let largest = max(max(extent(0), extent(1)), extent(2));
+        if largest < 1024.0 * step {
+            Self::Narrow
+        } else if largest < 2_097_152.0 * step {
+            Self::Middle
+        } else {
+            Self::Wide
+        }
+    }
+
     /// Words of a triangle.
     #[inline(always)]
     #[must_use]
@@ -64,8 +81,7 @@ pub fn encode_triangle(vertices: &[[i32; 3]; 3], primitive: u32, bounds: &Lattic
     let width = LeafWidth::of(bounds);
     let size = width.vertex_words() as usize;
     let mut words = [0; 10];
-    for corner in 0..3usize {
-        let [x, y, z] = vertices[corner];
+    for (corner, &[x, y, z]) in vertices.iter().enumerate() {
         let from = |v: i32, min: i32| v.wrapping_sub(min) as u32;
         let (a, b, c) = (
             from(x, bounds.min[0]),
@@ -100,29 +116,32 @@ pub struct LatticeTriangles<'a> {
 }
 
 impl LatticeTriangles<'_> {
-    /// Where a triangle's words begin.
+    /// Where a triangle's words begin, and how many a vertex takes.
     #[inline(always)]
-    const fn begin(place: &Place<LatticeBox>, width: LeafWidth) -> u32 {
-        place.first.wrapping_add(place.number * width.words())
+    fn begin(&self, place: &Place<LatticeFrame>) -> (u32, LeafWidth) {
+        let width = LeafWidth::of_frame(&place.frame, self.step);
+        (
+            place.first.wrapping_add(place.number * width.words()),
+            width,
+        )
     }
 }
 
-impl TriangleSource<LatticeBox> for LatticeTriangles<'_> {
+impl TriangleSource<LatticeFrame> for LatticeTriangles<'_> {
     #[inline(always)]
-    fn corners(&self, place: &Place<LatticeBox>, axes: [u32; 3]) -> [[f32; 3]; 3] {
-        let width = LeafWidth::of(&place.frame);
-        let begin = Self::begin(place, width);
+    fn corners(&self, place: &Place<LatticeFrame>, axes: [u32; 3]) -> [[f32; 3]; 3] {
+        let (begin, width) = self.begin(place);
         let size = width.vertex_words();
         let word = |i: u32| crate::load(self.words, begin.wrapping_add(i), 0);
         let mut corners = [[0.0; 3]; 3];
-        for corner in 0..3u32 {
+        for (corner, to) in (0u32..).zip(&mut corners) {
             let at = corner * size;
             let (a, b) = (word(at), word(at + 1));
             for i in 0..3usize {
                 let axis = axes[i];
                 let min = place.frame.min[i];
-                let steps = match width {
-                    LeafWidth::Narrow => min.wrapping_add(((a >> (10 * axis)) & 0x3ff) as i32),
+                to[i] = match width {
+                    LeafWidth::Narrow => min + ((a >> (10 * axis)) & 0x3ff) as f32 * self.step,
                     LeafWidth::Middle => {
                         let bits = if axis == 0 {
                             a
@@ -131,20 +150,19 @@ impl TriangleSource<LatticeBox> for LatticeTriangles<'_> {
                         } else {
                             b >> 10
                         };
-                        min.wrapping_add((bits & 0x001f_ffff) as i32)
+                        min + (bits & 0x001f_ffff) as f32 * self.step
                     }
-                    LeafWidth::Wide => word(at + axis) as i32,
+                    LeafWidth::Wide => word(at + axis) as i32 as f32 * self.step,
                 };
-                corners[corner as usize][i] = steps as f32 * self.step;
             }
         }
         corners
     }
 
     #[inline(always)]
-    fn primitive(&self, place: &Place<LatticeBox>) -> u32 {
-        let width = LeafWidth::of(&place.frame);
-        let at = Self::begin(place, width).wrapping_add(3 * width.vertex_words());
+    fn primitive(&self, place: &Place<LatticeFrame>) -> u32 {
+        let (begin, width) = self.begin(place);
+        let at = begin.wrapping_add(3 * width.vertex_words());
         crate::load(self.words, at, NO_PRIMITIVE)
     }
 }
@@ -188,7 +206,8 @@ mod tests {
             let triangles = LatticeTriangles { words: &words, step: 0.5 };
             for axes in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
                 let order = |v: [i32; 3]| axes.map(|axis: u32| v[axis as usize]);
-                let frame = LatticeBox { min: order(bounds.min), max: order(bounds.max) };
+                let frame = LatticeFrame::new(&bounds, 0.5, axes);
+                prop_assert_eq!(LeafWidth::of_frame(&frame, 0.5), width);
                 let place = Place { first, number: 1, frame };
                 let expected = vertices.map(|v| order(v).map(|x| x as f32 * 0.5));
                 prop_assert_eq!(triangles.corners(&place, axes), expected);

@@ -231,13 +231,44 @@ const fn links<const BITS: u32>(before: [u32; 2], [x, y, z]: [u32; 3]) -> Links 
     }
 }
 
-/// A node or a leaf, and its box, coordinates in the order of the ray's axes. 28 bytes.
+/// A box on the lattice as the traversal carries it: the same numbers in the scene's unit, which floats hold exactly, with
+/// coordinates in the order of the ray's axes. 24 bytes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LatticeFrame {
+    /// Smallest coordinates.
+    pub min: [f32; 3],
+    /// Largest coordinates.
+    pub max: [f32; 3],
+}
+
+impl LatticeFrame {
+    /// Nothing but the origin; all bits zero.
+    pub const ZERO: Self = Self {
+        min: [0.0; 3],
+        max: [0.0; 3],
+    };
+
+    /// A box whose steps have this length, for a ray whose axes are in this order.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(bounds: &LatticeBox, step: f32, axes: [u32; 3]) -> Self {
+        let [a, b, c] = axes;
+        let min = |axis: u32| bounds.min[axis as usize % 3] as f32 * step;
+        let max = |axis: u32| bounds.max[axis as usize % 3] as f32 * step;
+        Self {
+            min: [min(a), min(b), min(c)],
+            max: [max(a), max(b), max(c)],
+        }
+    }
+}
+
+/// A node or a leaf, and its box. 28 bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct LatticeCursor {
     /// Which.
     pub node: NodeRef,
     /// Its box, decoded.
-    pub bounds: LatticeBox,
+    pub bounds: LatticeFrame,
 }
 
 /// Nodes of the lattice codec, the root first. `MIXED` where leaves hold triangles of the lattice codec, whose size follows
@@ -252,14 +283,47 @@ pub struct LatticeNodes<'a, const BITS: u32, const WORDS: usize, const MIXED: bo
     pub step: f32,
 }
 
+/// [`axis_planes`] in the scene's unit, in floats, of which none is ever rounded: each is a whole number of steps, of at most
+/// 24 bits.
+#[inline(always)]
+fn frame_planes<const BITS: u32>(
+    [lower, upper]: [u32; 2],
+    low: f32,
+    high: f32,
+    step: f32,
+) -> PlanePair {
+    let mask = (1 << BITS) - 1;
+    let upper = if axis_words(BITS) == 1 {
+        upper >> ((BITS + 1) & 31)
+    } else {
+        upper
+    };
+    // The exponent of the extent tells how many bits it has.
+    let exponent = ((high - low).to_bits() >> 23) as i32 - (BITS as i32 - 1);
+    let least = (step.to_bits() >> 23) as i32;
+    let exponent = if exponent > least { exponent } else { least };
+    let cell = f32::from_bits((exponent as u32) << 23);
+    let from_low = ((lower & mask) as f32 * cell).to_bits();
+    let from_high = ((upper & mask) as f32 * -cell).to_bits();
+    let is_low_right = ((lower >> BITS) & 1).wrapping_neg();
+    let is_high_right = ((upper >> BITS) & 1).wrapping_neg();
+    PlanePair::new(low, low, high, high)
+        + PlanePair::new(
+            f32::from_bits(from_low & is_low_right),
+            f32::from_bits(from_low & !is_low_right),
+            f32::from_bits(from_high & is_high_right),
+            f32::from_bits(from_high & !is_high_right),
+        )
+}
+
 impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
     for LatticeNodes<'_, BITS, WORDS, MIXED>
 {
     type Cursor = LatticeCursor;
-    type Frame = LatticeBox;
+    type Frame = LatticeFrame;
     const UNUSED: LatticeCursor = LatticeCursor {
         node: NodeRef::inner(0),
-        bounds: LatticeBox::ZERO,
+        bounds: LatticeFrame::ZERO,
     };
 
     #[inline(always)]
@@ -270,15 +334,12 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
             } else {
                 NodeRef::inner(0)
             },
-            bounds: LatticeBox {
-                min: ordered(self.root.min, axes),
-                max: ordered(self.root.max, axes),
-            },
+            bounds: LatticeFrame::new(&self.root, self.step, axes),
         }
     }
 
     #[inline(always)]
-    fn leaf(&self, cursor: LatticeCursor) -> LeafRun<LatticeBox> {
+    fn leaf(&self, cursor: LatticeCursor) -> LeafRun<LatticeFrame> {
         LeafRun {
             is_leaf: cursor.node.is_leaf(),
             first: cursor.node.first(),
@@ -292,7 +353,7 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
         let index = cursor.node.index() as usize;
         let nothing = LatticeCursor {
             node: NodeRef::NOTHING,
-            bounds: LatticeBox::ZERO,
+            bounds: LatticeFrame::ZERO,
         };
         if index >= self.nodes.len() {
             return Children {
@@ -303,32 +364,40 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
         }
         // Words are read where they lie, by axis.
         let words = &self.nodes[index];
-        let mut planes = [PlanePair::ZERO; 3];
-        let (mut left, mut right) = (nothing, nothing);
-        for i in 0..3usize {
-            let first = link_words(BITS) + axes[i] as usize * axis_words(BITS);
-            let sides = [
-                words[first % WORDS],
-                words[last_word(BITS, axes[i] as usize) % WORDS],
-            ];
-            let [a, b, c, d] =
-                axis_planes::<BITS>(sides, cursor.bounds.min[i], cursor.bounds.max[i]);
-            planes[i] = PlanePair::new(a as f32, b as f32, c as f32, d as f32) * self.step;
-            (left.bounds.min[i], right.bounds.min[i]) = (a, b);
-            (left.bounds.max[i], right.bounds.max[i]) = (c, d);
-        }
-        let links = links_of::<BITS, WORDS>(words);
-        [left.node, right.node] = links.children(|| {
+        let bounds = &cursor.bounds;
+        let planes = |i: usize| {
+            let axis = axes[i] as usize;
+            let first = link_words(BITS) + axis * axis_words(BITS);
+            let sides = [words[first % WORDS], words[last_word(BITS, axis) % WORDS]];
+            frame_planes::<BITS>(sides, bounds.min[i], bounds.max[i], self.step)
+        };
+        let planes = [planes(0), planes(1), planes(2)];
+        let [a, b, c] = planes;
+        let left = LatticeFrame {
+            min: [a.x, b.x, c.x],
+            max: [a.z, b.z, c.z],
+        };
+        let right = LatticeFrame {
+            min: [a.y, b.y, c.y],
+            max: [a.w, b.w, c.w],
+        };
+        let [left_node, right_node] = links_of::<BITS, WORDS>(words).children(|| {
             if MIXED {
-                LeafWidth::of(&left.bounds).words()
+                LeafWidth::of_frame(&left, self.step).words()
             } else {
                 1
             }
         });
         Children {
             planes,
-            left,
-            right,
+            left: LatticeCursor {
+                node: left_node,
+                bounds: left,
+            },
+            right: LatticeCursor {
+                node: right_node,
+                bounds: right,
+            },
         }
     }
 
@@ -337,16 +406,6 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
         // Every inner node once, and a leaf on both sides of each.
         3 * self.nodes.len() as u32 + 1
     }
-}
-
-/// Coordinates in the order of a ray's axes.
-#[inline(always)]
-const fn ordered(v: [i32; 3], axes: [u32; 3]) -> [i32; 3] {
-    [
-        v[axes[0] as usize % 3],
-        v[axes[1] as usize % 3],
-        v[axes[2] as usize % 3],
-    ]
 }
 
 #[cfg(test)]

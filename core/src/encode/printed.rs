@@ -150,9 +150,9 @@ fn encode_box(parent: &PrintedBox, child: &PrintedBox, zero: u32) -> [u32; 2] {
 #[inline(always)]
 fn decode_box(words: [u32; 2], parent: &PrintedBox, axes: [u32; 3], zero: u32) -> PrintedBox {
     let mut child = PrintedBox::ZERO;
-    for i in 0..3usize {
+    for (i, axis) in axes.into_iter().enumerate() {
         let (low, high) = (parent.min[i], parent.max[i]);
-        let number = |word: u32| (word >> (10 * axes[i])) & LAST;
+        let number = |word: u32| (word >> (10 * axis)) & LAST;
         child.min[i] = decode(number(words[0]), low, high, zero);
         child.max[i] = decode(number(words[1]), low, high, zero);
     }
@@ -266,7 +266,7 @@ pub fn encode_printed_triangle(
     zero: u32,
 ) -> PrintedTriangle {
     let mut vertices = [0; 3];
-    for corner in 0..3usize {
+    for (corner, word) in vertices.iter_mut().enumerate() {
         for axis in 0..3usize {
             let x = triangle.vertices[(3 * corner + axis) % 9];
             let (low, high) = (bounds.min[axis], bounds.max[axis]);
@@ -275,7 +275,7 @@ pub fn encode_printed_triangle(
             let to_below = abs(x - decode(below, low, high, zero));
             let to_above = abs(decode(above, low, high, zero) - x);
             let nearest = if to_above < to_below { above } else { below };
-            vertices[corner] |= nearest << (10 * axis);
+            *word |= nearest << (10 * axis);
         }
     }
     PrintedTriangle {

@@ -3,8 +3,8 @@
 use crate::codec::by_bits;
 use crate::coded::{Coded, CodedNodes, CodedTriangles};
 use slimbvh_core::encode::{
-    LatticeTriangles, LeafWidth, PrintedBox, PrintedTriangles, decode_node, decode_printed_node,
-    links_of,
+    LatticeFrame, LatticeTriangles, LeafWidth, PrintedBox, PrintedTriangles, decode_node,
+    decode_printed_node, links_of,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
@@ -71,7 +71,12 @@ fn decode_lattice<const BITS: u32, const WORDS: usize>(
             (links.children(stride), boxes)
         },
         &|bounds| box_of_lattice(bounds, step),
-        &|place, bounds| source.map(|source| leaf_triangle(&source, place, *bounds)),
+        &|place, bounds| {
+            source.map(|source| {
+                let frame = LatticeFrame::new(bounds, step, [0, 1, 2]);
+                leaf_triangle(&source, place, frame)
+            })
+        },
     );
     decoder.finish()
 }

@@ -23,7 +23,7 @@ pub struct Answers {
 
 impl Answers {
     /// Asks some source of nodes.
-    pub fn of<N: NodeSource, T: TriangleSource>(
+    pub fn of<N: NodeSource, T: TriangleSource<N::Frame>>(
         nodes: &N,
         triangles: &T,
         ray: &Ray,
