@@ -36,7 +36,7 @@ fuzz_target!(|input: Input| {
     } else {
         CodeBits::Bits30
     };
-    let Ok(bvh) = Builder::new(BuildConfig { code_bits }).build(&mesh) else {
+    let Ok(bvh) = Builder::new(BuildConfig::from(code_bits)).build(&mesh) else {
         return;
     };
     let brute = BruteForce(mesh.indices.len() as u32);

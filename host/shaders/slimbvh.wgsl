@@ -79,104 +79,104 @@ var<private> slimbvh_any_will_do: SlimbvhTypeI;
 var<private> slimbvh_hit: SlimbvhTypeB;
 
 fn slimbvh_trace() {
-    var local: array<u32, 128>;
-    var local_1: array<f32, 128>;
-    var phi_231_: i32;
-    var phi_232_: i32;
-    var phi_242_: bool;
-    var phi_252_: u32;
-    var phi_253_: u32;
-    var phi_255_: bool;
-    var phi_260_: u32;
-    var phi_340_: f32;
-    var phi_351_: f32;
-    var phi_396_: f32;
-    var phi_407_: f32;
-    var phi_452_: f32;
-    var phi_463_: f32;
-    var phi_559_: f32;
-    var phi_560_: f32;
-    var phi_570_: SlimbvhTypeK;
-    var phi_1944_: bool;
-    var phi_580_: SlimbvhTypeK;
-    var phi_583_: u32;
-    var phi_585_: u32;
-    var phi_587_: bool;
-    var phi_589_: u32;
-    var phi_600_: bool;
-    var phi_630_: u32;
-    var phi_631_: bool;
-    var phi_632_: u32;
-    var phi_1460_: SlimbvhTypeL;
-    var phi_1804_: u32;
-    var phi_1830_: u32;
-    var phi_1831_: u32;
-    var phi_1832_: u32;
-    var phi_1834_: u32;
-    var phi_1835_: u32;
-    var phi_1836_: bool;
-    var phi_1845_: u32;
-    var phi_1850_: u32;
-    var phi_1851_: bool;
-    var phi_648_: SlimbvhTypeK;
-    var phi_651_: SlimbvhTypeA;
-    var phi_652_: SlimbvhTypeA;
-    var phi_674_: SlimbvhTypeA;
-    var phi_694_: u32;
-    var phi_782_: array<array<f32, 3>, 3>;
-    var phi_1253_: vec3<f32>;
-    var phi_1254_: vec3<f32>;
-    var phi_1285_: bool;
-    var phi_1294_: vec3<f32>;
-    var phi_1334_: SlimbvhTypeE;
-    var phi_1336_: SlimbvhTypeE;
-    var phi_1337_: bool;
-    var phi_1341_: SlimbvhTypeE;
-    var phi_1342_: SlimbvhTypeE;
-    var phi_1343_: SlimbvhTypeE;
-    var phi_1344_: bool;
-    var phi_1348_: SlimbvhTypeE;
-    var phi_1349_: bool;
-    var phi_1353_: SlimbvhTypeE;
-    var phi_1354_: bool;
-    var phi_1358_: SlimbvhTypeE;
-    var phi_1383_: bool;
-    var phi_1384_: bool;
-    var phi_1391_: SlimbvhTypeK;
-    var phi_1392_: SlimbvhTypeK;
-    var phi_1393_: SlimbvhTypeK;
-    var phi_649_: SlimbvhTypeK;
-    var phi_1938_: bool;
+    var local: array<f32, 128>;
+    var local_1: array<u32, 128>;
+    var phi_233_: i32;
+    var phi_234_: i32;
+    var phi_244_: bool;
+    var phi_254_: u32;
+    var phi_255_: u32;
+    var phi_257_: bool;
+    var phi_262_: u32;
+    var phi_342_: f32;
+    var phi_353_: f32;
+    var phi_398_: f32;
+    var phi_409_: f32;
+    var phi_454_: f32;
+    var phi_465_: f32;
+    var phi_561_: f32;
+    var phi_562_: f32;
+    var phi_572_: SlimbvhTypeK;
+    var phi_2219_: bool;
+    var phi_845_: SlimbvhTypeK;
+    var phi_848_: u32;
+    var phi_850_: u32;
+    var phi_852_: bool;
+    var phi_854_: u32;
+    var phi_865_: bool;
+    var phi_896_: u32;
+    var phi_897_: bool;
+    var phi_898_: u32;
+    var phi_1727_: SlimbvhTypeL;
+    var phi_2071_: u32;
+    var phi_2098_: u32;
+    var phi_2099_: u32;
+    var phi_2100_: u32;
+    var phi_2102_: u32;
+    var phi_2103_: u32;
+    var phi_2104_: bool;
+    var phi_2113_: u32;
+    var phi_2118_: u32;
+    var phi_2119_: bool;
+    var phi_913_: SlimbvhTypeK;
+    var phi_916_: SlimbvhTypeA;
+    var phi_917_: SlimbvhTypeA;
+    var phi_939_: SlimbvhTypeA;
+    var phi_960_: u32;
+    var phi_1049_: array<array<f32, 3>, 3>;
+    var phi_1520_: vec3<f32>;
+    var phi_1521_: vec3<f32>;
+    var phi_1552_: bool;
+    var phi_1561_: vec3<f32>;
+    var phi_1601_: SlimbvhTypeE;
+    var phi_1603_: SlimbvhTypeE;
+    var phi_1604_: bool;
+    var phi_1608_: SlimbvhTypeE;
+    var phi_1609_: SlimbvhTypeE;
+    var phi_1610_: SlimbvhTypeE;
+    var phi_1611_: bool;
+    var phi_1615_: SlimbvhTypeE;
+    var phi_1616_: bool;
+    var phi_1620_: SlimbvhTypeE;
+    var phi_1621_: bool;
+    var phi_1625_: SlimbvhTypeE;
+    var phi_1650_: bool;
+    var phi_1651_: bool;
+    var phi_1658_: SlimbvhTypeK;
+    var phi_1659_: SlimbvhTypeK;
+    var phi_1660_: SlimbvhTypeK;
+    var phi_914_: SlimbvhTypeK;
+    var phi_2213_: bool;
     var local_2: SlimbvhTypeK;
     var local_3: SlimbvhTypeK;
-    var phi_1400_: bool;
-    var phi_2053_: bool;
-    var phi_1853_: SlimbvhTypeK;
-    var phi_1854_: u32;
-    var phi_1855_: bool;
-    var phi_1856_: u32;
-    var phi_2052_: bool;
-    var phi_1857_: SlimbvhTypeK;
-    var phi_1858_: u32;
-    var phi_1859_: u32;
-    var phi_1860_: bool;
-    var phi_1861_: u32;
-    var phi_2051_: bool;
-    var phi_1862_: SlimbvhTypeK;
-    var phi_1863_: u32;
-    var phi_1864_: u32;
-    var phi_1865_: bool;
-    var phi_1866_: u32;
-    var phi_2050_: bool;
-    var phi_581_: SlimbvhTypeK;
-    var phi_584_: u32;
-    var phi_586_: u32;
-    var phi_588_: bool;
-    var phi_590_: u32;
-    var phi_1867_: bool;
-    var phi_2049_: bool;
+    var phi_1667_: bool;
+    var phi_2328_: bool;
+    var phi_2121_: SlimbvhTypeK;
+    var phi_2122_: u32;
+    var phi_2123_: bool;
+    var phi_2124_: u32;
+    var phi_2327_: bool;
+    var phi_2125_: SlimbvhTypeK;
+    var phi_2126_: u32;
+    var phi_2127_: u32;
+    var phi_2128_: bool;
+    var phi_2129_: u32;
+    var phi_2326_: bool;
+    var phi_2130_: SlimbvhTypeK;
+    var phi_2131_: u32;
+    var phi_2132_: u32;
+    var phi_2133_: bool;
+    var phi_2134_: u32;
+    var phi_2325_: bool;
+    var phi_846_: SlimbvhTypeK;
+    var phi_849_: u32;
+    var phi_851_: u32;
+    var phi_853_: bool;
+    var phi_855_: u32;
+    var phi_2135_: bool;
+    var phi_2324_: bool;
     var local_4: SlimbvhTypeK;
-    var phi_1919_: SlimbvhTypeE;
+    var phi_2187_: SlimbvhTypeE;
     var local_5: SlimbvhTypeK;
 
     switch bitcast<i32>(0u) {
@@ -205,43 +205,43 @@ fn slimbvh_trace() {
             if _e119 {
                 let _e122 = (bitcast<u32>(bitcast<f32>(_e102)) & 2147483647u);
                 if (_e122 >= 8388608u) {
-                    phi_231_ = (bitcast<i32>((_e122 >> bitcast<u32>(23i))) - 127i);
+                    phi_233_ = (bitcast<i32>((_e122 >> bitcast<u32>(23i))) - 127i);
                 } else {
-                    phi_231_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e122)), 32u, (_e122 == 0u))));
+                    phi_233_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e122)), 32u, (_e122 == 0u))));
                 }
-                let _e136 = phi_231_;
-                phi_232_ = _e136;
+                let _e136 = phi_233_;
+                phi_234_ = _e136;
             } else {
-                phi_232_ = 0i;
+                phi_234_ = 0i;
             }
-            let _e138 = phi_232_;
+            let _e138 = phi_234_;
             let _e139 = (_e88 == _e102);
             if _e139 {
-                phi_242_ = true;
+                phi_244_ = true;
             } else {
-                phi_242_ = (_e90 == _e102);
+                phi_244_ = (_e90 == _e102);
             }
-            let _e142 = phi_242_;
+            let _e142 = phi_244_;
             let _e143 = select(1u, 0u, _e139);
             if _e142 {
                 let _e144 = (_e143 + 1u);
-                phi_252_ = _e144;
-                phi_253_ = _e144;
-                phi_255_ = select(true, false, (_e144 == 2u));
+                phi_254_ = _e144;
+                phi_255_ = _e144;
+                phi_257_ = select(true, false, (_e144 == 2u));
             } else {
-                phi_252_ = u32();
-                phi_253_ = 0u;
-                phi_255_ = true;
+                phi_254_ = u32();
+                phi_255_ = 0u;
+                phi_257_ = true;
             }
-            let _e148 = phi_252_;
-            let _e150 = phi_253_;
-            let _e152 = phi_255_;
+            let _e148 = phi_254_;
+            let _e150 = phi_255_;
+            let _e152 = phi_257_;
             if _e152 {
-                phi_260_ = (_e150 + 1u);
+                phi_262_ = (_e150 + 1u);
             } else {
-                phi_260_ = 0u;
+                phi_262_ = 0u;
             }
-            let _e156 = phi_260_;
+            let _e156 = phi_262_;
             let _e157 = select(_e148, _e150, _e152);
             let _e158 = select(_e143, select(2u, _e143, _e142), _e152);
             let _e159 = (_e86 / 2i);
@@ -258,20 +258,20 @@ fn slimbvh_trace() {
             let _e197 = (bitcast<f32>((bitcast<u32>(_e193) & 2147483647u)) < 0.00000000000000000086736174f);
             if _e197 {
                 let _e201 = (bitcast<f32>((bitcast<u32>(_e189) & 2147483647u)) * 0.00000011920929f);
-                phi_340_ = select(0.00000000000011368684f, _e201, (_e201 > 0.00000000000011368684f));
+                phi_342_ = select(0.00000000000011368684f, _e201, (_e201 > 0.00000000000011368684f));
             } else {
-                phi_340_ = 0f;
+                phi_342_ = 0f;
             }
-            let _e205 = phi_340_;
+            let _e205 = phi_342_;
             let _e206 = (_e189 + _e205);
             let _e207 = (_e189 - _e205);
             let _e208 = select(_e193, 0f, _e197);
             if _e197 {
-                phi_351_ = 38685626000000000000000000f;
+                phi_353_ = 38685626000000000000000000f;
             } else {
-                phi_351_ = (1f / _e193);
+                phi_353_ = (1f / _e193);
             }
-            let _e211 = phi_351_;
+            let _e211 = phi_353_;
             let _e212 = (_e156 == 0u);
             let _e214 = (_e156 == 2u);
             let _e217 = ((select(select(_e69.y, _e69.x, _e212), _e69.z, _e214) * _e164) * _e170);
@@ -279,20 +279,20 @@ fn slimbvh_trace() {
             let _e225 = (bitcast<f32>((bitcast<u32>(_e221) & 2147483647u)) < 0.00000000000000000086736174f);
             if _e225 {
                 let _e229 = (bitcast<f32>((bitcast<u32>(_e217) & 2147483647u)) * 0.00000011920929f);
-                phi_396_ = select(0.00000000000011368684f, _e229, (_e229 > 0.00000000000011368684f));
+                phi_398_ = select(0.00000000000011368684f, _e229, (_e229 > 0.00000000000011368684f));
             } else {
-                phi_396_ = 0f;
+                phi_398_ = 0f;
             }
-            let _e233 = phi_396_;
+            let _e233 = phi_398_;
             let _e234 = (_e217 + _e233);
             let _e235 = (_e217 - _e233);
             let _e236 = select(_e221, 0f, _e225);
             if _e225 {
-                phi_407_ = 38685626000000000000000000f;
+                phi_409_ = 38685626000000000000000000f;
             } else {
-                phi_407_ = (1f / _e221);
+                phi_409_ = (1f / _e221);
             }
-            let _e239 = phi_407_;
+            let _e239 = phi_409_;
             let _e240 = (_e158 == 0u);
             let _e242 = (_e158 == 2u);
             let _e245 = ((select(select(_e69.y, _e69.x, _e240), _e69.z, _e242) * _e164) * _e170);
@@ -300,20 +300,20 @@ fn slimbvh_trace() {
             let _e253 = (bitcast<f32>((bitcast<u32>(_e249) & 2147483647u)) < 0.00000000000000000086736174f);
             if _e253 {
                 let _e257 = (bitcast<f32>((bitcast<u32>(_e245) & 2147483647u)) * 0.00000011920929f);
-                phi_452_ = select(0.00000000000011368684f, _e257, (_e257 > 0.00000000000011368684f));
+                phi_454_ = select(0.00000000000011368684f, _e257, (_e257 > 0.00000000000011368684f));
             } else {
-                phi_452_ = 0f;
+                phi_454_ = 0f;
             }
-            let _e261 = phi_452_;
+            let _e261 = phi_454_;
             let _e262 = (_e245 + _e261);
             let _e263 = (_e245 - _e261);
             let _e264 = select(_e249, 0f, _e253);
             if _e253 {
-                phi_463_ = 38685626000000000000000000f;
+                phi_465_ = 38685626000000000000000000f;
             } else {
-                phi_463_ = (1f / _e249);
+                phi_465_ = (1f / _e249);
             }
-            let _e267 = phi_463_;
+            let _e267 = phi_465_;
             let _e270 = bitcast<f32>((bitcast<u32>(_e189) & 2147483647u));
             let _e273 = bitcast<f32>((bitcast<u32>(_e217) & 2147483647u));
             let _e275 = select(_e273, _e270, (_e270 > _e273));
@@ -327,114 +327,114 @@ fn slimbvh_trace() {
                 let _e301 = select(340282350000000000000000000000000000000f, _e299, (_e299 < 340282350000000000000000000000000000000f));
                 let _e306 = (((_e82 * _e291) * _e291) * _e298);
                 let _e308 = select(340282350000000000000000000000000000000f, _e306, (_e306 < 340282350000000000000000000000000000000f));
-                phi_559_ = select(-340282350000000000000000000000000000000f, _e308, (_e308 > -340282350000000000000000000000000000000f));
-                phi_560_ = select(-340282350000000000000000000000000000000f, _e301, (_e301 > -340282350000000000000000000000000000000f));
+                phi_561_ = select(-340282350000000000000000000000000000000f, _e308, (_e308 > -340282350000000000000000000000000000000f));
+                phi_562_ = select(-340282350000000000000000000000000000000f, _e301, (_e301 > -340282350000000000000000000000000000000f));
             } else {
-                phi_559_ = 0f;
-                phi_560_ = 1f;
+                phi_561_ = 0f;
+                phi_562_ = 1f;
             }
-            let _e312 = phi_559_;
-            let _e314 = phi_560_;
+            let _e312 = phi_561_;
+            let _e314 = phi_562_;
             let _e315 = slimbvh_any_will_do.member;
             if (_e315 == 1u) {
-                phi_570_ = SlimbvhTypeK(SlimbvhTypeJ(SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e312), true);
+                phi_572_ = SlimbvhTypeK(SlimbvhTypeJ(SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e312), true);
             } else {
-                phi_570_ = SlimbvhTypeK(SlimbvhTypeJ(SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e312), false);
+                phi_572_ = SlimbvhTypeK(SlimbvhTypeJ(SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e312), false);
             }
-            let _e322 = phi_570_;
-            local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-            local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-            phi_1944_ = false;
-            phi_580_ = _e322;
-            phi_583_ = select(0u, 2147483648u, (_e62 == 0u));
-            phi_585_ = ((3u * _e62) + 1u);
-            phi_587_ = (_e314 <= _e312);
-            phi_589_ = 0u;
+            let _e322 = phi_572_;
+            local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+            local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+            phi_2219_ = false;
+            phi_845_ = _e322;
+            phi_848_ = select(0u, 2147483648u, (_e62 == 0u));
+            phi_850_ = ((3u * _e62) + 1u);
+            phi_852_ = (_e314 <= _e312);
+            phi_854_ = 0u;
             loop {
-                let _e329 = phi_1944_;
-                let _e331 = phi_580_;
-                let _e333 = phi_583_;
-                let _e335 = phi_585_;
-                let _e337 = phi_587_;
-                let _e339 = phi_589_;
+                let _e329 = phi_2219_;
+                let _e331 = phi_845_;
+                let _e333 = phi_848_;
+                let _e335 = phi_850_;
+                let _e337 = phi_852_;
+                let _e339 = phi_854_;
                 local_4 = _e331;
                 if _e337 {
-                    phi_600_ = true;
+                    phi_865_ = true;
                 } else {
-                    phi_600_ = (_e339 > 0u);
+                    phi_865_ = (_e339 > 0u);
                 }
-                let _e342 = phi_600_;
+                let _e342 = phi_865_;
                 if _e342 {
                     let _e343 = (_e335 > 0u);
                     if _e343 {
                         if _e337 {
-                            phi_630_ = _e333;
-                            phi_631_ = _e337;
-                            phi_632_ = _e339;
+                            phi_896_ = _e333;
+                            phi_897_ = _e337;
+                            phi_898_ = _e339;
                         } else {
                             let _e344 = (_e339 - 1u);
                             let _e345 = (_e344 % 128u);
                             let _e346 = (_e345 < 128u);
                             if _e346 {
                             } else {
-                                phi_2049_ = true;
+                                phi_2324_ = true;
                                 break;
                             }
-                            let _e348 = local[_e345];
+                            let _e348 = local_1[_e345];
                             if _e346 {
                             } else {
-                                phi_2049_ = true;
+                                phi_2324_ = true;
                                 break;
                             }
-                            let _e350 = local_1[_e345];
-                            phi_630_ = _e348;
-                            phi_631_ = (_e350 <= _e331.member.member_1);
-                            phi_632_ = _e344;
+                            let _e350 = local[_e345];
+                            phi_896_ = _e348;
+                            phi_897_ = (_e350 <= _e331.member.member_1);
+                            phi_898_ = _e344;
                         }
-                        let _e355 = phi_630_;
-                        let _e357 = phi_631_;
-                        let _e359 = phi_632_;
+                        let _e355 = phi_896_;
+                        let _e357 = phi_897_;
+                        let _e359 = phi_898_;
                         if _e357 {
-                            let _e363 = (_e355 & 268435455u);
                             if ((_e355 & 2147483648u) != 0u) {
-                                phi_648_ = _e331;
-                                phi_651_ = SlimbvhTypeA(_e363, (_e363 + ((_e355 >> bitcast<u32>(28u)) & 7u)));
+                                phi_913_ = _e331;
+                                phi_916_ = SlimbvhTypeA(0u, ((_e355 >> bitcast<u32>(28u)) & 7u));
                                 loop {
-                                    let _e559 = phi_648_;
-                                    let _e561 = phi_651_;
-                                    local_2 = _e559;
-                                    local_3 = _e559;
-                                    local_5 = _e559;
-                                    if (_e561.member < _e561.member_1) {
-                                        phi_652_ = SlimbvhTypeA((_e561.member + 1u), _e561.member_1);
-                                        phi_674_ = SlimbvhTypeA(1u, _e561.member);
+                                    let _e558 = phi_913_;
+                                    let _e560 = phi_916_;
+                                    local_2 = _e558;
+                                    local_3 = _e558;
+                                    local_5 = _e558;
+                                    if (_e560.member < _e560.member_1) {
+                                        phi_917_ = SlimbvhTypeA((_e560.member + 1u), _e560.member_1);
+                                        phi_939_ = SlimbvhTypeA(1u, _e560.member);
                                     } else {
-                                        phi_652_ = _e561;
-                                        phi_674_ = SlimbvhTypeA(0u, SlimbvhTypeA().member_1);
+                                        phi_917_ = _e560;
+                                        phi_939_ = SlimbvhTypeA(0u, SlimbvhTypeA().member_1);
                                     }
-                                    let _e574 = phi_652_;
-                                    let _e576 = phi_674_;
-                                    let _e580 = (bitcast<i32>(_e576.member) != 0i);
-                                    if _e580 {
-                                        let _e581 = (_e576.member_1 < _e64);
+                                    let _e573 = phi_917_;
+                                    let _e575 = phi_939_;
+                                    let _e579 = (bitcast<i32>(_e575.member) != 0i);
+                                    if _e579 {
+                                        let _e580 = ((_e355 & 268435455u) + _e575.member_1);
+                                        let _e581 = (_e580 < _e64);
                                         if _e581 {
                                             if _e581 {
                                             } else {
-                                                phi_1938_ = true;
+                                                phi_2213_ = true;
                                                 break;
                                             }
-                                            let _e585 = slimbvh_triangles.member[_e576.member_1].member_1;
-                                            phi_694_ = _e585;
+                                            let _e585 = slimbvh_triangles.member[_e580].member_1;
+                                            phi_960_ = _e585;
                                         } else {
-                                            phi_694_ = 4294967295u;
+                                            phi_960_ = 4294967295u;
                                         }
-                                        let _e587 = phi_694_;
-                                        if (_e576.member_1 >= _e64) {
-                                            phi_782_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                        let _e587 = phi_960_;
+                                        if (_e580 >= _e64) {
+                                            phi_1049_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                         } else {
                                             if _e581 {
                                             } else {
-                                                phi_1938_ = true;
+                                                phi_2213_ = true;
                                                 break;
                                             }
                                             let _e589 = (_e157 % 3u);
@@ -442,67 +442,67 @@ fn slimbvh_trace() {
                                             let _e591 = (_e158 % 3u);
                                             if (_e589 < 9u) {
                                             } else {
-                                                phi_1938_ = true;
+                                                phi_2213_ = true;
                                                 break;
                                             }
-                                            let _e597 = slimbvh_triangles.member[_e576.member_1].member[_e589];
+                                            let _e597 = slimbvh_triangles.member[_e580].member[_e589];
                                             if (_e590 < 9u) {
                                             } else {
-                                                phi_1938_ = true;
+                                                phi_2213_ = true;
                                                 break;
                                             }
-                                            let _e603 = slimbvh_triangles.member[_e576.member_1].member[_e590];
+                                            let _e603 = slimbvh_triangles.member[_e580].member[_e590];
                                             if (_e591 < 9u) {
                                             } else {
-                                                phi_1938_ = true;
+                                                phi_2213_ = true;
                                                 break;
                                             }
-                                            let _e609 = slimbvh_triangles.member[_e576.member_1].member[_e591];
+                                            let _e609 = slimbvh_triangles.member[_e580].member[_e591];
                                             let _e611 = (3u + _e589);
                                             if (_e611 < 9u) {
                                             } else {
-                                                phi_1938_ = true;
+                                                phi_2213_ = true;
                                                 break;
                                             }
-                                            let _e617 = slimbvh_triangles.member[_e576.member_1].member[_e611];
+                                            let _e617 = slimbvh_triangles.member[_e580].member[_e611];
                                             let _e618 = (3u + _e590);
                                             if (_e618 < 9u) {
                                             } else {
-                                                phi_1938_ = true;
+                                                phi_2213_ = true;
                                                 break;
                                             }
-                                            let _e624 = slimbvh_triangles.member[_e576.member_1].member[_e618];
+                                            let _e624 = slimbvh_triangles.member[_e580].member[_e618];
                                             let _e625 = (3u + _e591);
                                             if (_e625 < 9u) {
                                             } else {
-                                                phi_1938_ = true;
+                                                phi_2213_ = true;
                                                 break;
                                             }
-                                            let _e631 = slimbvh_triangles.member[_e576.member_1].member[_e625];
+                                            let _e631 = slimbvh_triangles.member[_e580].member[_e625];
                                             let _e633 = (6u + _e589);
                                             if (_e633 < 9u) {
                                             } else {
-                                                phi_1938_ = true;
+                                                phi_2213_ = true;
                                                 break;
                                             }
-                                            let _e639 = slimbvh_triangles.member[_e576.member_1].member[_e633];
+                                            let _e639 = slimbvh_triangles.member[_e580].member[_e633];
                                             let _e640 = (6u + _e590);
                                             if (_e640 < 9u) {
                                             } else {
-                                                phi_1938_ = true;
+                                                phi_2213_ = true;
                                                 break;
                                             }
-                                            let _e646 = slimbvh_triangles.member[_e576.member_1].member[_e640];
+                                            let _e646 = slimbvh_triangles.member[_e580].member[_e640];
                                             let _e647 = (6u + _e591);
                                             if (_e647 < 9u) {
                                             } else {
-                                                phi_1938_ = true;
+                                                phi_2213_ = true;
                                                 break;
                                             }
-                                            let _e653 = slimbvh_triangles.member[_e576.member_1].member[_e647];
-                                            phi_782_ = array<array<f32, 3>, 3>(array<f32, 3>(_e597, _e603, _e609), array<f32, 3>(_e617, _e624, _e631), array<f32, 3>(_e639, _e646, _e653));
+                                            let _e653 = slimbvh_triangles.member[_e580].member[_e647];
+                                            phi_1049_ = array<array<f32, 3>, 3>(array<f32, 3>(_e597, _e603, _e609), array<f32, 3>(_e617, _e624, _e631), array<f32, 3>(_e639, _e646, _e653));
                                         }
-                                        let _e657 = phi_782_;
+                                        let _e657 = phi_1049_;
                                         let _e666 = (_e657[0][2] - _e245);
                                         let _e669 = (((_e657[0][0] - _e189) * _e264) - (_e666 * _e208));
                                         let _e672 = (((_e657[0][1] - _e217) * _e264) - (_e666 * _e236));
@@ -529,8 +529,8 @@ fn slimbvh_trace() {
                                             let _e728 = select(0f, _e726, (_e726 > 0f));
                                             let _e730 = ((_e720 + _e724) + _e728);
                                             if (_e730 < 0.000000000000000000000000000000000000011754944f) {
-                                                phi_1348_ = SlimbvhTypeE();
-                                                phi_1349_ = true;
+                                                phi_1615_ = SlimbvhTypeE();
+                                                phi_1616_ = true;
                                             } else {
                                                 let _e733 = select(_e657[1][0], _e657[0][0], (_e657[0][0] < _e657[1][0]));
                                                 let _e737 = select(_e657[1][0], _e657[0][0], (_e657[0][0] > _e657[1][0]));
@@ -557,12 +557,12 @@ fn slimbvh_trace() {
                                                 let _e788 = -(_e769);
                                                 let _e794 = select(_e314, _e779, (_e779 > _e314));
                                                 if (_e794 > (_e787 + (select(_e788, _e771, (_e771 > _e788)) * 0.0000019073523f))) {
-                                                    phi_1343_ = SlimbvhTypeE();
-                                                    phi_1344_ = true;
+                                                    phi_1610_ = SlimbvhTypeE();
+                                                    phi_1611_ = true;
                                                 } else {
-                                                    let _e796 = (_e794 > _e559.member.member_1);
+                                                    let _e796 = (_e794 > _e558.member.member_1);
                                                     if _e796 {
-                                                        phi_1342_ = SlimbvhTypeE();
+                                                        phi_1609_ = SlimbvhTypeE();
                                                     } else {
                                                         let _e800 = (_e657[1][0] - _e657[0][0]);
                                                         let _e801 = (_e657[1][1] - _e657[0][1]);
@@ -594,180 +594,180 @@ fn slimbvh_trace() {
                                                         let _e852 = select(_e837, _e824, (_e824 > _e837));
                                                         let _e854 = select(_e850, _e852, (_e852 > _e850));
                                                         if (_e824 == _e854) {
-                                                            phi_1253_ = _e807;
-                                                            phi_1254_ = _e811;
+                                                            phi_1520_ = _e807;
+                                                            phi_1521_ = _e811;
                                                         } else {
                                                             let _e857 = vec3((_e837 == _e854));
-                                                            phi_1253_ = select(_e803, _e811, _e857);
-                                                            phi_1254_ = select(_e807, _e803, _e857);
+                                                            phi_1520_ = select(_e803, _e811, _e857);
+                                                            phi_1521_ = select(_e807, _e803, _e857);
                                                         }
-                                                        let _e861 = phi_1253_;
-                                                        let _e863 = phi_1254_;
+                                                        let _e861 = phi_1520_;
+                                                        let _e863 = phi_1521_;
                                                         let _e870 = ((_e861.y * _e863.z) - (_e863.y * _e861.z));
                                                         let _e875 = ((_e861.z * _e863.x) - (_e863.z * _e861.x));
                                                         let _e878 = ((_e861.x * _e863.y) - (_e863.x * _e861.y));
                                                         if (_e720 >= _e724) {
-                                                            phi_1285_ = select(true, false, (_e720 >= _e728));
+                                                            phi_1552_ = select(true, false, (_e720 >= _e728));
                                                         } else {
-                                                            phi_1285_ = true;
+                                                            phi_1552_ = true;
                                                         }
-                                                        let _e883 = phi_1285_;
+                                                        let _e883 = phi_1552_;
                                                         if _e883 {
-                                                            phi_1294_ = select(vec3<f32>(_e657[2][0], _e657[2][1], _e657[2][2]), vec3<f32>(_e657[1][0], _e657[1][1], _e657[1][2]), vec3((_e724 >= _e728)));
+                                                            phi_1561_ = select(vec3<f32>(_e657[2][0], _e657[2][1], _e657[2][2]), vec3<f32>(_e657[1][0], _e657[1][1], _e657[1][2]), vec3((_e724 >= _e728)));
                                                         } else {
-                                                            phi_1294_ = vec3<f32>(_e657[0][0], _e657[0][1], _e657[0][2]);
+                                                            phi_1561_ = vec3<f32>(_e657[0][0], _e657[0][1], _e657[0][2]);
                                                         }
-                                                        let _e888 = phi_1294_;
+                                                        let _e888 = phi_1561_;
                                                         let _e905 = ((((_e870 * (_e888.x - _e189)) + (_e875 * (_e888.y - _e217))) + (_e878 * (_e888.z - _e245))) / (((_e870 * _e208) + (_e875 * _e236)) + (_e878 * _e264)));
                                                         let _e907 = select(_e787, _e905, (_e905 < _e787));
                                                         let _e909 = select(_e779, _e907, (_e907 > _e779));
                                                         if (_e909 >= _e314) {
-                                                            let _e911 = (_e909 <= _e559.member.member_1);
+                                                            let _e911 = (_e909 <= _e558.member.member_1);
                                                             if _e911 {
                                                                 let _e912 = (1f / _e730);
-                                                                phi_1334_ = SlimbvhTypeE(_e909, (_e724 * _e912), (_e728 * _e912), _e587);
+                                                                phi_1601_ = SlimbvhTypeE(_e909, (_e724 * _e912), (_e728 * _e912), _e587);
                                                             } else {
-                                                                phi_1334_ = SlimbvhTypeE();
+                                                                phi_1601_ = SlimbvhTypeE();
                                                             }
-                                                            let _e917 = phi_1334_;
-                                                            phi_1336_ = _e917;
-                                                            phi_1337_ = select(true, false, _e911);
+                                                            let _e917 = phi_1601_;
+                                                            phi_1603_ = _e917;
+                                                            phi_1604_ = select(true, false, _e911);
                                                         } else {
-                                                            phi_1336_ = SlimbvhTypeE();
-                                                            phi_1337_ = true;
+                                                            phi_1603_ = SlimbvhTypeE();
+                                                            phi_1604_ = true;
                                                         }
-                                                        let _e920 = phi_1336_;
-                                                        let _e922 = phi_1337_;
+                                                        let _e920 = phi_1603_;
+                                                        let _e922 = phi_1604_;
                                                         if _e922 {
-                                                            phi_1341_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                            phi_1608_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                         } else {
-                                                            phi_1341_ = _e920;
+                                                            phi_1608_ = _e920;
                                                         }
-                                                        let _e924 = phi_1341_;
-                                                        phi_1342_ = _e924;
+                                                        let _e924 = phi_1608_;
+                                                        phi_1609_ = _e924;
                                                     }
-                                                    let _e926 = phi_1342_;
-                                                    phi_1343_ = _e926;
-                                                    phi_1344_ = _e796;
+                                                    let _e926 = phi_1609_;
+                                                    phi_1610_ = _e926;
+                                                    phi_1611_ = _e796;
                                                 }
-                                                let _e928 = phi_1343_;
-                                                let _e930 = phi_1344_;
-                                                phi_1348_ = _e928;
-                                                phi_1349_ = _e930;
+                                                let _e928 = phi_1610_;
+                                                let _e930 = phi_1611_;
+                                                phi_1615_ = _e928;
+                                                phi_1616_ = _e930;
                                             }
-                                            let _e932 = phi_1348_;
-                                            let _e934 = phi_1349_;
-                                            phi_1353_ = _e932;
-                                            phi_1354_ = _e934;
+                                            let _e932 = phi_1615_;
+                                            let _e934 = phi_1616_;
+                                            phi_1620_ = _e932;
+                                            phi_1621_ = _e934;
                                         } else {
-                                            phi_1353_ = SlimbvhTypeE();
-                                            phi_1354_ = true;
+                                            phi_1620_ = SlimbvhTypeE();
+                                            phi_1621_ = true;
                                         }
-                                        let _e936 = phi_1353_;
-                                        let _e938 = phi_1354_;
+                                        let _e936 = phi_1620_;
+                                        let _e938 = phi_1621_;
                                         if _e938 {
-                                            phi_1358_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                            phi_1625_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                         } else {
-                                            phi_1358_ = _e936;
+                                            phi_1625_ = _e936;
                                         }
-                                        let _e940 = phi_1358_;
+                                        let _e940 = phi_1625_;
                                         if (_e940.member_3 != 4294967295u) {
                                             if (_e587 != 4294967295u) {
-                                                if (_e940.member < _e559.member.member.member) {
-                                                    phi_1384_ = true;
+                                                if (_e940.member < _e558.member.member.member) {
+                                                    phi_1651_ = true;
                                                 } else {
-                                                    if (_e940.member == _e559.member.member.member) {
-                                                        phi_1383_ = (_e940.member_3 < _e559.member.member.member_3);
+                                                    if (_e940.member == _e558.member.member.member) {
+                                                        phi_1650_ = (_e940.member_3 < _e558.member.member.member_3);
                                                     } else {
-                                                        phi_1383_ = false;
+                                                        phi_1650_ = false;
                                                     }
-                                                    let _e955 = phi_1383_;
-                                                    phi_1384_ = _e955;
+                                                    let _e955 = phi_1650_;
+                                                    phi_1651_ = _e955;
                                                 }
-                                                let _e957 = phi_1384_;
+                                                let _e957 = phi_1651_;
                                                 if _e957 {
-                                                    phi_1391_ = SlimbvhTypeK(SlimbvhTypeJ(_e940, _e940.member), _e559.member_1);
+                                                    phi_1658_ = SlimbvhTypeK(SlimbvhTypeJ(_e940, _e940.member), _e558.member_1);
                                                 } else {
-                                                    phi_1391_ = _e559;
+                                                    phi_1658_ = _e558;
                                                 }
-                                                let _e963 = phi_1391_;
-                                                phi_1392_ = _e963;
+                                                let _e963 = phi_1658_;
+                                                phi_1659_ = _e963;
                                             } else {
-                                                phi_1392_ = _e559;
+                                                phi_1659_ = _e558;
                                             }
-                                            let _e965 = phi_1392_;
-                                            phi_1393_ = _e965;
+                                            let _e965 = phi_1659_;
+                                            phi_1660_ = _e965;
                                         } else {
-                                            phi_1393_ = _e559;
+                                            phi_1660_ = _e558;
                                         }
-                                        let _e967 = phi_1393_;
-                                        phi_649_ = _e967;
+                                        let _e967 = phi_1660_;
+                                        phi_914_ = _e967;
                                     } else {
-                                        phi_649_ = SlimbvhTypeK();
+                                        phi_914_ = SlimbvhTypeK();
                                     }
-                                    let _e969 = phi_649_;
+                                    let _e969 = phi_914_;
                                     continue;
                                     continuing {
-                                        phi_648_ = _e969;
-                                        phi_651_ = _e574;
-                                        phi_1938_ = _e329;
-                                        break if !(_e580);
+                                        phi_913_ = _e969;
+                                        phi_916_ = _e573;
+                                        phi_2213_ = _e329;
+                                        break if !(_e579);
                                     }
                                 }
-                                let _e972 = phi_1938_;
-                                phi_2049_ = _e972;
+                                let _e972 = phi_2213_;
+                                phi_2324_ = _e972;
                                 if _e972 {
                                     break;
                                 }
                                 let _e974 = local_2;
                                 if _e974.member_1 {
                                     let _e977 = local_3;
-                                    phi_1400_ = (_e977.member.member.member_3 != 4294967295u);
+                                    phi_1667_ = (_e977.member.member.member_3 != 4294967295u);
                                 } else {
-                                    phi_1400_ = false;
+                                    phi_1667_ = false;
                                 }
-                                let _e983 = phi_1400_;
-                                phi_2053_ = _e972;
+                                let _e983 = phi_1667_;
+                                phi_2328_ = _e972;
                                 let _e1149 = local_5;
-                                phi_1853_ = _e1149;
-                                phi_1854_ = _e355;
-                                phi_1855_ = false;
-                                phi_1856_ = select(_e359, 0u, _e983);
+                                phi_2121_ = _e1149;
+                                phi_2122_ = _e355;
+                                phi_2123_ = false;
+                                phi_2124_ = select(_e359, 0u, _e983);
                             } else {
                                 if (_e355 >= _e62) {
-                                    phi_1460_ = SlimbvhTypeL(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                    phi_1727_ = SlimbvhTypeL(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                 } else {
                                     if (_e355 < _e62) {
                                     } else {
-                                        phi_2049_ = true;
+                                        phi_2324_ = true;
                                         break;
                                     }
                                     let _e369 = (_e157 % 3u);
                                     if (_e369 < 3u) {
                                     } else {
-                                        phi_2049_ = true;
+                                        phi_2324_ = true;
                                         break;
                                     }
                                     let _e375 = slimbvh_nodes.member[_e355].member[_e369];
                                     let _e381 = (_e156 % 3u);
                                     if (_e381 < 3u) {
                                     } else {
-                                        phi_2049_ = true;
+                                        phi_2324_ = true;
                                         break;
                                     }
                                     let _e387 = slimbvh_nodes.member[_e355].member[_e381];
                                     let _e393 = (_e158 % 3u);
                                     if (_e393 < 3u) {
                                     } else {
-                                        phi_2049_ = true;
+                                        phi_2324_ = true;
                                         break;
                                     }
                                     let _e399 = slimbvh_nodes.member[_e355].member[_e393];
                                     let _e409 = slimbvh_nodes.member[_e355].member_1;
                                     let _e413 = slimbvh_nodes.member[_e355].member_2;
-                                    phi_1460_ = SlimbvhTypeL(array<vec4<f32>, 3>(vec4<f32>(_e375[0], _e375[1], _e375[2], _e375[3]), vec4<f32>(_e387[0], _e387[1], _e387[2], _e387[3]), vec4<f32>(_e399[0], _e399[1], _e399[2], _e399[3])), _e409, _e413);
+                                    phi_1727_ = SlimbvhTypeL(array<vec4<f32>, 3>(vec4<f32>(_e375[0], _e375[1], _e375[2], _e375[3]), vec4<f32>(_e387[0], _e387[1], _e387[2], _e387[3]), vec4<f32>(_e399[0], _e399[1], _e399[2], _e399[3])), _e409, _e413);
                                 }
-                                let _e416 = phi_1460_;
+                                let _e416 = phi_1727_;
                                 let _e429 = ((_e416.member[0].x - _e206) * _e211);
                                 let _e430 = ((_e416.member[0].y - _e206) * _e211);
                                 let _e431 = ((_e416.member[0].z - _e207) * _e211);
@@ -810,152 +810,152 @@ fn slimbvh_trace() {
                                 if _e517 {
                                     if _e518 {
                                         if _e519 {
-                                            phi_1804_ = _e416.member_2;
+                                            phi_2071_ = _e416.member_2;
                                         } else {
-                                            phi_1804_ = _e416.member_1;
+                                            phi_2071_ = _e416.member_1;
                                         }
-                                        let _e523 = phi_1804_;
+                                        let _e523 = phi_2071_;
                                         let _e524 = (_e359 % 128u);
                                         let _e525 = (_e524 < 128u);
                                         if _e525 {
                                         } else {
-                                            phi_2049_ = true;
+                                            phi_2324_ = true;
                                             break;
                                         }
-                                        local[_e524] = _e523;
+                                        local_1[_e524] = _e523;
                                         if _e525 {
                                         } else {
-                                            phi_2049_ = true;
+                                            phi_2324_ = true;
                                             break;
                                         }
-                                        local_1[_e524] = select(_e512, _e510, (_e510 > _e512));
+                                        local[_e524] = select(_e512, _e510, (_e510 > _e512));
                                         if _e519 {
-                                            phi_1830_ = _e416.member_1;
+                                            phi_2098_ = _e416.member_1;
                                         } else {
-                                            phi_1830_ = _e416.member_2;
+                                            phi_2098_ = _e416.member_2;
                                         }
-                                        let _e534 = phi_1830_;
-                                        phi_1831_ = _e534;
-                                        phi_1832_ = (_e359 + 1u);
+                                        let _e534 = phi_2098_;
+                                        phi_2099_ = _e534;
+                                        phi_2100_ = (_e359 + 1u);
                                     } else {
-                                        phi_1831_ = u32();
-                                        phi_1832_ = u32();
+                                        phi_2099_ = u32();
+                                        phi_2100_ = u32();
                                     }
-                                    let _e536 = phi_1831_;
-                                    let _e538 = phi_1832_;
-                                    phi_1834_ = _e536;
-                                    phi_1835_ = _e538;
-                                    phi_1836_ = select(true, false, _e518);
+                                    let _e536 = phi_2099_;
+                                    let _e538 = phi_2100_;
+                                    phi_2102_ = _e536;
+                                    phi_2103_ = _e538;
+                                    phi_2104_ = select(true, false, _e518);
                                 } else {
-                                    phi_1834_ = u32();
-                                    phi_1835_ = u32();
-                                    phi_1836_ = true;
+                                    phi_2102_ = u32();
+                                    phi_2103_ = u32();
+                                    phi_2104_ = true;
                                 }
-                                let _e541 = phi_1834_;
-                                let _e543 = phi_1835_;
-                                let _e545 = phi_1836_;
+                                let _e541 = phi_2102_;
+                                let _e543 = phi_2103_;
+                                let _e545 = phi_2104_;
                                 if _e545 {
                                     if _e517 {
-                                        phi_1845_ = _e416.member_1;
+                                        phi_2113_ = _e416.member_1;
                                     } else {
-                                        phi_1845_ = _e416.member_2;
+                                        phi_2113_ = _e416.member_2;
                                     }
-                                    let _e549 = phi_1845_;
-                                    phi_1850_ = _e549;
-                                    phi_1851_ = select(_e518, true, _e517);
+                                    let _e549 = phi_2113_;
+                                    phi_2118_ = _e549;
+                                    phi_2119_ = select(_e518, true, _e517);
                                 } else {
-                                    phi_1850_ = _e541;
-                                    phi_1851_ = _e357;
+                                    phi_2118_ = _e541;
+                                    phi_2119_ = _e357;
                                 }
-                                let _e552 = phi_1850_;
-                                let _e554 = phi_1851_;
-                                phi_2053_ = _e329;
-                                phi_1853_ = _e331;
-                                phi_1854_ = _e552;
-                                phi_1855_ = _e554;
-                                phi_1856_ = select(_e543, _e359, _e545);
+                                let _e552 = phi_2118_;
+                                let _e554 = phi_2119_;
+                                phi_2328_ = _e329;
+                                phi_2121_ = _e331;
+                                phi_2122_ = _e552;
+                                phi_2123_ = _e554;
+                                phi_2124_ = select(_e543, _e359, _e545);
                             }
-                            let _e986 = phi_2053_;
-                            let _e988 = phi_1853_;
-                            let _e990 = phi_1854_;
-                            let _e992 = phi_1855_;
-                            let _e994 = phi_1856_;
-                            phi_2052_ = _e986;
-                            phi_1857_ = _e988;
-                            phi_1858_ = _e990;
-                            phi_1859_ = (_e335 - 1u);
-                            phi_1860_ = _e992;
-                            phi_1861_ = _e994;
+                            let _e986 = phi_2328_;
+                            let _e988 = phi_2121_;
+                            let _e990 = phi_2122_;
+                            let _e992 = phi_2123_;
+                            let _e994 = phi_2124_;
+                            phi_2327_ = _e986;
+                            phi_2125_ = _e988;
+                            phi_2126_ = _e990;
+                            phi_2127_ = (_e335 - 1u);
+                            phi_2128_ = _e992;
+                            phi_2129_ = _e994;
                         } else {
-                            phi_2052_ = _e329;
-                            phi_1857_ = _e331;
-                            phi_1858_ = _e355;
-                            phi_1859_ = _e335;
-                            phi_1860_ = _e357;
-                            phi_1861_ = _e359;
+                            phi_2327_ = _e329;
+                            phi_2125_ = _e331;
+                            phi_2126_ = _e355;
+                            phi_2127_ = _e335;
+                            phi_2128_ = _e357;
+                            phi_2129_ = _e359;
                         }
-                        let _e996 = phi_2052_;
-                        let _e998 = phi_1857_;
-                        let _e1000 = phi_1858_;
-                        let _e1002 = phi_1859_;
-                        let _e1004 = phi_1860_;
-                        let _e1006 = phi_1861_;
-                        phi_2051_ = _e996;
-                        phi_1862_ = _e998;
-                        phi_1863_ = _e1000;
-                        phi_1864_ = _e1002;
-                        phi_1865_ = _e1004;
-                        phi_1866_ = _e1006;
+                        let _e996 = phi_2327_;
+                        let _e998 = phi_2125_;
+                        let _e1000 = phi_2126_;
+                        let _e1002 = phi_2127_;
+                        let _e1004 = phi_2128_;
+                        let _e1006 = phi_2129_;
+                        phi_2326_ = _e996;
+                        phi_2130_ = _e998;
+                        phi_2131_ = _e1000;
+                        phi_2132_ = _e1002;
+                        phi_2133_ = _e1004;
+                        phi_2134_ = _e1006;
                     } else {
-                        phi_2051_ = _e329;
-                        phi_1862_ = SlimbvhTypeK();
-                        phi_1863_ = u32();
-                        phi_1864_ = u32();
-                        phi_1865_ = bool();
-                        phi_1866_ = u32();
+                        phi_2326_ = _e329;
+                        phi_2130_ = SlimbvhTypeK();
+                        phi_2131_ = u32();
+                        phi_2132_ = u32();
+                        phi_2133_ = bool();
+                        phi_2134_ = u32();
                     }
-                    let _e1008 = phi_2051_;
-                    let _e1010 = phi_1862_;
-                    let _e1012 = phi_1863_;
-                    let _e1014 = phi_1864_;
-                    let _e1016 = phi_1865_;
-                    let _e1018 = phi_1866_;
-                    phi_2050_ = _e1008;
-                    phi_581_ = _e1010;
-                    phi_584_ = _e1012;
-                    phi_586_ = _e1014;
-                    phi_588_ = _e1016;
-                    phi_590_ = _e1018;
-                    phi_1867_ = _e343;
+                    let _e1008 = phi_2326_;
+                    let _e1010 = phi_2130_;
+                    let _e1012 = phi_2131_;
+                    let _e1014 = phi_2132_;
+                    let _e1016 = phi_2133_;
+                    let _e1018 = phi_2134_;
+                    phi_2325_ = _e1008;
+                    phi_846_ = _e1010;
+                    phi_849_ = _e1012;
+                    phi_851_ = _e1014;
+                    phi_853_ = _e1016;
+                    phi_855_ = _e1018;
+                    phi_2135_ = _e343;
                 } else {
-                    phi_2050_ = _e329;
-                    phi_581_ = SlimbvhTypeK();
-                    phi_584_ = u32();
-                    phi_586_ = u32();
-                    phi_588_ = bool();
-                    phi_590_ = u32();
-                    phi_1867_ = false;
+                    phi_2325_ = _e329;
+                    phi_846_ = SlimbvhTypeK();
+                    phi_849_ = u32();
+                    phi_851_ = u32();
+                    phi_853_ = bool();
+                    phi_855_ = u32();
+                    phi_2135_ = false;
                 }
-                let _e1020 = phi_2050_;
-                let _e1022 = phi_581_;
-                let _e1024 = phi_584_;
-                let _e1026 = phi_586_;
-                let _e1028 = phi_588_;
-                let _e1030 = phi_590_;
-                let _e1032 = phi_1867_;
+                let _e1020 = phi_2325_;
+                let _e1022 = phi_846_;
+                let _e1024 = phi_849_;
+                let _e1026 = phi_851_;
+                let _e1028 = phi_853_;
+                let _e1030 = phi_855_;
+                let _e1032 = phi_2135_;
                 continue;
                 continuing {
-                    phi_1944_ = _e1020;
-                    phi_580_ = _e1022;
-                    phi_583_ = _e1024;
-                    phi_585_ = _e1026;
-                    phi_587_ = _e1028;
-                    phi_589_ = _e1030;
-                    phi_2049_ = _e1020;
+                    phi_2219_ = _e1020;
+                    phi_845_ = _e1022;
+                    phi_848_ = _e1024;
+                    phi_850_ = _e1026;
+                    phi_852_ = _e1028;
+                    phi_854_ = _e1030;
+                    phi_2324_ = _e1020;
                     break if !(_e1032);
                 }
             }
-            let _e1035 = phi_2049_;
+            let _e1035 = phi_2324_;
             if _e1035 {
                 break;
             }
@@ -966,11 +966,11 @@ fn slimbvh_trace() {
                 let _e1051 = bitcast<f32>((bitcast<u32>((_e1044 + 127i)) << bitcast<u32>(23i)));
                 let _e1059 = (((_e1037.member.member.member * _e1051) * _e1051) * bitcast<f32>((bitcast<u32>(((_e1043 - (2i * _e1044)) + 127i)) << bitcast<u32>(23i))));
                 let _e1061 = select(340282350000000000000000000000000000000f, _e1059, (_e1059 < 340282350000000000000000000000000000000f));
-                phi_1919_ = SlimbvhTypeE(select(-340282350000000000000000000000000000000f, _e1061, (_e1061 > -340282350000000000000000000000000000000f)), _e1037.member.member.member_1, _e1037.member.member.member_2, _e1037.member.member.member_3);
+                phi_2187_ = SlimbvhTypeE(select(-340282350000000000000000000000000000000f, _e1061, (_e1061 > -340282350000000000000000000000000000000f)), _e1037.member.member.member_1, _e1037.member.member.member_2, _e1037.member.member.member_3);
             } else {
-                phi_1919_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                phi_2187_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
             }
-            let _e1068 = phi_1919_;
+            let _e1068 = phi_2187_;
             slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1068.member), bitcast<u32>(_e1068.member_1), bitcast<u32>(_e1068.member_2), _e1068.member_3);
             break;
         }

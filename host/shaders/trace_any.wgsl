@@ -46,17 +46,17 @@ struct type_32 {
     member: array<type_30>,
 }
 
-struct type_42 {
+struct type_41 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_44 {
+struct type_43 {
     member: array<type_27>,
 }
 
-struct type_46 {
+struct type_45 {
     member: f32,
     member_1: bool,
 }
@@ -69,115 +69,115 @@ var<storage> global_2: type_32;
 @group(0) @binding(2) 
 var<storage> global_3: type_18;
 @group(0) @binding(3) 
-var<storage> global_4: type_44;
+var<storage> global_4: type_43;
 @group(0) @binding(4) 
 var<storage, read_write> global_5: type_4;
 
 fn function_() {
-    var local: array<u32, 128>;
-    var local_1: array<f32, 128>;
-    var phi_261_: i32;
-    var phi_262_: i32;
-    var phi_272_: bool;
-    var phi_282_: u32;
-    var phi_283_: u32;
-    var phi_285_: bool;
-    var phi_290_: u32;
-    var phi_334_: f32;
-    var phi_340_: f32;
-    var phi_351_: f32;
-    var phi_357_: f32;
-    var phi_380_: f32;
-    var phi_391_: f32;
-    var phi_400_: f32;
-    var phi_406_: f32;
-    var phi_417_: f32;
-    var phi_423_: f32;
-    var phi_446_: f32;
-    var phi_457_: f32;
-    var phi_466_: f32;
-    var phi_472_: f32;
-    var phi_483_: f32;
-    var phi_489_: f32;
-    var phi_512_: f32;
-    var phi_523_: f32;
-    var phi_623_: f32;
-    var phi_624_: f32;
-    var phi_1922_: bool;
-    var phi_635_: type_46;
-    var phi_638_: u32;
-    var phi_640_: u32;
-    var phi_642_: bool;
-    var phi_644_: u32;
-    var phi_655_: bool;
-    var phi_685_: u32;
-    var phi_686_: bool;
-    var phi_687_: u32;
-    var phi_1486_: type_42;
-    var phi_1830_: u32;
-    var phi_1856_: u32;
-    var phi_1857_: u32;
-    var phi_1858_: u32;
-    var phi_1860_: u32;
-    var phi_1861_: u32;
-    var phi_1862_: bool;
-    var phi_1871_: u32;
-    var phi_1876_: u32;
-    var phi_1877_: bool;
-    var phi_703_: type_46;
-    var phi_706_: type_7;
-    var phi_707_: type_7;
-    var phi_729_: type_7;
-    var phi_749_: u32;
-    var phi_837_: array<array<f32, 3>, 3>;
-    var phi_1308_: vec3<f32>;
-    var phi_1309_: vec3<f32>;
-    var phi_1340_: bool;
-    var phi_1349_: vec3<f32>;
-    var phi_1389_: type_26;
-    var phi_1391_: type_26;
-    var phi_1392_: bool;
-    var phi_1396_: type_26;
-    var phi_1397_: type_26;
-    var phi_1398_: type_26;
-    var phi_1399_: bool;
-    var phi_1403_: type_26;
-    var phi_1404_: bool;
-    var phi_1408_: type_26;
-    var phi_1409_: bool;
-    var phi_1413_: type_26;
-    var phi_1424_: type_46;
-    var phi_1425_: type_46;
-    var phi_704_: type_46;
-    var phi_1916_: bool;
-    var local_2: type_46;
-    var phi_2027_: bool;
-    var phi_1879_: type_46;
-    var phi_1880_: u32;
-    var phi_1881_: bool;
-    var phi_1882_: u32;
-    var phi_2026_: bool;
-    var phi_1883_: type_46;
-    var phi_1884_: u32;
-    var phi_1885_: u32;
-    var phi_1886_: bool;
-    var phi_1887_: u32;
-    var phi_2025_: bool;
-    var phi_1888_: type_46;
-    var phi_1889_: u32;
-    var phi_1890_: u32;
-    var phi_1891_: bool;
-    var phi_1892_: u32;
-    var phi_2024_: bool;
-    var phi_636_: type_46;
-    var phi_639_: u32;
-    var phi_641_: u32;
-    var phi_643_: bool;
-    var phi_645_: u32;
-    var phi_1893_: bool;
-    var phi_2023_: bool;
-    var local_3: type_46;
-    var local_4: type_46;
+    var local: array<f32, 128>;
+    var local_1: array<u32, 128>;
+    var phi_263_: i32;
+    var phi_264_: i32;
+    var phi_274_: bool;
+    var phi_284_: u32;
+    var phi_285_: u32;
+    var phi_287_: bool;
+    var phi_292_: u32;
+    var phi_336_: f32;
+    var phi_342_: f32;
+    var phi_353_: f32;
+    var phi_359_: f32;
+    var phi_382_: f32;
+    var phi_393_: f32;
+    var phi_402_: f32;
+    var phi_408_: f32;
+    var phi_419_: f32;
+    var phi_425_: f32;
+    var phi_448_: f32;
+    var phi_459_: f32;
+    var phi_468_: f32;
+    var phi_474_: f32;
+    var phi_485_: f32;
+    var phi_491_: f32;
+    var phi_514_: f32;
+    var phi_525_: f32;
+    var phi_625_: f32;
+    var phi_626_: f32;
+    var phi_2197_: bool;
+    var phi_900_: type_45;
+    var phi_903_: u32;
+    var phi_905_: u32;
+    var phi_907_: bool;
+    var phi_909_: u32;
+    var phi_920_: bool;
+    var phi_951_: u32;
+    var phi_952_: bool;
+    var phi_953_: u32;
+    var phi_1753_: type_41;
+    var phi_2097_: u32;
+    var phi_2124_: u32;
+    var phi_2125_: u32;
+    var phi_2126_: u32;
+    var phi_2128_: u32;
+    var phi_2129_: u32;
+    var phi_2130_: bool;
+    var phi_2139_: u32;
+    var phi_2144_: u32;
+    var phi_2145_: bool;
+    var phi_968_: type_45;
+    var phi_971_: type_7;
+    var phi_972_: type_7;
+    var phi_994_: type_7;
+    var phi_1015_: u32;
+    var phi_1104_: array<array<f32, 3>, 3>;
+    var phi_1575_: vec3<f32>;
+    var phi_1576_: vec3<f32>;
+    var phi_1607_: bool;
+    var phi_1616_: vec3<f32>;
+    var phi_1656_: type_26;
+    var phi_1658_: type_26;
+    var phi_1659_: bool;
+    var phi_1663_: type_26;
+    var phi_1664_: type_26;
+    var phi_1665_: type_26;
+    var phi_1666_: bool;
+    var phi_1670_: type_26;
+    var phi_1671_: bool;
+    var phi_1675_: type_26;
+    var phi_1676_: bool;
+    var phi_1680_: type_26;
+    var phi_1691_: type_45;
+    var phi_1692_: type_45;
+    var phi_969_: type_45;
+    var phi_2191_: bool;
+    var local_2: type_45;
+    var phi_2302_: bool;
+    var phi_2147_: type_45;
+    var phi_2148_: u32;
+    var phi_2149_: bool;
+    var phi_2150_: u32;
+    var phi_2301_: bool;
+    var phi_2151_: type_45;
+    var phi_2152_: u32;
+    var phi_2153_: u32;
+    var phi_2154_: bool;
+    var phi_2155_: u32;
+    var phi_2300_: bool;
+    var phi_2156_: type_45;
+    var phi_2157_: u32;
+    var phi_2158_: u32;
+    var phi_2159_: bool;
+    var phi_2160_: u32;
+    var phi_2299_: bool;
+    var phi_901_: type_45;
+    var phi_904_: u32;
+    var phi_906_: u32;
+    var phi_908_: bool;
+    var phi_910_: u32;
+    var phi_2161_: bool;
+    var phi_2298_: bool;
+    var local_3: type_45;
+    var local_4: type_45;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -219,43 +219,43 @@ fn function_() {
                     if _e153 {
                         let _e156 = (bitcast<u32>(bitcast<f32>(_e128)) & 2147483647u);
                         if (_e156 >= 8388608u) {
-                            phi_261_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
+                            phi_263_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_261_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
+                            phi_263_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
                         }
-                        let _e170 = phi_261_;
-                        phi_262_ = _e170;
+                        let _e170 = phi_263_;
+                        phi_264_ = _e170;
                     } else {
-                        phi_262_ = 0i;
+                        phi_264_ = 0i;
                     }
-                    let _e172 = phi_262_;
+                    let _e172 = phi_264_;
                     let _e173 = (_e89 == _e128);
                     if _e173 {
-                        phi_272_ = true;
+                        phi_274_ = true;
                     } else {
-                        phi_272_ = (_e96 == _e128);
+                        phi_274_ = (_e96 == _e128);
                     }
-                    let _e176 = phi_272_;
+                    let _e176 = phi_274_;
                     let _e177 = select(1u, 0u, _e173);
                     if _e176 {
                         let _e178 = (_e177 + 1u);
-                        phi_282_ = _e178;
-                        phi_283_ = _e178;
-                        phi_285_ = select(true, false, (_e178 == 2u));
+                        phi_284_ = _e178;
+                        phi_285_ = _e178;
+                        phi_287_ = select(true, false, (_e178 == 2u));
                     } else {
-                        phi_282_ = u32();
-                        phi_283_ = 0u;
-                        phi_285_ = true;
+                        phi_284_ = u32();
+                        phi_285_ = 0u;
+                        phi_287_ = true;
                     }
-                    let _e182 = phi_282_;
-                    let _e184 = phi_283_;
-                    let _e186 = phi_285_;
+                    let _e182 = phi_284_;
+                    let _e184 = phi_285_;
+                    let _e186 = phi_287_;
                     if _e186 {
-                        phi_290_ = (_e184 + 1u);
+                        phi_292_ = (_e184 + 1u);
                     } else {
-                        phi_290_ = 0u;
+                        phi_292_ = 0u;
                     }
-                    let _e190 = phi_290_;
+                    let _e190 = phi_292_;
                     let _e191 = select(_e182, _e184, _e186);
                     let _e192 = select(_e177, select(2u, _e177, _e176), _e186);
                     let _e193 = (_e79 / 2i);
@@ -268,140 +268,140 @@ fn function_() {
                     let _e221 = global_4.member[_e73].member;
                     let _e222 = (_e191 == 0u);
                     if _e222 {
-                        phi_334_ = _e221[0];
+                        phi_336_ = _e221[0];
                     } else {
-                        phi_334_ = _e221[1];
+                        phi_336_ = _e221[1];
                     }
-                    let _e226 = phi_334_;
+                    let _e226 = phi_336_;
                     let _e227 = (_e191 == 2u);
                     if _e227 {
-                        phi_340_ = _e221[2];
+                        phi_342_ = _e221[2];
                     } else {
-                        phi_340_ = _e226;
+                        phi_342_ = _e226;
                     }
-                    let _e230 = phi_340_;
+                    let _e230 = phi_342_;
                     let _e232 = ((_e230 * _e198) * _e204);
                     let _e233 = global_4.member[_e73].member_2;
                     if _e222 {
-                        phi_351_ = _e233[0];
+                        phi_353_ = _e233[0];
                     } else {
-                        phi_351_ = _e233[1];
+                        phi_353_ = _e233[1];
                     }
-                    let _e237 = phi_351_;
+                    let _e237 = phi_353_;
                     if _e227 {
-                        phi_357_ = _e233[2];
+                        phi_359_ = _e233[2];
                     } else {
-                        phi_357_ = _e237;
+                        phi_359_ = _e237;
                     }
-                    let _e240 = phi_357_;
+                    let _e240 = phi_359_;
                     let _e242 = ((_e240 * _e211) * _e217);
                     let _e246 = (bitcast<f32>((bitcast<u32>(_e242) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e246 {
                         let _e250 = (bitcast<f32>((bitcast<u32>(_e232) & 2147483647u)) * 0.00000011920929f);
-                        phi_380_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
+                        phi_382_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
                     } else {
-                        phi_380_ = 0f;
+                        phi_382_ = 0f;
                     }
-                    let _e254 = phi_380_;
+                    let _e254 = phi_382_;
                     let _e255 = (_e232 + _e254);
                     let _e256 = (_e232 - _e254);
                     let _e257 = select(_e242, 0f, _e246);
                     if _e246 {
-                        phi_391_ = 38685626000000000000000000f;
+                        phi_393_ = 38685626000000000000000000f;
                     } else {
-                        phi_391_ = (1f / _e242);
+                        phi_393_ = (1f / _e242);
                     }
-                    let _e260 = phi_391_;
+                    let _e260 = phi_393_;
                     let _e261 = (_e190 == 0u);
                     if _e261 {
-                        phi_400_ = _e221[0];
+                        phi_402_ = _e221[0];
                     } else {
-                        phi_400_ = _e221[1];
+                        phi_402_ = _e221[1];
                     }
-                    let _e265 = phi_400_;
+                    let _e265 = phi_402_;
                     let _e266 = (_e190 == 2u);
                     if _e266 {
-                        phi_406_ = _e221[2];
+                        phi_408_ = _e221[2];
                     } else {
-                        phi_406_ = _e265;
+                        phi_408_ = _e265;
                     }
-                    let _e269 = phi_406_;
+                    let _e269 = phi_408_;
                     let _e271 = ((_e269 * _e198) * _e204);
                     if _e261 {
-                        phi_417_ = _e233[0];
+                        phi_419_ = _e233[0];
                     } else {
-                        phi_417_ = _e233[1];
+                        phi_419_ = _e233[1];
                     }
-                    let _e275 = phi_417_;
+                    let _e275 = phi_419_;
                     if _e266 {
-                        phi_423_ = _e233[2];
+                        phi_425_ = _e233[2];
                     } else {
-                        phi_423_ = _e275;
+                        phi_425_ = _e275;
                     }
-                    let _e278 = phi_423_;
+                    let _e278 = phi_425_;
                     let _e280 = ((_e278 * _e211) * _e217);
                     let _e284 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e284 {
                         let _e288 = (bitcast<f32>((bitcast<u32>(_e271) & 2147483647u)) * 0.00000011920929f);
-                        phi_446_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
+                        phi_448_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
                     } else {
-                        phi_446_ = 0f;
+                        phi_448_ = 0f;
                     }
-                    let _e292 = phi_446_;
+                    let _e292 = phi_448_;
                     let _e293 = (_e271 + _e292);
                     let _e294 = (_e271 - _e292);
                     let _e295 = select(_e280, 0f, _e284);
                     if _e284 {
-                        phi_457_ = 38685626000000000000000000f;
+                        phi_459_ = 38685626000000000000000000f;
                     } else {
-                        phi_457_ = (1f / _e280);
+                        phi_459_ = (1f / _e280);
                     }
-                    let _e298 = phi_457_;
+                    let _e298 = phi_459_;
                     let _e299 = (_e192 == 0u);
                     if _e299 {
-                        phi_466_ = _e221[0];
+                        phi_468_ = _e221[0];
                     } else {
-                        phi_466_ = _e221[1];
+                        phi_468_ = _e221[1];
                     }
-                    let _e303 = phi_466_;
+                    let _e303 = phi_468_;
                     let _e304 = (_e192 == 2u);
                     if _e304 {
-                        phi_472_ = _e221[2];
+                        phi_474_ = _e221[2];
                     } else {
-                        phi_472_ = _e303;
+                        phi_474_ = _e303;
                     }
-                    let _e307 = phi_472_;
+                    let _e307 = phi_474_;
                     let _e309 = ((_e307 * _e198) * _e204);
                     if _e299 {
-                        phi_483_ = _e233[0];
+                        phi_485_ = _e233[0];
                     } else {
-                        phi_483_ = _e233[1];
+                        phi_485_ = _e233[1];
                     }
-                    let _e313 = phi_483_;
+                    let _e313 = phi_485_;
                     if _e304 {
-                        phi_489_ = _e233[2];
+                        phi_491_ = _e233[2];
                     } else {
-                        phi_489_ = _e313;
+                        phi_491_ = _e313;
                     }
-                    let _e316 = phi_489_;
+                    let _e316 = phi_491_;
                     let _e318 = ((_e316 * _e211) * _e217);
                     let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e322 {
                         let _e326 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_512_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
+                        phi_514_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
                     } else {
-                        phi_512_ = 0f;
+                        phi_514_ = 0f;
                     }
-                    let _e330 = phi_512_;
+                    let _e330 = phi_514_;
                     let _e331 = (_e309 + _e330);
                     let _e332 = (_e309 - _e330);
                     let _e333 = select(_e318, 0f, _e322);
                     if _e322 {
-                        phi_523_ = 38685626000000000000000000f;
+                        phi_525_ = 38685626000000000000000000f;
                     } else {
-                        phi_523_ = (1f / _e318);
+                        phi_525_ = (1f / _e318);
                     }
-                    let _e336 = phi_523_;
+                    let _e336 = phi_525_;
                     let _e339 = bitcast<f32>((bitcast<u32>(_e232) & 2147483647u));
                     let _e342 = bitcast<f32>((bitcast<u32>(_e271) & 2147483647u));
                     let _e344 = select(_e342, _e339, (_e339 > _e342));
@@ -415,106 +415,106 @@ fn function_() {
                         let _e370 = select(340282350000000000000000000000000000000f, _e368, (_e368 < 340282350000000000000000000000000000000f));
                         let _e375 = (((_e147 * _e360) * _e360) * _e367);
                         let _e377 = select(340282350000000000000000000000000000000f, _e375, (_e375 < 340282350000000000000000000000000000000f));
-                        phi_623_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
-                        phi_624_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
+                        phi_625_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
+                        phi_626_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_623_ = 0f;
-                        phi_624_ = 1f;
+                        phi_625_ = 0f;
+                        phi_626_ = 1f;
                     }
-                    let _e381 = phi_623_;
-                    let _e383 = phi_624_;
-                    local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_1922_ = false;
-                    phi_635_ = type_46(_e381, false);
-                    phi_638_ = select(0u, 2147483648u, (_e63 == 0u));
-                    phi_640_ = ((3u * _e63) + 1u);
-                    phi_642_ = (_e383 <= _e381);
-                    phi_644_ = 0u;
+                    let _e381 = phi_625_;
+                    let _e383 = phi_626_;
+                    local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_2197_ = false;
+                    phi_900_ = type_45(_e381, false);
+                    phi_903_ = select(0u, 2147483648u, (_e63 == 0u));
+                    phi_905_ = ((3u * _e63) + 1u);
+                    phi_907_ = (_e383 <= _e381);
+                    phi_909_ = 0u;
                     loop {
-                        let _e391 = phi_1922_;
-                        let _e393 = phi_635_;
-                        let _e395 = phi_638_;
-                        let _e397 = phi_640_;
-                        let _e399 = phi_642_;
-                        let _e401 = phi_644_;
+                        let _e391 = phi_2197_;
+                        let _e393 = phi_900_;
+                        let _e395 = phi_903_;
+                        let _e397 = phi_905_;
+                        let _e399 = phi_907_;
+                        let _e401 = phi_909_;
                         local_3 = _e393;
                         if _e399 {
-                            phi_655_ = true;
+                            phi_920_ = true;
                         } else {
-                            phi_655_ = (_e401 > 0u);
+                            phi_920_ = (_e401 > 0u);
                         }
-                        let _e404 = phi_655_;
+                        let _e404 = phi_920_;
                         if _e404 {
                             let _e405 = (_e397 > 0u);
                             if _e405 {
                                 if _e399 {
-                                    phi_685_ = _e395;
-                                    phi_686_ = _e399;
-                                    phi_687_ = _e401;
+                                    phi_951_ = _e395;
+                                    phi_952_ = _e399;
+                                    phi_953_ = _e401;
                                 } else {
                                     let _e406 = (_e401 - 1u);
                                     let _e407 = (_e406 % 128u);
                                     let _e408 = (_e407 < 128u);
                                     if _e408 {
                                     } else {
-                                        phi_2023_ = true;
+                                        phi_2298_ = true;
                                         break;
                                     }
-                                    let _e410 = local[_e407];
+                                    let _e410 = local_1[_e407];
                                     if _e408 {
                                     } else {
-                                        phi_2023_ = true;
+                                        phi_2298_ = true;
                                         break;
                                     }
-                                    let _e412 = local_1[_e407];
-                                    phi_685_ = _e410;
-                                    phi_686_ = (_e412 <= _e393.member);
-                                    phi_687_ = _e406;
+                                    let _e412 = local[_e407];
+                                    phi_951_ = _e410;
+                                    phi_952_ = (_e412 <= _e393.member);
+                                    phi_953_ = _e406;
                                 }
-                                let _e416 = phi_685_;
-                                let _e418 = phi_686_;
-                                let _e420 = phi_687_;
+                                let _e416 = phi_951_;
+                                let _e418 = phi_952_;
+                                let _e420 = phi_953_;
                                 if _e418 {
-                                    let _e424 = (_e416 & 268435455u);
                                     if ((_e416 & 2147483648u) != 0u) {
-                                        phi_703_ = _e393;
-                                        phi_706_ = type_7(_e424, (_e424 + ((_e416 >> bitcast<u32>(28u)) & 7u)));
+                                        phi_968_ = _e393;
+                                        phi_971_ = type_7(0u, ((_e416 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e619 = phi_703_;
-                                            let _e621 = phi_706_;
-                                            local_2 = _e619;
-                                            local_4 = _e619;
-                                            if (_e621.member < _e621.member_1) {
-                                                phi_707_ = type_7((_e621.member + 1u), _e621.member_1);
-                                                phi_729_ = type_7(1u, _e621.member);
+                                            let _e618 = phi_968_;
+                                            let _e620 = phi_971_;
+                                            local_2 = _e618;
+                                            local_4 = _e618;
+                                            if (_e620.member < _e620.member_1) {
+                                                phi_972_ = type_7((_e620.member + 1u), _e620.member_1);
+                                                phi_994_ = type_7(1u, _e620.member);
                                             } else {
-                                                phi_707_ = _e621;
-                                                phi_729_ = type_7(0u, type_7().member_1);
+                                                phi_972_ = _e620;
+                                                phi_994_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e634 = phi_707_;
-                                            let _e636 = phi_729_;
-                                            let _e640 = (bitcast<i32>(_e636.member) != 0i);
-                                            if _e640 {
-                                                let _e641 = (_e636.member_1 < _e65);
+                                            let _e633 = phi_972_;
+                                            let _e635 = phi_994_;
+                                            let _e639 = (bitcast<i32>(_e635.member) != 0i);
+                                            if _e639 {
+                                                let _e640 = ((_e416 & 268435455u) + _e635.member_1);
+                                                let _e641 = (_e640 < _e65);
                                                 if _e641 {
                                                     if _e641 {
                                                     } else {
-                                                        phi_1916_ = true;
+                                                        phi_2191_ = true;
                                                         break;
                                                     }
-                                                    let _e645 = global_3.member[_e636.member_1].member_1;
-                                                    phi_749_ = _e645;
+                                                    let _e645 = global_3.member[_e640].member_1;
+                                                    phi_1015_ = _e645;
                                                 } else {
-                                                    phi_749_ = 4294967295u;
+                                                    phi_1015_ = 4294967295u;
                                                 }
-                                                let _e647 = phi_749_;
-                                                if (_e636.member_1 >= _e65) {
-                                                    phi_837_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e647 = phi_1015_;
+                                                if (_e640 >= _e65) {
+                                                    phi_1104_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e641 {
                                                     } else {
-                                                        phi_1916_ = true;
+                                                        phi_2191_ = true;
                                                         break;
                                                     }
                                                     let _e649 = (_e191 % 3u);
@@ -522,67 +522,67 @@ fn function_() {
                                                     let _e651 = (_e192 % 3u);
                                                     if (_e649 < 9u) {
                                                     } else {
-                                                        phi_1916_ = true;
+                                                        phi_2191_ = true;
                                                         break;
                                                     }
-                                                    let _e657 = global_3.member[_e636.member_1].member[_e649];
+                                                    let _e657 = global_3.member[_e640].member[_e649];
                                                     if (_e650 < 9u) {
                                                     } else {
-                                                        phi_1916_ = true;
+                                                        phi_2191_ = true;
                                                         break;
                                                     }
-                                                    let _e663 = global_3.member[_e636.member_1].member[_e650];
+                                                    let _e663 = global_3.member[_e640].member[_e650];
                                                     if (_e651 < 9u) {
                                                     } else {
-                                                        phi_1916_ = true;
+                                                        phi_2191_ = true;
                                                         break;
                                                     }
-                                                    let _e669 = global_3.member[_e636.member_1].member[_e651];
+                                                    let _e669 = global_3.member[_e640].member[_e651];
                                                     let _e671 = (3u + _e649);
                                                     if (_e671 < 9u) {
                                                     } else {
-                                                        phi_1916_ = true;
+                                                        phi_2191_ = true;
                                                         break;
                                                     }
-                                                    let _e677 = global_3.member[_e636.member_1].member[_e671];
+                                                    let _e677 = global_3.member[_e640].member[_e671];
                                                     let _e678 = (3u + _e650);
                                                     if (_e678 < 9u) {
                                                     } else {
-                                                        phi_1916_ = true;
+                                                        phi_2191_ = true;
                                                         break;
                                                     }
-                                                    let _e684 = global_3.member[_e636.member_1].member[_e678];
+                                                    let _e684 = global_3.member[_e640].member[_e678];
                                                     let _e685 = (3u + _e651);
                                                     if (_e685 < 9u) {
                                                     } else {
-                                                        phi_1916_ = true;
+                                                        phi_2191_ = true;
                                                         break;
                                                     }
-                                                    let _e691 = global_3.member[_e636.member_1].member[_e685];
+                                                    let _e691 = global_3.member[_e640].member[_e685];
                                                     let _e693 = (6u + _e649);
                                                     if (_e693 < 9u) {
                                                     } else {
-                                                        phi_1916_ = true;
+                                                        phi_2191_ = true;
                                                         break;
                                                     }
-                                                    let _e699 = global_3.member[_e636.member_1].member[_e693];
+                                                    let _e699 = global_3.member[_e640].member[_e693];
                                                     let _e700 = (6u + _e650);
                                                     if (_e700 < 9u) {
                                                     } else {
-                                                        phi_1916_ = true;
+                                                        phi_2191_ = true;
                                                         break;
                                                     }
-                                                    let _e706 = global_3.member[_e636.member_1].member[_e700];
+                                                    let _e706 = global_3.member[_e640].member[_e700];
                                                     let _e707 = (6u + _e651);
                                                     if (_e707 < 9u) {
                                                     } else {
-                                                        phi_1916_ = true;
+                                                        phi_2191_ = true;
                                                         break;
                                                     }
-                                                    let _e713 = global_3.member[_e636.member_1].member[_e707];
-                                                    phi_837_ = array<array<f32, 3>, 3>(array<f32, 3>(_e657, _e663, _e669), array<f32, 3>(_e677, _e684, _e691), array<f32, 3>(_e699, _e706, _e713));
+                                                    let _e713 = global_3.member[_e640].member[_e707];
+                                                    phi_1104_ = array<array<f32, 3>, 3>(array<f32, 3>(_e657, _e663, _e669), array<f32, 3>(_e677, _e684, _e691), array<f32, 3>(_e699, _e706, _e713));
                                                 }
-                                                let _e717 = phi_837_;
+                                                let _e717 = phi_1104_;
                                                 let _e725 = (_e717[0][2] - _e309);
                                                 let _e728 = (((_e717[0][0] - _e232) * _e333) - (_e725 * _e257));
                                                 let _e731 = (((_e717[0][1] - _e271) * _e333) - (_e725 * _e295));
@@ -609,8 +609,8 @@ fn function_() {
                                                     let _e787 = select(0f, _e785, (_e785 > 0f));
                                                     let _e789 = ((_e779 + _e783) + _e787);
                                                     if (_e789 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1403_ = type_26();
-                                                        phi_1404_ = true;
+                                                        phi_1670_ = type_26();
+                                                        phi_1671_ = true;
                                                     } else {
                                                         let _e792 = select(_e717[1][0], _e717[0][0], (_e717[0][0] < _e717[1][0]));
                                                         let _e796 = select(_e717[1][0], _e717[0][0], (_e717[0][0] > _e717[1][0]));
@@ -637,12 +637,12 @@ fn function_() {
                                                         let _e847 = -(_e828);
                                                         let _e853 = select(_e383, _e838, (_e838 > _e383));
                                                         if (_e853 > (_e846 + (select(_e847, _e830, (_e830 > _e847)) * 0.0000019073523f))) {
-                                                            phi_1398_ = type_26();
-                                                            phi_1399_ = true;
+                                                            phi_1665_ = type_26();
+                                                            phi_1666_ = true;
                                                         } else {
-                                                            let _e855 = (_e853 > _e619.member);
+                                                            let _e855 = (_e853 > _e618.member);
                                                             if _e855 {
-                                                                phi_1397_ = type_26();
+                                                                phi_1664_ = type_26();
                                                             } else {
                                                                 let _e859 = (_e717[1][0] - _e717[0][0]);
                                                                 let _e860 = (_e717[1][1] - _e717[0][1]);
@@ -674,155 +674,155 @@ fn function_() {
                                                                 let _e911 = select(_e896, _e883, (_e883 > _e896));
                                                                 let _e913 = select(_e909, _e911, (_e911 > _e909));
                                                                 if (_e883 == _e913) {
-                                                                    phi_1308_ = _e866;
-                                                                    phi_1309_ = _e870;
+                                                                    phi_1575_ = _e866;
+                                                                    phi_1576_ = _e870;
                                                                 } else {
                                                                     let _e916 = vec3((_e896 == _e913));
-                                                                    phi_1308_ = select(_e862, _e870, _e916);
-                                                                    phi_1309_ = select(_e866, _e862, _e916);
+                                                                    phi_1575_ = select(_e862, _e870, _e916);
+                                                                    phi_1576_ = select(_e866, _e862, _e916);
                                                                 }
-                                                                let _e920 = phi_1308_;
-                                                                let _e922 = phi_1309_;
+                                                                let _e920 = phi_1575_;
+                                                                let _e922 = phi_1576_;
                                                                 let _e929 = ((_e920.y * _e922.z) - (_e922.y * _e920.z));
                                                                 let _e934 = ((_e920.z * _e922.x) - (_e922.z * _e920.x));
                                                                 let _e937 = ((_e920.x * _e922.y) - (_e922.x * _e920.y));
                                                                 if (_e779 >= _e783) {
-                                                                    phi_1340_ = select(true, false, (_e779 >= _e787));
+                                                                    phi_1607_ = select(true, false, (_e779 >= _e787));
                                                                 } else {
-                                                                    phi_1340_ = true;
+                                                                    phi_1607_ = true;
                                                                 }
-                                                                let _e942 = phi_1340_;
+                                                                let _e942 = phi_1607_;
                                                                 if _e942 {
-                                                                    phi_1349_ = select(vec3<f32>(_e717[2][0], _e717[2][1], _e717[2][2]), vec3<f32>(_e717[1][0], _e717[1][1], _e717[1][2]), vec3((_e783 >= _e787)));
+                                                                    phi_1616_ = select(vec3<f32>(_e717[2][0], _e717[2][1], _e717[2][2]), vec3<f32>(_e717[1][0], _e717[1][1], _e717[1][2]), vec3((_e783 >= _e787)));
                                                                 } else {
-                                                                    phi_1349_ = vec3<f32>(_e717[0][0], _e717[0][1], _e717[0][2]);
+                                                                    phi_1616_ = vec3<f32>(_e717[0][0], _e717[0][1], _e717[0][2]);
                                                                 }
-                                                                let _e947 = phi_1349_;
+                                                                let _e947 = phi_1616_;
                                                                 let _e964 = ((((_e929 * (_e947.x - _e232)) + (_e934 * (_e947.y - _e271))) + (_e937 * (_e947.z - _e309))) / (((_e929 * _e257) + (_e934 * _e295)) + (_e937 * _e333)));
                                                                 let _e966 = select(_e846, _e964, (_e964 < _e846));
                                                                 let _e968 = select(_e838, _e966, (_e966 > _e838));
                                                                 if (_e968 >= _e383) {
-                                                                    let _e970 = (_e968 <= _e619.member);
+                                                                    let _e970 = (_e968 <= _e618.member);
                                                                     if _e970 {
                                                                         let _e971 = (1f / _e789);
-                                                                        phi_1389_ = type_26(_e968, (_e783 * _e971), (_e787 * _e971), _e647);
+                                                                        phi_1656_ = type_26(_e968, (_e783 * _e971), (_e787 * _e971), _e647);
                                                                     } else {
-                                                                        phi_1389_ = type_26();
+                                                                        phi_1656_ = type_26();
                                                                     }
-                                                                    let _e976 = phi_1389_;
-                                                                    phi_1391_ = _e976;
-                                                                    phi_1392_ = select(true, false, _e970);
+                                                                    let _e976 = phi_1656_;
+                                                                    phi_1658_ = _e976;
+                                                                    phi_1659_ = select(true, false, _e970);
                                                                 } else {
-                                                                    phi_1391_ = type_26();
-                                                                    phi_1392_ = true;
+                                                                    phi_1658_ = type_26();
+                                                                    phi_1659_ = true;
                                                                 }
-                                                                let _e979 = phi_1391_;
-                                                                let _e981 = phi_1392_;
+                                                                let _e979 = phi_1658_;
+                                                                let _e981 = phi_1659_;
                                                                 if _e981 {
-                                                                    phi_1396_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1663_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1396_ = _e979;
+                                                                    phi_1663_ = _e979;
                                                                 }
-                                                                let _e983 = phi_1396_;
-                                                                phi_1397_ = _e983;
+                                                                let _e983 = phi_1663_;
+                                                                phi_1664_ = _e983;
                                                             }
-                                                            let _e985 = phi_1397_;
-                                                            phi_1398_ = _e985;
-                                                            phi_1399_ = _e855;
+                                                            let _e985 = phi_1664_;
+                                                            phi_1665_ = _e985;
+                                                            phi_1666_ = _e855;
                                                         }
-                                                        let _e987 = phi_1398_;
-                                                        let _e989 = phi_1399_;
-                                                        phi_1403_ = _e987;
-                                                        phi_1404_ = _e989;
+                                                        let _e987 = phi_1665_;
+                                                        let _e989 = phi_1666_;
+                                                        phi_1670_ = _e987;
+                                                        phi_1671_ = _e989;
                                                     }
-                                                    let _e991 = phi_1403_;
-                                                    let _e993 = phi_1404_;
-                                                    phi_1408_ = _e991;
-                                                    phi_1409_ = _e993;
+                                                    let _e991 = phi_1670_;
+                                                    let _e993 = phi_1671_;
+                                                    phi_1675_ = _e991;
+                                                    phi_1676_ = _e993;
                                                 } else {
-                                                    phi_1408_ = type_26();
-                                                    phi_1409_ = true;
+                                                    phi_1675_ = type_26();
+                                                    phi_1676_ = true;
                                                 }
-                                                let _e995 = phi_1408_;
-                                                let _e997 = phi_1409_;
+                                                let _e995 = phi_1675_;
+                                                let _e997 = phi_1676_;
                                                 if _e997 {
-                                                    phi_1413_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1680_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1413_ = _e995;
+                                                    phi_1680_ = _e995;
                                                 }
-                                                let _e999 = phi_1413_;
+                                                let _e999 = phi_1680_;
                                                 if (_e999.member_3 != 4294967295u) {
                                                     if (_e647 != 4294967295u) {
-                                                        phi_1424_ = type_46(_e619.member, true);
+                                                        phi_1691_ = type_45(_e618.member, true);
                                                     } else {
-                                                        phi_1424_ = _e619;
+                                                        phi_1691_ = _e618;
                                                     }
-                                                    let _e1007 = phi_1424_;
-                                                    phi_1425_ = _e1007;
+                                                    let _e1007 = phi_1691_;
+                                                    phi_1692_ = _e1007;
                                                 } else {
-                                                    phi_1425_ = _e619;
+                                                    phi_1692_ = _e618;
                                                 }
-                                                let _e1009 = phi_1425_;
-                                                phi_704_ = _e1009;
+                                                let _e1009 = phi_1692_;
+                                                phi_969_ = _e1009;
                                             } else {
-                                                phi_704_ = type_46();
+                                                phi_969_ = type_45();
                                             }
-                                            let _e1011 = phi_704_;
+                                            let _e1011 = phi_969_;
                                             continue;
                                             continuing {
-                                                phi_703_ = _e1011;
-                                                phi_706_ = _e634;
-                                                phi_1916_ = _e391;
-                                                break if !(_e640);
+                                                phi_968_ = _e1011;
+                                                phi_971_ = _e633;
+                                                phi_2191_ = _e391;
+                                                break if !(_e639);
                                             }
                                         }
-                                        let _e1014 = phi_1916_;
-                                        phi_2023_ = _e1014;
+                                        let _e1014 = phi_2191_;
+                                        phi_2298_ = _e1014;
                                         if _e1014 {
                                             break;
                                         }
                                         let _e1016 = local_2;
-                                        phi_2027_ = _e1014;
+                                        phi_2302_ = _e1014;
                                         let _e1154 = local_4;
-                                        phi_1879_ = _e1154;
-                                        phi_1880_ = _e416;
-                                        phi_1881_ = false;
-                                        phi_1882_ = select(_e420, 0u, _e1016.member_1);
+                                        phi_2147_ = _e1154;
+                                        phi_2148_ = _e416;
+                                        phi_2149_ = false;
+                                        phi_2150_ = select(_e420, 0u, _e1016.member_1);
                                     } else {
                                         if (_e416 >= _e63) {
-                                            phi_1486_ = type_42(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1753_ = type_41(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e416 < _e63) {
                                             } else {
-                                                phi_2023_ = true;
+                                                phi_2298_ = true;
                                                 break;
                                             }
                                             let _e430 = (_e191 % 3u);
                                             if (_e430 < 3u) {
                                             } else {
-                                                phi_2023_ = true;
+                                                phi_2298_ = true;
                                                 break;
                                             }
                                             let _e436 = global_2.member[_e416].member[_e430];
                                             let _e442 = (_e190 % 3u);
                                             if (_e442 < 3u) {
                                             } else {
-                                                phi_2023_ = true;
+                                                phi_2298_ = true;
                                                 break;
                                             }
                                             let _e448 = global_2.member[_e416].member[_e442];
                                             let _e454 = (_e192 % 3u);
                                             if (_e454 < 3u) {
                                             } else {
-                                                phi_2023_ = true;
+                                                phi_2298_ = true;
                                                 break;
                                             }
                                             let _e460 = global_2.member[_e416].member[_e454];
                                             let _e470 = global_2.member[_e416].member_1;
                                             let _e474 = global_2.member[_e416].member_2;
-                                            phi_1486_ = type_42(array<vec4<f32>, 3>(vec4<f32>(_e436[0], _e436[1], _e436[2], _e436[3]), vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3])), _e470, _e474);
+                                            phi_1753_ = type_41(array<vec4<f32>, 3>(vec4<f32>(_e436[0], _e436[1], _e436[2], _e436[3]), vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3])), _e470, _e474);
                                         }
-                                        let _e477 = phi_1486_;
+                                        let _e477 = phi_1753_;
                                         let _e489 = ((_e477.member[0].x - _e255) * _e260);
                                         let _e490 = ((_e477.member[0].y - _e255) * _e260);
                                         let _e491 = ((_e477.member[0].z - _e256) * _e260);
@@ -865,152 +865,152 @@ fn function_() {
                                         if _e577 {
                                             if _e578 {
                                                 if _e579 {
-                                                    phi_1830_ = _e477.member_2;
+                                                    phi_2097_ = _e477.member_2;
                                                 } else {
-                                                    phi_1830_ = _e477.member_1;
+                                                    phi_2097_ = _e477.member_1;
                                                 }
-                                                let _e583 = phi_1830_;
+                                                let _e583 = phi_2097_;
                                                 let _e584 = (_e420 % 128u);
                                                 let _e585 = (_e584 < 128u);
                                                 if _e585 {
                                                 } else {
-                                                    phi_2023_ = true;
+                                                    phi_2298_ = true;
                                                     break;
                                                 }
-                                                local[_e584] = _e583;
+                                                local_1[_e584] = _e583;
                                                 if _e585 {
                                                 } else {
-                                                    phi_2023_ = true;
+                                                    phi_2298_ = true;
                                                     break;
                                                 }
-                                                local_1[_e584] = select(_e572, _e570, (_e570 > _e572));
+                                                local[_e584] = select(_e572, _e570, (_e570 > _e572));
                                                 if _e579 {
-                                                    phi_1856_ = _e477.member_1;
+                                                    phi_2124_ = _e477.member_1;
                                                 } else {
-                                                    phi_1856_ = _e477.member_2;
+                                                    phi_2124_ = _e477.member_2;
                                                 }
-                                                let _e594 = phi_1856_;
-                                                phi_1857_ = _e594;
-                                                phi_1858_ = (_e420 + 1u);
+                                                let _e594 = phi_2124_;
+                                                phi_2125_ = _e594;
+                                                phi_2126_ = (_e420 + 1u);
                                             } else {
-                                                phi_1857_ = u32();
-                                                phi_1858_ = u32();
+                                                phi_2125_ = u32();
+                                                phi_2126_ = u32();
                                             }
-                                            let _e596 = phi_1857_;
-                                            let _e598 = phi_1858_;
-                                            phi_1860_ = _e596;
-                                            phi_1861_ = _e598;
-                                            phi_1862_ = select(true, false, _e578);
+                                            let _e596 = phi_2125_;
+                                            let _e598 = phi_2126_;
+                                            phi_2128_ = _e596;
+                                            phi_2129_ = _e598;
+                                            phi_2130_ = select(true, false, _e578);
                                         } else {
-                                            phi_1860_ = u32();
-                                            phi_1861_ = u32();
-                                            phi_1862_ = true;
+                                            phi_2128_ = u32();
+                                            phi_2129_ = u32();
+                                            phi_2130_ = true;
                                         }
-                                        let _e601 = phi_1860_;
-                                        let _e603 = phi_1861_;
-                                        let _e605 = phi_1862_;
+                                        let _e601 = phi_2128_;
+                                        let _e603 = phi_2129_;
+                                        let _e605 = phi_2130_;
                                         if _e605 {
                                             if _e577 {
-                                                phi_1871_ = _e477.member_1;
+                                                phi_2139_ = _e477.member_1;
                                             } else {
-                                                phi_1871_ = _e477.member_2;
+                                                phi_2139_ = _e477.member_2;
                                             }
-                                            let _e609 = phi_1871_;
-                                            phi_1876_ = _e609;
-                                            phi_1877_ = select(_e578, true, _e577);
+                                            let _e609 = phi_2139_;
+                                            phi_2144_ = _e609;
+                                            phi_2145_ = select(_e578, true, _e577);
                                         } else {
-                                            phi_1876_ = _e601;
-                                            phi_1877_ = _e418;
+                                            phi_2144_ = _e601;
+                                            phi_2145_ = _e418;
                                         }
-                                        let _e612 = phi_1876_;
-                                        let _e614 = phi_1877_;
-                                        phi_2027_ = _e391;
-                                        phi_1879_ = _e393;
-                                        phi_1880_ = _e612;
-                                        phi_1881_ = _e614;
-                                        phi_1882_ = select(_e603, _e420, _e605);
+                                        let _e612 = phi_2144_;
+                                        let _e614 = phi_2145_;
+                                        phi_2302_ = _e391;
+                                        phi_2147_ = _e393;
+                                        phi_2148_ = _e612;
+                                        phi_2149_ = _e614;
+                                        phi_2150_ = select(_e603, _e420, _e605);
                                     }
-                                    let _e1020 = phi_2027_;
-                                    let _e1022 = phi_1879_;
-                                    let _e1024 = phi_1880_;
-                                    let _e1026 = phi_1881_;
-                                    let _e1028 = phi_1882_;
-                                    phi_2026_ = _e1020;
-                                    phi_1883_ = _e1022;
-                                    phi_1884_ = _e1024;
-                                    phi_1885_ = (_e397 - 1u);
-                                    phi_1886_ = _e1026;
-                                    phi_1887_ = _e1028;
+                                    let _e1020 = phi_2302_;
+                                    let _e1022 = phi_2147_;
+                                    let _e1024 = phi_2148_;
+                                    let _e1026 = phi_2149_;
+                                    let _e1028 = phi_2150_;
+                                    phi_2301_ = _e1020;
+                                    phi_2151_ = _e1022;
+                                    phi_2152_ = _e1024;
+                                    phi_2153_ = (_e397 - 1u);
+                                    phi_2154_ = _e1026;
+                                    phi_2155_ = _e1028;
                                 } else {
-                                    phi_2026_ = _e391;
-                                    phi_1883_ = _e393;
-                                    phi_1884_ = _e416;
-                                    phi_1885_ = _e397;
-                                    phi_1886_ = _e418;
-                                    phi_1887_ = _e420;
+                                    phi_2301_ = _e391;
+                                    phi_2151_ = _e393;
+                                    phi_2152_ = _e416;
+                                    phi_2153_ = _e397;
+                                    phi_2154_ = _e418;
+                                    phi_2155_ = _e420;
                                 }
-                                let _e1030 = phi_2026_;
-                                let _e1032 = phi_1883_;
-                                let _e1034 = phi_1884_;
-                                let _e1036 = phi_1885_;
-                                let _e1038 = phi_1886_;
-                                let _e1040 = phi_1887_;
-                                phi_2025_ = _e1030;
-                                phi_1888_ = _e1032;
-                                phi_1889_ = _e1034;
-                                phi_1890_ = _e1036;
-                                phi_1891_ = _e1038;
-                                phi_1892_ = _e1040;
+                                let _e1030 = phi_2301_;
+                                let _e1032 = phi_2151_;
+                                let _e1034 = phi_2152_;
+                                let _e1036 = phi_2153_;
+                                let _e1038 = phi_2154_;
+                                let _e1040 = phi_2155_;
+                                phi_2300_ = _e1030;
+                                phi_2156_ = _e1032;
+                                phi_2157_ = _e1034;
+                                phi_2158_ = _e1036;
+                                phi_2159_ = _e1038;
+                                phi_2160_ = _e1040;
                             } else {
-                                phi_2025_ = _e391;
-                                phi_1888_ = type_46();
-                                phi_1889_ = u32();
-                                phi_1890_ = u32();
-                                phi_1891_ = bool();
-                                phi_1892_ = u32();
+                                phi_2300_ = _e391;
+                                phi_2156_ = type_45();
+                                phi_2157_ = u32();
+                                phi_2158_ = u32();
+                                phi_2159_ = bool();
+                                phi_2160_ = u32();
                             }
-                            let _e1042 = phi_2025_;
-                            let _e1044 = phi_1888_;
-                            let _e1046 = phi_1889_;
-                            let _e1048 = phi_1890_;
-                            let _e1050 = phi_1891_;
-                            let _e1052 = phi_1892_;
-                            phi_2024_ = _e1042;
-                            phi_636_ = _e1044;
-                            phi_639_ = _e1046;
-                            phi_641_ = _e1048;
-                            phi_643_ = _e1050;
-                            phi_645_ = _e1052;
-                            phi_1893_ = _e405;
+                            let _e1042 = phi_2300_;
+                            let _e1044 = phi_2156_;
+                            let _e1046 = phi_2157_;
+                            let _e1048 = phi_2158_;
+                            let _e1050 = phi_2159_;
+                            let _e1052 = phi_2160_;
+                            phi_2299_ = _e1042;
+                            phi_901_ = _e1044;
+                            phi_904_ = _e1046;
+                            phi_906_ = _e1048;
+                            phi_908_ = _e1050;
+                            phi_910_ = _e1052;
+                            phi_2161_ = _e405;
                         } else {
-                            phi_2024_ = _e391;
-                            phi_636_ = type_46();
-                            phi_639_ = u32();
-                            phi_641_ = u32();
-                            phi_643_ = bool();
-                            phi_645_ = u32();
-                            phi_1893_ = false;
+                            phi_2299_ = _e391;
+                            phi_901_ = type_45();
+                            phi_904_ = u32();
+                            phi_906_ = u32();
+                            phi_908_ = bool();
+                            phi_910_ = u32();
+                            phi_2161_ = false;
                         }
-                        let _e1054 = phi_2024_;
-                        let _e1056 = phi_636_;
-                        let _e1058 = phi_639_;
-                        let _e1060 = phi_641_;
-                        let _e1062 = phi_643_;
-                        let _e1064 = phi_645_;
-                        let _e1066 = phi_1893_;
+                        let _e1054 = phi_2299_;
+                        let _e1056 = phi_901_;
+                        let _e1058 = phi_904_;
+                        let _e1060 = phi_906_;
+                        let _e1062 = phi_908_;
+                        let _e1064 = phi_910_;
+                        let _e1066 = phi_2161_;
                         continue;
                         continuing {
-                            phi_1922_ = _e1054;
-                            phi_635_ = _e1056;
-                            phi_638_ = _e1058;
-                            phi_640_ = _e1060;
-                            phi_642_ = _e1062;
-                            phi_644_ = _e1064;
-                            phi_2023_ = _e1054;
+                            phi_2197_ = _e1054;
+                            phi_900_ = _e1056;
+                            phi_903_ = _e1058;
+                            phi_905_ = _e1060;
+                            phi_907_ = _e1062;
+                            phi_909_ = _e1064;
+                            phi_2298_ = _e1054;
                             break if !(_e1066);
                         }
                     }
-                    let _e1069 = phi_2023_;
+                    let _e1069 = phi_2298_;
                     if _e1069 {
                         break;
                     }

@@ -46,18 +46,18 @@ struct type_33 {
     member: array<type_31>,
 }
 
-struct type_41 {
+struct type_39 {
     member: type_23,
     member_1: f32,
 }
 
-struct type_44 {
+struct type_43 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_46 {
+struct type_45 {
     member: array<type_27>,
 }
 
@@ -69,118 +69,118 @@ var<storage> global_2: type_33;
 @group(0) @binding(2) 
 var<storage> global_3: type_15;
 @group(0) @binding(3) 
-var<storage> global_4: type_46;
+var<storage> global_4: type_45;
 @group(0) @binding(4) 
 var<storage, read_write> global_5: type_25;
 
 fn function_() {
-    var local: array<u32, 128>;
-    var local_1: array<f32, 128>;
-    var phi_262_: i32;
-    var phi_263_: i32;
-    var phi_273_: bool;
-    var phi_283_: u32;
-    var phi_284_: u32;
-    var phi_286_: bool;
-    var phi_291_: u32;
-    var phi_335_: f32;
-    var phi_341_: f32;
-    var phi_352_: f32;
-    var phi_358_: f32;
-    var phi_381_: f32;
-    var phi_392_: f32;
-    var phi_401_: f32;
-    var phi_407_: f32;
-    var phi_418_: f32;
-    var phi_424_: f32;
-    var phi_447_: f32;
-    var phi_458_: f32;
-    var phi_467_: f32;
-    var phi_473_: f32;
-    var phi_484_: f32;
-    var phi_490_: f32;
-    var phi_513_: f32;
-    var phi_524_: f32;
-    var phi_624_: f32;
-    var phi_625_: f32;
-    var phi_1990_: bool;
-    var phi_636_: type_41;
-    var phi_639_: u32;
-    var phi_641_: u32;
-    var phi_643_: bool;
-    var phi_645_: u32;
-    var phi_656_: bool;
-    var phi_686_: u32;
-    var phi_687_: bool;
-    var phi_688_: u32;
-    var phi_1508_: type_44;
-    var phi_1852_: u32;
-    var phi_1878_: u32;
-    var phi_1879_: u32;
-    var phi_1880_: u32;
-    var phi_1882_: u32;
-    var phi_1883_: u32;
-    var phi_1884_: bool;
-    var phi_1893_: u32;
-    var phi_1898_: u32;
-    var phi_1899_: bool;
-    var phi_704_: type_41;
-    var phi_707_: type_4;
-    var phi_708_: type_4;
-    var phi_730_: type_4;
-    var phi_750_: u32;
-    var phi_838_: array<array<f32, 3>, 3>;
-    var phi_1309_: vec3<f32>;
-    var phi_1310_: vec3<f32>;
-    var phi_1341_: bool;
-    var phi_1350_: vec3<f32>;
-    var phi_1390_: type_23;
-    var phi_1392_: type_23;
-    var phi_1393_: bool;
-    var phi_1397_: type_23;
-    var phi_1398_: type_23;
-    var phi_1399_: type_23;
-    var phi_1400_: bool;
-    var phi_1404_: type_23;
-    var phi_1405_: bool;
-    var phi_1409_: type_23;
-    var phi_1410_: bool;
-    var phi_1414_: type_23;
-    var phi_1439_: bool;
-    var phi_1440_: bool;
-    var phi_1446_: type_41;
-    var phi_1447_: type_41;
-    var phi_1448_: type_41;
-    var phi_705_: type_41;
-    var phi_1984_: bool;
-    var phi_2098_: bool;
-    var phi_1901_: type_41;
-    var phi_1902_: u32;
-    var phi_1903_: bool;
-    var phi_1904_: u32;
-    var phi_2097_: bool;
-    var phi_1905_: type_41;
-    var phi_1906_: u32;
-    var phi_1907_: u32;
-    var phi_1908_: bool;
-    var phi_1909_: u32;
-    var phi_2096_: bool;
-    var phi_1910_: type_41;
-    var phi_1911_: u32;
-    var phi_1912_: u32;
-    var phi_1913_: bool;
-    var phi_1914_: u32;
-    var phi_2095_: bool;
-    var phi_637_: type_41;
-    var phi_640_: u32;
-    var phi_642_: u32;
-    var phi_644_: bool;
-    var phi_646_: u32;
-    var phi_1915_: bool;
-    var phi_2094_: bool;
-    var local_2: type_41;
-    var phi_1967_: type_23;
-    var local_3: type_41;
+    var local: array<f32, 128>;
+    var local_1: array<u32, 128>;
+    var phi_264_: i32;
+    var phi_265_: i32;
+    var phi_275_: bool;
+    var phi_285_: u32;
+    var phi_286_: u32;
+    var phi_288_: bool;
+    var phi_293_: u32;
+    var phi_337_: f32;
+    var phi_343_: f32;
+    var phi_354_: f32;
+    var phi_360_: f32;
+    var phi_383_: f32;
+    var phi_394_: f32;
+    var phi_403_: f32;
+    var phi_409_: f32;
+    var phi_420_: f32;
+    var phi_426_: f32;
+    var phi_449_: f32;
+    var phi_460_: f32;
+    var phi_469_: f32;
+    var phi_475_: f32;
+    var phi_486_: f32;
+    var phi_492_: f32;
+    var phi_515_: f32;
+    var phi_526_: f32;
+    var phi_626_: f32;
+    var phi_627_: f32;
+    var phi_2265_: bool;
+    var phi_901_: type_39;
+    var phi_904_: u32;
+    var phi_906_: u32;
+    var phi_908_: bool;
+    var phi_910_: u32;
+    var phi_921_: bool;
+    var phi_952_: u32;
+    var phi_953_: bool;
+    var phi_954_: u32;
+    var phi_1775_: type_43;
+    var phi_2119_: u32;
+    var phi_2146_: u32;
+    var phi_2147_: u32;
+    var phi_2148_: u32;
+    var phi_2150_: u32;
+    var phi_2151_: u32;
+    var phi_2152_: bool;
+    var phi_2161_: u32;
+    var phi_2166_: u32;
+    var phi_2167_: bool;
+    var phi_969_: type_39;
+    var phi_972_: type_4;
+    var phi_973_: type_4;
+    var phi_995_: type_4;
+    var phi_1016_: u32;
+    var phi_1105_: array<array<f32, 3>, 3>;
+    var phi_1576_: vec3<f32>;
+    var phi_1577_: vec3<f32>;
+    var phi_1608_: bool;
+    var phi_1617_: vec3<f32>;
+    var phi_1657_: type_23;
+    var phi_1659_: type_23;
+    var phi_1660_: bool;
+    var phi_1664_: type_23;
+    var phi_1665_: type_23;
+    var phi_1666_: type_23;
+    var phi_1667_: bool;
+    var phi_1671_: type_23;
+    var phi_1672_: bool;
+    var phi_1676_: type_23;
+    var phi_1677_: bool;
+    var phi_1681_: type_23;
+    var phi_1706_: bool;
+    var phi_1707_: bool;
+    var phi_1713_: type_39;
+    var phi_1714_: type_39;
+    var phi_1715_: type_39;
+    var phi_970_: type_39;
+    var phi_2259_: bool;
+    var phi_2373_: bool;
+    var phi_2169_: type_39;
+    var phi_2170_: u32;
+    var phi_2171_: bool;
+    var phi_2172_: u32;
+    var phi_2372_: bool;
+    var phi_2173_: type_39;
+    var phi_2174_: u32;
+    var phi_2175_: u32;
+    var phi_2176_: bool;
+    var phi_2177_: u32;
+    var phi_2371_: bool;
+    var phi_2178_: type_39;
+    var phi_2179_: u32;
+    var phi_2180_: u32;
+    var phi_2181_: bool;
+    var phi_2182_: u32;
+    var phi_2370_: bool;
+    var phi_902_: type_39;
+    var phi_905_: u32;
+    var phi_907_: u32;
+    var phi_909_: bool;
+    var phi_911_: u32;
+    var phi_2183_: bool;
+    var phi_2369_: bool;
+    var local_2: type_39;
+    var phi_2235_: type_23;
+    var local_3: type_39;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -222,43 +222,43 @@ fn function_() {
                     if _e153 {
                         let _e156 = (bitcast<u32>(bitcast<f32>(_e128)) & 2147483647u);
                         if (_e156 >= 8388608u) {
-                            phi_262_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
+                            phi_264_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_262_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
+                            phi_264_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
                         }
-                        let _e170 = phi_262_;
-                        phi_263_ = _e170;
+                        let _e170 = phi_264_;
+                        phi_265_ = _e170;
                     } else {
-                        phi_263_ = 0i;
+                        phi_265_ = 0i;
                     }
-                    let _e172 = phi_263_;
+                    let _e172 = phi_265_;
                     let _e173 = (_e89 == _e128);
                     if _e173 {
-                        phi_273_ = true;
+                        phi_275_ = true;
                     } else {
-                        phi_273_ = (_e96 == _e128);
+                        phi_275_ = (_e96 == _e128);
                     }
-                    let _e176 = phi_273_;
+                    let _e176 = phi_275_;
                     let _e177 = select(1u, 0u, _e173);
                     if _e176 {
                         let _e178 = (_e177 + 1u);
-                        phi_283_ = _e178;
-                        phi_284_ = _e178;
-                        phi_286_ = select(true, false, (_e178 == 2u));
+                        phi_285_ = _e178;
+                        phi_286_ = _e178;
+                        phi_288_ = select(true, false, (_e178 == 2u));
                     } else {
-                        phi_283_ = u32();
-                        phi_284_ = 0u;
-                        phi_286_ = true;
+                        phi_285_ = u32();
+                        phi_286_ = 0u;
+                        phi_288_ = true;
                     }
-                    let _e182 = phi_283_;
-                    let _e184 = phi_284_;
-                    let _e186 = phi_286_;
+                    let _e182 = phi_285_;
+                    let _e184 = phi_286_;
+                    let _e186 = phi_288_;
                     if _e186 {
-                        phi_291_ = (_e184 + 1u);
+                        phi_293_ = (_e184 + 1u);
                     } else {
-                        phi_291_ = 0u;
+                        phi_293_ = 0u;
                     }
-                    let _e190 = phi_291_;
+                    let _e190 = phi_293_;
                     let _e191 = select(_e182, _e184, _e186);
                     let _e192 = select(_e177, select(2u, _e177, _e176), _e186);
                     let _e193 = (_e79 / 2i);
@@ -271,140 +271,140 @@ fn function_() {
                     let _e221 = global_4.member[_e73].member;
                     let _e222 = (_e191 == 0u);
                     if _e222 {
-                        phi_335_ = _e221[0];
+                        phi_337_ = _e221[0];
                     } else {
-                        phi_335_ = _e221[1];
+                        phi_337_ = _e221[1];
                     }
-                    let _e226 = phi_335_;
+                    let _e226 = phi_337_;
                     let _e227 = (_e191 == 2u);
                     if _e227 {
-                        phi_341_ = _e221[2];
+                        phi_343_ = _e221[2];
                     } else {
-                        phi_341_ = _e226;
+                        phi_343_ = _e226;
                     }
-                    let _e230 = phi_341_;
+                    let _e230 = phi_343_;
                     let _e232 = ((_e230 * _e198) * _e204);
                     let _e233 = global_4.member[_e73].member_2;
                     if _e222 {
-                        phi_352_ = _e233[0];
+                        phi_354_ = _e233[0];
                     } else {
-                        phi_352_ = _e233[1];
+                        phi_354_ = _e233[1];
                     }
-                    let _e237 = phi_352_;
+                    let _e237 = phi_354_;
                     if _e227 {
-                        phi_358_ = _e233[2];
+                        phi_360_ = _e233[2];
                     } else {
-                        phi_358_ = _e237;
+                        phi_360_ = _e237;
                     }
-                    let _e240 = phi_358_;
+                    let _e240 = phi_360_;
                     let _e242 = ((_e240 * _e211) * _e217);
                     let _e246 = (bitcast<f32>((bitcast<u32>(_e242) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e246 {
                         let _e250 = (bitcast<f32>((bitcast<u32>(_e232) & 2147483647u)) * 0.00000011920929f);
-                        phi_381_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
+                        phi_383_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
                     } else {
-                        phi_381_ = 0f;
+                        phi_383_ = 0f;
                     }
-                    let _e254 = phi_381_;
+                    let _e254 = phi_383_;
                     let _e255 = (_e232 + _e254);
                     let _e256 = (_e232 - _e254);
                     let _e257 = select(_e242, 0f, _e246);
                     if _e246 {
-                        phi_392_ = 38685626000000000000000000f;
+                        phi_394_ = 38685626000000000000000000f;
                     } else {
-                        phi_392_ = (1f / _e242);
+                        phi_394_ = (1f / _e242);
                     }
-                    let _e260 = phi_392_;
+                    let _e260 = phi_394_;
                     let _e261 = (_e190 == 0u);
                     if _e261 {
-                        phi_401_ = _e221[0];
+                        phi_403_ = _e221[0];
                     } else {
-                        phi_401_ = _e221[1];
+                        phi_403_ = _e221[1];
                     }
-                    let _e265 = phi_401_;
+                    let _e265 = phi_403_;
                     let _e266 = (_e190 == 2u);
                     if _e266 {
-                        phi_407_ = _e221[2];
+                        phi_409_ = _e221[2];
                     } else {
-                        phi_407_ = _e265;
+                        phi_409_ = _e265;
                     }
-                    let _e269 = phi_407_;
+                    let _e269 = phi_409_;
                     let _e271 = ((_e269 * _e198) * _e204);
                     if _e261 {
-                        phi_418_ = _e233[0];
+                        phi_420_ = _e233[0];
                     } else {
-                        phi_418_ = _e233[1];
+                        phi_420_ = _e233[1];
                     }
-                    let _e275 = phi_418_;
+                    let _e275 = phi_420_;
                     if _e266 {
-                        phi_424_ = _e233[2];
+                        phi_426_ = _e233[2];
                     } else {
-                        phi_424_ = _e275;
+                        phi_426_ = _e275;
                     }
-                    let _e278 = phi_424_;
+                    let _e278 = phi_426_;
                     let _e280 = ((_e278 * _e211) * _e217);
                     let _e284 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e284 {
                         let _e288 = (bitcast<f32>((bitcast<u32>(_e271) & 2147483647u)) * 0.00000011920929f);
-                        phi_447_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
+                        phi_449_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
                     } else {
-                        phi_447_ = 0f;
+                        phi_449_ = 0f;
                     }
-                    let _e292 = phi_447_;
+                    let _e292 = phi_449_;
                     let _e293 = (_e271 + _e292);
                     let _e294 = (_e271 - _e292);
                     let _e295 = select(_e280, 0f, _e284);
                     if _e284 {
-                        phi_458_ = 38685626000000000000000000f;
+                        phi_460_ = 38685626000000000000000000f;
                     } else {
-                        phi_458_ = (1f / _e280);
+                        phi_460_ = (1f / _e280);
                     }
-                    let _e298 = phi_458_;
+                    let _e298 = phi_460_;
                     let _e299 = (_e192 == 0u);
                     if _e299 {
-                        phi_467_ = _e221[0];
+                        phi_469_ = _e221[0];
                     } else {
-                        phi_467_ = _e221[1];
+                        phi_469_ = _e221[1];
                     }
-                    let _e303 = phi_467_;
+                    let _e303 = phi_469_;
                     let _e304 = (_e192 == 2u);
                     if _e304 {
-                        phi_473_ = _e221[2];
+                        phi_475_ = _e221[2];
                     } else {
-                        phi_473_ = _e303;
+                        phi_475_ = _e303;
                     }
-                    let _e307 = phi_473_;
+                    let _e307 = phi_475_;
                     let _e309 = ((_e307 * _e198) * _e204);
                     if _e299 {
-                        phi_484_ = _e233[0];
+                        phi_486_ = _e233[0];
                     } else {
-                        phi_484_ = _e233[1];
+                        phi_486_ = _e233[1];
                     }
-                    let _e313 = phi_484_;
+                    let _e313 = phi_486_;
                     if _e304 {
-                        phi_490_ = _e233[2];
+                        phi_492_ = _e233[2];
                     } else {
-                        phi_490_ = _e313;
+                        phi_492_ = _e313;
                     }
-                    let _e316 = phi_490_;
+                    let _e316 = phi_492_;
                     let _e318 = ((_e316 * _e211) * _e217);
                     let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e322 {
                         let _e326 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_513_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
+                        phi_515_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
                     } else {
-                        phi_513_ = 0f;
+                        phi_515_ = 0f;
                     }
-                    let _e330 = phi_513_;
+                    let _e330 = phi_515_;
                     let _e331 = (_e309 + _e330);
                     let _e332 = (_e309 - _e330);
                     let _e333 = select(_e318, 0f, _e322);
                     if _e322 {
-                        phi_524_ = 38685626000000000000000000f;
+                        phi_526_ = 38685626000000000000000000f;
                     } else {
-                        phi_524_ = (1f / _e318);
+                        phi_526_ = (1f / _e318);
                     }
-                    let _e336 = phi_524_;
+                    let _e336 = phi_526_;
                     let _e339 = bitcast<f32>((bitcast<u32>(_e232) & 2147483647u));
                     let _e342 = bitcast<f32>((bitcast<u32>(_e271) & 2147483647u));
                     let _e344 = select(_e342, _e339, (_e339 > _e342));
@@ -418,105 +418,105 @@ fn function_() {
                         let _e370 = select(340282350000000000000000000000000000000f, _e368, (_e368 < 340282350000000000000000000000000000000f));
                         let _e375 = (((_e147 * _e360) * _e360) * _e367);
                         let _e377 = select(340282350000000000000000000000000000000f, _e375, (_e375 < 340282350000000000000000000000000000000f));
-                        phi_624_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
-                        phi_625_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
+                        phi_626_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
+                        phi_627_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_624_ = 0f;
-                        phi_625_ = 1f;
+                        phi_626_ = 0f;
+                        phi_627_ = 1f;
                     }
-                    let _e381 = phi_624_;
-                    let _e383 = phi_625_;
-                    local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_1990_ = false;
-                    phi_636_ = type_41(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e381);
-                    phi_639_ = select(0u, 2147483648u, (_e63 == 0u));
-                    phi_641_ = ((3u * _e63) + 1u);
-                    phi_643_ = (_e383 <= _e381);
-                    phi_645_ = 0u;
+                    let _e381 = phi_626_;
+                    let _e383 = phi_627_;
+                    local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_2265_ = false;
+                    phi_901_ = type_39(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e381);
+                    phi_904_ = select(0u, 2147483648u, (_e63 == 0u));
+                    phi_906_ = ((3u * _e63) + 1u);
+                    phi_908_ = (_e383 <= _e381);
+                    phi_910_ = 0u;
                     loop {
-                        let _e391 = phi_1990_;
-                        let _e393 = phi_636_;
-                        let _e395 = phi_639_;
-                        let _e397 = phi_641_;
-                        let _e399 = phi_643_;
-                        let _e401 = phi_645_;
+                        let _e391 = phi_2265_;
+                        let _e393 = phi_901_;
+                        let _e395 = phi_904_;
+                        let _e397 = phi_906_;
+                        let _e399 = phi_908_;
+                        let _e401 = phi_910_;
                         local_2 = _e393;
                         if _e399 {
-                            phi_656_ = true;
+                            phi_921_ = true;
                         } else {
-                            phi_656_ = (_e401 > 0u);
+                            phi_921_ = (_e401 > 0u);
                         }
-                        let _e404 = phi_656_;
+                        let _e404 = phi_921_;
                         if _e404 {
                             let _e405 = (_e397 > 0u);
                             if _e405 {
                                 if _e399 {
-                                    phi_686_ = _e395;
-                                    phi_687_ = _e399;
-                                    phi_688_ = _e401;
+                                    phi_952_ = _e395;
+                                    phi_953_ = _e399;
+                                    phi_954_ = _e401;
                                 } else {
                                     let _e406 = (_e401 - 1u);
                                     let _e407 = (_e406 % 128u);
                                     let _e408 = (_e407 < 128u);
                                     if _e408 {
                                     } else {
-                                        phi_2094_ = true;
+                                        phi_2369_ = true;
                                         break;
                                     }
-                                    let _e410 = local[_e407];
+                                    let _e410 = local_1[_e407];
                                     if _e408 {
                                     } else {
-                                        phi_2094_ = true;
+                                        phi_2369_ = true;
                                         break;
                                     }
-                                    let _e412 = local_1[_e407];
-                                    phi_686_ = _e410;
-                                    phi_687_ = (_e412 <= _e393.member_1);
-                                    phi_688_ = _e406;
+                                    let _e412 = local[_e407];
+                                    phi_952_ = _e410;
+                                    phi_953_ = (_e412 <= _e393.member_1);
+                                    phi_954_ = _e406;
                                 }
-                                let _e416 = phi_686_;
-                                let _e418 = phi_687_;
-                                let _e420 = phi_688_;
+                                let _e416 = phi_952_;
+                                let _e418 = phi_953_;
+                                let _e420 = phi_954_;
                                 if _e418 {
-                                    let _e424 = (_e416 & 268435455u);
                                     if ((_e416 & 2147483648u) != 0u) {
-                                        phi_704_ = _e393;
-                                        phi_707_ = type_4(_e424, (_e424 + ((_e416 >> bitcast<u32>(28u)) & 7u)));
+                                        phi_969_ = _e393;
+                                        phi_972_ = type_4(0u, ((_e416 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e619 = phi_704_;
-                                            let _e621 = phi_707_;
-                                            local_3 = _e619;
-                                            if (_e621.member < _e621.member_1) {
-                                                phi_708_ = type_4((_e621.member + 1u), _e621.member_1);
-                                                phi_730_ = type_4(1u, _e621.member);
+                                            let _e618 = phi_969_;
+                                            let _e620 = phi_972_;
+                                            local_3 = _e618;
+                                            if (_e620.member < _e620.member_1) {
+                                                phi_973_ = type_4((_e620.member + 1u), _e620.member_1);
+                                                phi_995_ = type_4(1u, _e620.member);
                                             } else {
-                                                phi_708_ = _e621;
-                                                phi_730_ = type_4(0u, type_4().member_1);
+                                                phi_973_ = _e620;
+                                                phi_995_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e634 = phi_708_;
-                                            let _e636 = phi_730_;
-                                            let _e640 = (bitcast<i32>(_e636.member) != 0i);
-                                            if _e640 {
-                                                let _e641 = (_e636.member_1 < _e65);
+                                            let _e633 = phi_973_;
+                                            let _e635 = phi_995_;
+                                            let _e639 = (bitcast<i32>(_e635.member) != 0i);
+                                            if _e639 {
+                                                let _e640 = ((_e416 & 268435455u) + _e635.member_1);
+                                                let _e641 = (_e640 < _e65);
                                                 if _e641 {
                                                     if _e641 {
                                                     } else {
-                                                        phi_1984_ = true;
+                                                        phi_2259_ = true;
                                                         break;
                                                     }
-                                                    let _e645 = global_3.member[_e636.member_1].member_1;
-                                                    phi_750_ = _e645;
+                                                    let _e645 = global_3.member[_e640].member_1;
+                                                    phi_1016_ = _e645;
                                                 } else {
-                                                    phi_750_ = 4294967295u;
+                                                    phi_1016_ = 4294967295u;
                                                 }
-                                                let _e647 = phi_750_;
-                                                if (_e636.member_1 >= _e65) {
-                                                    phi_838_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e647 = phi_1016_;
+                                                if (_e640 >= _e65) {
+                                                    phi_1105_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e641 {
                                                     } else {
-                                                        phi_1984_ = true;
+                                                        phi_2259_ = true;
                                                         break;
                                                     }
                                                     let _e649 = (_e191 % 3u);
@@ -524,67 +524,67 @@ fn function_() {
                                                     let _e651 = (_e192 % 3u);
                                                     if (_e649 < 9u) {
                                                     } else {
-                                                        phi_1984_ = true;
+                                                        phi_2259_ = true;
                                                         break;
                                                     }
-                                                    let _e657 = global_3.member[_e636.member_1].member[_e649];
+                                                    let _e657 = global_3.member[_e640].member[_e649];
                                                     if (_e650 < 9u) {
                                                     } else {
-                                                        phi_1984_ = true;
+                                                        phi_2259_ = true;
                                                         break;
                                                     }
-                                                    let _e663 = global_3.member[_e636.member_1].member[_e650];
+                                                    let _e663 = global_3.member[_e640].member[_e650];
                                                     if (_e651 < 9u) {
                                                     } else {
-                                                        phi_1984_ = true;
+                                                        phi_2259_ = true;
                                                         break;
                                                     }
-                                                    let _e669 = global_3.member[_e636.member_1].member[_e651];
+                                                    let _e669 = global_3.member[_e640].member[_e651];
                                                     let _e671 = (3u + _e649);
                                                     if (_e671 < 9u) {
                                                     } else {
-                                                        phi_1984_ = true;
+                                                        phi_2259_ = true;
                                                         break;
                                                     }
-                                                    let _e677 = global_3.member[_e636.member_1].member[_e671];
+                                                    let _e677 = global_3.member[_e640].member[_e671];
                                                     let _e678 = (3u + _e650);
                                                     if (_e678 < 9u) {
                                                     } else {
-                                                        phi_1984_ = true;
+                                                        phi_2259_ = true;
                                                         break;
                                                     }
-                                                    let _e684 = global_3.member[_e636.member_1].member[_e678];
+                                                    let _e684 = global_3.member[_e640].member[_e678];
                                                     let _e685 = (3u + _e651);
                                                     if (_e685 < 9u) {
                                                     } else {
-                                                        phi_1984_ = true;
+                                                        phi_2259_ = true;
                                                         break;
                                                     }
-                                                    let _e691 = global_3.member[_e636.member_1].member[_e685];
+                                                    let _e691 = global_3.member[_e640].member[_e685];
                                                     let _e693 = (6u + _e649);
                                                     if (_e693 < 9u) {
                                                     } else {
-                                                        phi_1984_ = true;
+                                                        phi_2259_ = true;
                                                         break;
                                                     }
-                                                    let _e699 = global_3.member[_e636.member_1].member[_e693];
+                                                    let _e699 = global_3.member[_e640].member[_e693];
                                                     let _e700 = (6u + _e650);
                                                     if (_e700 < 9u) {
                                                     } else {
-                                                        phi_1984_ = true;
+                                                        phi_2259_ = true;
                                                         break;
                                                     }
-                                                    let _e706 = global_3.member[_e636.member_1].member[_e700];
+                                                    let _e706 = global_3.member[_e640].member[_e700];
                                                     let _e707 = (6u + _e651);
                                                     if (_e707 < 9u) {
                                                     } else {
-                                                        phi_1984_ = true;
+                                                        phi_2259_ = true;
                                                         break;
                                                     }
-                                                    let _e713 = global_3.member[_e636.member_1].member[_e707];
-                                                    phi_838_ = array<array<f32, 3>, 3>(array<f32, 3>(_e657, _e663, _e669), array<f32, 3>(_e677, _e684, _e691), array<f32, 3>(_e699, _e706, _e713));
+                                                    let _e713 = global_3.member[_e640].member[_e707];
+                                                    phi_1105_ = array<array<f32, 3>, 3>(array<f32, 3>(_e657, _e663, _e669), array<f32, 3>(_e677, _e684, _e691), array<f32, 3>(_e699, _e706, _e713));
                                                 }
-                                                let _e717 = phi_838_;
+                                                let _e717 = phi_1105_;
                                                 let _e725 = (_e717[0][2] - _e309);
                                                 let _e728 = (((_e717[0][0] - _e232) * _e333) - (_e725 * _e257));
                                                 let _e731 = (((_e717[0][1] - _e271) * _e333) - (_e725 * _e295));
@@ -611,8 +611,8 @@ fn function_() {
                                                     let _e787 = select(0f, _e785, (_e785 > 0f));
                                                     let _e789 = ((_e779 + _e783) + _e787);
                                                     if (_e789 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1404_ = type_23();
-                                                        phi_1405_ = true;
+                                                        phi_1671_ = type_23();
+                                                        phi_1672_ = true;
                                                     } else {
                                                         let _e792 = select(_e717[1][0], _e717[0][0], (_e717[0][0] < _e717[1][0]));
                                                         let _e796 = select(_e717[1][0], _e717[0][0], (_e717[0][0] > _e717[1][0]));
@@ -639,12 +639,12 @@ fn function_() {
                                                         let _e847 = -(_e828);
                                                         let _e853 = select(_e383, _e838, (_e838 > _e383));
                                                         if (_e853 > (_e846 + (select(_e847, _e830, (_e830 > _e847)) * 0.0000019073523f))) {
-                                                            phi_1399_ = type_23();
-                                                            phi_1400_ = true;
+                                                            phi_1666_ = type_23();
+                                                            phi_1667_ = true;
                                                         } else {
-                                                            let _e855 = (_e853 > _e619.member_1);
+                                                            let _e855 = (_e853 > _e618.member_1);
                                                             if _e855 {
-                                                                phi_1398_ = type_23();
+                                                                phi_1665_ = type_23();
                                                             } else {
                                                                 let _e859 = (_e717[1][0] - _e717[0][0]);
                                                                 let _e860 = (_e717[1][1] - _e717[0][1]);
@@ -676,172 +676,172 @@ fn function_() {
                                                                 let _e911 = select(_e896, _e883, (_e883 > _e896));
                                                                 let _e913 = select(_e909, _e911, (_e911 > _e909));
                                                                 if (_e883 == _e913) {
-                                                                    phi_1309_ = _e866;
-                                                                    phi_1310_ = _e870;
+                                                                    phi_1576_ = _e866;
+                                                                    phi_1577_ = _e870;
                                                                 } else {
                                                                     let _e916 = vec3((_e896 == _e913));
-                                                                    phi_1309_ = select(_e862, _e870, _e916);
-                                                                    phi_1310_ = select(_e866, _e862, _e916);
+                                                                    phi_1576_ = select(_e862, _e870, _e916);
+                                                                    phi_1577_ = select(_e866, _e862, _e916);
                                                                 }
-                                                                let _e920 = phi_1309_;
-                                                                let _e922 = phi_1310_;
+                                                                let _e920 = phi_1576_;
+                                                                let _e922 = phi_1577_;
                                                                 let _e929 = ((_e920.y * _e922.z) - (_e922.y * _e920.z));
                                                                 let _e934 = ((_e920.z * _e922.x) - (_e922.z * _e920.x));
                                                                 let _e937 = ((_e920.x * _e922.y) - (_e922.x * _e920.y));
                                                                 if (_e779 >= _e783) {
-                                                                    phi_1341_ = select(true, false, (_e779 >= _e787));
+                                                                    phi_1608_ = select(true, false, (_e779 >= _e787));
                                                                 } else {
-                                                                    phi_1341_ = true;
+                                                                    phi_1608_ = true;
                                                                 }
-                                                                let _e942 = phi_1341_;
+                                                                let _e942 = phi_1608_;
                                                                 if _e942 {
-                                                                    phi_1350_ = select(vec3<f32>(_e717[2][0], _e717[2][1], _e717[2][2]), vec3<f32>(_e717[1][0], _e717[1][1], _e717[1][2]), vec3((_e783 >= _e787)));
+                                                                    phi_1617_ = select(vec3<f32>(_e717[2][0], _e717[2][1], _e717[2][2]), vec3<f32>(_e717[1][0], _e717[1][1], _e717[1][2]), vec3((_e783 >= _e787)));
                                                                 } else {
-                                                                    phi_1350_ = vec3<f32>(_e717[0][0], _e717[0][1], _e717[0][2]);
+                                                                    phi_1617_ = vec3<f32>(_e717[0][0], _e717[0][1], _e717[0][2]);
                                                                 }
-                                                                let _e947 = phi_1350_;
+                                                                let _e947 = phi_1617_;
                                                                 let _e964 = ((((_e929 * (_e947.x - _e232)) + (_e934 * (_e947.y - _e271))) + (_e937 * (_e947.z - _e309))) / (((_e929 * _e257) + (_e934 * _e295)) + (_e937 * _e333)));
                                                                 let _e966 = select(_e846, _e964, (_e964 < _e846));
                                                                 let _e968 = select(_e838, _e966, (_e966 > _e838));
                                                                 if (_e968 >= _e383) {
-                                                                    let _e970 = (_e968 <= _e619.member_1);
+                                                                    let _e970 = (_e968 <= _e618.member_1);
                                                                     if _e970 {
                                                                         let _e971 = (1f / _e789);
-                                                                        phi_1390_ = type_23(_e968, (_e783 * _e971), (_e787 * _e971), _e647);
+                                                                        phi_1657_ = type_23(_e968, (_e783 * _e971), (_e787 * _e971), _e647);
                                                                     } else {
-                                                                        phi_1390_ = type_23();
+                                                                        phi_1657_ = type_23();
                                                                     }
-                                                                    let _e976 = phi_1390_;
-                                                                    phi_1392_ = _e976;
-                                                                    phi_1393_ = select(true, false, _e970);
+                                                                    let _e976 = phi_1657_;
+                                                                    phi_1659_ = _e976;
+                                                                    phi_1660_ = select(true, false, _e970);
                                                                 } else {
-                                                                    phi_1392_ = type_23();
-                                                                    phi_1393_ = true;
+                                                                    phi_1659_ = type_23();
+                                                                    phi_1660_ = true;
                                                                 }
-                                                                let _e979 = phi_1392_;
-                                                                let _e981 = phi_1393_;
+                                                                let _e979 = phi_1659_;
+                                                                let _e981 = phi_1660_;
                                                                 if _e981 {
-                                                                    phi_1397_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1664_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1397_ = _e979;
+                                                                    phi_1664_ = _e979;
                                                                 }
-                                                                let _e983 = phi_1397_;
-                                                                phi_1398_ = _e983;
+                                                                let _e983 = phi_1664_;
+                                                                phi_1665_ = _e983;
                                                             }
-                                                            let _e985 = phi_1398_;
-                                                            phi_1399_ = _e985;
-                                                            phi_1400_ = _e855;
+                                                            let _e985 = phi_1665_;
+                                                            phi_1666_ = _e985;
+                                                            phi_1667_ = _e855;
                                                         }
-                                                        let _e987 = phi_1399_;
-                                                        let _e989 = phi_1400_;
-                                                        phi_1404_ = _e987;
-                                                        phi_1405_ = _e989;
+                                                        let _e987 = phi_1666_;
+                                                        let _e989 = phi_1667_;
+                                                        phi_1671_ = _e987;
+                                                        phi_1672_ = _e989;
                                                     }
-                                                    let _e991 = phi_1404_;
-                                                    let _e993 = phi_1405_;
-                                                    phi_1409_ = _e991;
-                                                    phi_1410_ = _e993;
+                                                    let _e991 = phi_1671_;
+                                                    let _e993 = phi_1672_;
+                                                    phi_1676_ = _e991;
+                                                    phi_1677_ = _e993;
                                                 } else {
-                                                    phi_1409_ = type_23();
-                                                    phi_1410_ = true;
+                                                    phi_1676_ = type_23();
+                                                    phi_1677_ = true;
                                                 }
-                                                let _e995 = phi_1409_;
-                                                let _e997 = phi_1410_;
+                                                let _e995 = phi_1676_;
+                                                let _e997 = phi_1677_;
                                                 if _e997 {
-                                                    phi_1414_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1681_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1414_ = _e995;
+                                                    phi_1681_ = _e995;
                                                 }
-                                                let _e999 = phi_1414_;
+                                                let _e999 = phi_1681_;
                                                 if (_e999.member_3 != 4294967295u) {
                                                     if (_e647 != 4294967295u) {
-                                                        if (_e999.member < _e619.member.member) {
-                                                            phi_1440_ = true;
+                                                        if (_e999.member < _e618.member.member) {
+                                                            phi_1707_ = true;
                                                         } else {
-                                                            if (_e999.member == _e619.member.member) {
-                                                                phi_1439_ = (_e999.member_3 < _e619.member.member_3);
+                                                            if (_e999.member == _e618.member.member) {
+                                                                phi_1706_ = (_e999.member_3 < _e618.member.member_3);
                                                             } else {
-                                                                phi_1439_ = false;
+                                                                phi_1706_ = false;
                                                             }
-                                                            let _e1012 = phi_1439_;
-                                                            phi_1440_ = _e1012;
+                                                            let _e1012 = phi_1706_;
+                                                            phi_1707_ = _e1012;
                                                         }
-                                                        let _e1014 = phi_1440_;
+                                                        let _e1014 = phi_1707_;
                                                         if _e1014 {
-                                                            phi_1446_ = type_41(_e999, _e999.member);
+                                                            phi_1713_ = type_39(_e999, _e999.member);
                                                         } else {
-                                                            phi_1446_ = _e619;
+                                                            phi_1713_ = _e618;
                                                         }
-                                                        let _e1017 = phi_1446_;
-                                                        phi_1447_ = _e1017;
+                                                        let _e1017 = phi_1713_;
+                                                        phi_1714_ = _e1017;
                                                     } else {
-                                                        phi_1447_ = _e619;
+                                                        phi_1714_ = _e618;
                                                     }
-                                                    let _e1019 = phi_1447_;
-                                                    phi_1448_ = _e1019;
+                                                    let _e1019 = phi_1714_;
+                                                    phi_1715_ = _e1019;
                                                 } else {
-                                                    phi_1448_ = _e619;
+                                                    phi_1715_ = _e618;
                                                 }
-                                                let _e1021 = phi_1448_;
-                                                phi_705_ = _e1021;
+                                                let _e1021 = phi_1715_;
+                                                phi_970_ = _e1021;
                                             } else {
-                                                phi_705_ = type_41();
+                                                phi_970_ = type_39();
                                             }
-                                            let _e1023 = phi_705_;
+                                            let _e1023 = phi_970_;
                                             continue;
                                             continuing {
-                                                phi_704_ = _e1023;
-                                                phi_707_ = _e634;
-                                                phi_1984_ = _e391;
-                                                break if !(_e640);
+                                                phi_969_ = _e1023;
+                                                phi_972_ = _e633;
+                                                phi_2259_ = _e391;
+                                                break if !(_e639);
                                             }
                                         }
-                                        let _e1026 = phi_1984_;
-                                        phi_2094_ = _e1026;
+                                        let _e1026 = phi_2259_;
+                                        phi_2369_ = _e1026;
                                         if _e1026 {
                                             break;
                                         }
-                                        phi_2098_ = _e1026;
+                                        phi_2373_ = _e1026;
                                         let _e1192 = local_3;
-                                        phi_1901_ = _e1192;
-                                        phi_1902_ = _e416;
-                                        phi_1903_ = false;
-                                        phi_1904_ = _e420;
+                                        phi_2169_ = _e1192;
+                                        phi_2170_ = _e416;
+                                        phi_2171_ = false;
+                                        phi_2172_ = _e420;
                                     } else {
                                         if (_e416 >= _e63) {
-                                            phi_1508_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1775_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e416 < _e63) {
                                             } else {
-                                                phi_2094_ = true;
+                                                phi_2369_ = true;
                                                 break;
                                             }
                                             let _e430 = (_e191 % 3u);
                                             if (_e430 < 3u) {
                                             } else {
-                                                phi_2094_ = true;
+                                                phi_2369_ = true;
                                                 break;
                                             }
                                             let _e436 = global_2.member[_e416].member[_e430];
                                             let _e442 = (_e190 % 3u);
                                             if (_e442 < 3u) {
                                             } else {
-                                                phi_2094_ = true;
+                                                phi_2369_ = true;
                                                 break;
                                             }
                                             let _e448 = global_2.member[_e416].member[_e442];
                                             let _e454 = (_e192 % 3u);
                                             if (_e454 < 3u) {
                                             } else {
-                                                phi_2094_ = true;
+                                                phi_2369_ = true;
                                                 break;
                                             }
                                             let _e460 = global_2.member[_e416].member[_e454];
                                             let _e470 = global_2.member[_e416].member_1;
                                             let _e474 = global_2.member[_e416].member_2;
-                                            phi_1508_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e436[0], _e436[1], _e436[2], _e436[3]), vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3])), _e470, _e474);
+                                            phi_1775_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e436[0], _e436[1], _e436[2], _e436[3]), vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3])), _e470, _e474);
                                         }
-                                        let _e477 = phi_1508_;
+                                        let _e477 = phi_1775_;
                                         let _e489 = ((_e477.member[0].x - _e255) * _e260);
                                         let _e490 = ((_e477.member[0].y - _e255) * _e260);
                                         let _e491 = ((_e477.member[0].z - _e256) * _e260);
@@ -884,152 +884,152 @@ fn function_() {
                                         if _e577 {
                                             if _e578 {
                                                 if _e579 {
-                                                    phi_1852_ = _e477.member_2;
+                                                    phi_2119_ = _e477.member_2;
                                                 } else {
-                                                    phi_1852_ = _e477.member_1;
+                                                    phi_2119_ = _e477.member_1;
                                                 }
-                                                let _e583 = phi_1852_;
+                                                let _e583 = phi_2119_;
                                                 let _e584 = (_e420 % 128u);
                                                 let _e585 = (_e584 < 128u);
                                                 if _e585 {
                                                 } else {
-                                                    phi_2094_ = true;
+                                                    phi_2369_ = true;
                                                     break;
                                                 }
-                                                local[_e584] = _e583;
+                                                local_1[_e584] = _e583;
                                                 if _e585 {
                                                 } else {
-                                                    phi_2094_ = true;
+                                                    phi_2369_ = true;
                                                     break;
                                                 }
-                                                local_1[_e584] = select(_e572, _e570, (_e570 > _e572));
+                                                local[_e584] = select(_e572, _e570, (_e570 > _e572));
                                                 if _e579 {
-                                                    phi_1878_ = _e477.member_1;
+                                                    phi_2146_ = _e477.member_1;
                                                 } else {
-                                                    phi_1878_ = _e477.member_2;
+                                                    phi_2146_ = _e477.member_2;
                                                 }
-                                                let _e594 = phi_1878_;
-                                                phi_1879_ = _e594;
-                                                phi_1880_ = (_e420 + 1u);
+                                                let _e594 = phi_2146_;
+                                                phi_2147_ = _e594;
+                                                phi_2148_ = (_e420 + 1u);
                                             } else {
-                                                phi_1879_ = u32();
-                                                phi_1880_ = u32();
+                                                phi_2147_ = u32();
+                                                phi_2148_ = u32();
                                             }
-                                            let _e596 = phi_1879_;
-                                            let _e598 = phi_1880_;
-                                            phi_1882_ = _e596;
-                                            phi_1883_ = _e598;
-                                            phi_1884_ = select(true, false, _e578);
+                                            let _e596 = phi_2147_;
+                                            let _e598 = phi_2148_;
+                                            phi_2150_ = _e596;
+                                            phi_2151_ = _e598;
+                                            phi_2152_ = select(true, false, _e578);
                                         } else {
-                                            phi_1882_ = u32();
-                                            phi_1883_ = u32();
-                                            phi_1884_ = true;
+                                            phi_2150_ = u32();
+                                            phi_2151_ = u32();
+                                            phi_2152_ = true;
                                         }
-                                        let _e601 = phi_1882_;
-                                        let _e603 = phi_1883_;
-                                        let _e605 = phi_1884_;
+                                        let _e601 = phi_2150_;
+                                        let _e603 = phi_2151_;
+                                        let _e605 = phi_2152_;
                                         if _e605 {
                                             if _e577 {
-                                                phi_1893_ = _e477.member_1;
+                                                phi_2161_ = _e477.member_1;
                                             } else {
-                                                phi_1893_ = _e477.member_2;
+                                                phi_2161_ = _e477.member_2;
                                             }
-                                            let _e609 = phi_1893_;
-                                            phi_1898_ = _e609;
-                                            phi_1899_ = select(_e578, true, _e577);
+                                            let _e609 = phi_2161_;
+                                            phi_2166_ = _e609;
+                                            phi_2167_ = select(_e578, true, _e577);
                                         } else {
-                                            phi_1898_ = _e601;
-                                            phi_1899_ = _e418;
+                                            phi_2166_ = _e601;
+                                            phi_2167_ = _e418;
                                         }
-                                        let _e612 = phi_1898_;
-                                        let _e614 = phi_1899_;
-                                        phi_2098_ = _e391;
-                                        phi_1901_ = _e393;
-                                        phi_1902_ = _e612;
-                                        phi_1903_ = _e614;
-                                        phi_1904_ = select(_e603, _e420, _e605);
+                                        let _e612 = phi_2166_;
+                                        let _e614 = phi_2167_;
+                                        phi_2373_ = _e391;
+                                        phi_2169_ = _e393;
+                                        phi_2170_ = _e612;
+                                        phi_2171_ = _e614;
+                                        phi_2172_ = select(_e603, _e420, _e605);
                                     }
-                                    let _e1028 = phi_2098_;
-                                    let _e1030 = phi_1901_;
-                                    let _e1032 = phi_1902_;
-                                    let _e1034 = phi_1903_;
-                                    let _e1036 = phi_1904_;
-                                    phi_2097_ = _e1028;
-                                    phi_1905_ = _e1030;
-                                    phi_1906_ = _e1032;
-                                    phi_1907_ = (_e397 - 1u);
-                                    phi_1908_ = _e1034;
-                                    phi_1909_ = _e1036;
+                                    let _e1028 = phi_2373_;
+                                    let _e1030 = phi_2169_;
+                                    let _e1032 = phi_2170_;
+                                    let _e1034 = phi_2171_;
+                                    let _e1036 = phi_2172_;
+                                    phi_2372_ = _e1028;
+                                    phi_2173_ = _e1030;
+                                    phi_2174_ = _e1032;
+                                    phi_2175_ = (_e397 - 1u);
+                                    phi_2176_ = _e1034;
+                                    phi_2177_ = _e1036;
                                 } else {
-                                    phi_2097_ = _e391;
-                                    phi_1905_ = _e393;
-                                    phi_1906_ = _e416;
-                                    phi_1907_ = _e397;
-                                    phi_1908_ = _e418;
-                                    phi_1909_ = _e420;
+                                    phi_2372_ = _e391;
+                                    phi_2173_ = _e393;
+                                    phi_2174_ = _e416;
+                                    phi_2175_ = _e397;
+                                    phi_2176_ = _e418;
+                                    phi_2177_ = _e420;
                                 }
-                                let _e1038 = phi_2097_;
-                                let _e1040 = phi_1905_;
-                                let _e1042 = phi_1906_;
-                                let _e1044 = phi_1907_;
-                                let _e1046 = phi_1908_;
-                                let _e1048 = phi_1909_;
-                                phi_2096_ = _e1038;
-                                phi_1910_ = _e1040;
-                                phi_1911_ = _e1042;
-                                phi_1912_ = _e1044;
-                                phi_1913_ = _e1046;
-                                phi_1914_ = _e1048;
+                                let _e1038 = phi_2372_;
+                                let _e1040 = phi_2173_;
+                                let _e1042 = phi_2174_;
+                                let _e1044 = phi_2175_;
+                                let _e1046 = phi_2176_;
+                                let _e1048 = phi_2177_;
+                                phi_2371_ = _e1038;
+                                phi_2178_ = _e1040;
+                                phi_2179_ = _e1042;
+                                phi_2180_ = _e1044;
+                                phi_2181_ = _e1046;
+                                phi_2182_ = _e1048;
                             } else {
-                                phi_2096_ = _e391;
-                                phi_1910_ = type_41();
-                                phi_1911_ = u32();
-                                phi_1912_ = u32();
-                                phi_1913_ = bool();
-                                phi_1914_ = u32();
+                                phi_2371_ = _e391;
+                                phi_2178_ = type_39();
+                                phi_2179_ = u32();
+                                phi_2180_ = u32();
+                                phi_2181_ = bool();
+                                phi_2182_ = u32();
                             }
-                            let _e1050 = phi_2096_;
-                            let _e1052 = phi_1910_;
-                            let _e1054 = phi_1911_;
-                            let _e1056 = phi_1912_;
-                            let _e1058 = phi_1913_;
-                            let _e1060 = phi_1914_;
-                            phi_2095_ = _e1050;
-                            phi_637_ = _e1052;
-                            phi_640_ = _e1054;
-                            phi_642_ = _e1056;
-                            phi_644_ = _e1058;
-                            phi_646_ = _e1060;
-                            phi_1915_ = _e405;
+                            let _e1050 = phi_2371_;
+                            let _e1052 = phi_2178_;
+                            let _e1054 = phi_2179_;
+                            let _e1056 = phi_2180_;
+                            let _e1058 = phi_2181_;
+                            let _e1060 = phi_2182_;
+                            phi_2370_ = _e1050;
+                            phi_902_ = _e1052;
+                            phi_905_ = _e1054;
+                            phi_907_ = _e1056;
+                            phi_909_ = _e1058;
+                            phi_911_ = _e1060;
+                            phi_2183_ = _e405;
                         } else {
-                            phi_2095_ = _e391;
-                            phi_637_ = type_41();
-                            phi_640_ = u32();
-                            phi_642_ = u32();
-                            phi_644_ = bool();
-                            phi_646_ = u32();
-                            phi_1915_ = false;
+                            phi_2370_ = _e391;
+                            phi_902_ = type_39();
+                            phi_905_ = u32();
+                            phi_907_ = u32();
+                            phi_909_ = bool();
+                            phi_911_ = u32();
+                            phi_2183_ = false;
                         }
-                        let _e1062 = phi_2095_;
-                        let _e1064 = phi_637_;
-                        let _e1066 = phi_640_;
-                        let _e1068 = phi_642_;
-                        let _e1070 = phi_644_;
-                        let _e1072 = phi_646_;
-                        let _e1074 = phi_1915_;
+                        let _e1062 = phi_2370_;
+                        let _e1064 = phi_902_;
+                        let _e1066 = phi_905_;
+                        let _e1068 = phi_907_;
+                        let _e1070 = phi_909_;
+                        let _e1072 = phi_911_;
+                        let _e1074 = phi_2183_;
                         continue;
                         continuing {
-                            phi_1990_ = _e1062;
-                            phi_636_ = _e1064;
-                            phi_639_ = _e1066;
-                            phi_641_ = _e1068;
-                            phi_643_ = _e1070;
-                            phi_645_ = _e1072;
-                            phi_2094_ = _e1062;
+                            phi_2265_ = _e1062;
+                            phi_901_ = _e1064;
+                            phi_904_ = _e1066;
+                            phi_906_ = _e1068;
+                            phi_908_ = _e1070;
+                            phi_910_ = _e1072;
+                            phi_2369_ = _e1062;
                             break if !(_e1074);
                         }
                     }
-                    let _e1077 = phi_2094_;
+                    let _e1077 = phi_2369_;
                     if _e1077 {
                         break;
                     }
@@ -1040,11 +1040,11 @@ fn function_() {
                         let _e1092 = bitcast<f32>((bitcast<u32>((_e1085 + 127i)) << bitcast<u32>(23i)));
                         let _e1100 = (((_e1079.member.member * _e1092) * _e1092) * bitcast<f32>((bitcast<u32>(((_e1084 - (2i * _e1085)) + 127i)) << bitcast<u32>(23i))));
                         let _e1102 = select(340282350000000000000000000000000000000f, _e1100, (_e1100 < 340282350000000000000000000000000000000f));
-                        phi_1967_ = type_23(select(-340282350000000000000000000000000000000f, _e1102, (_e1102 > -340282350000000000000000000000000000000f)), _e1079.member.member_1, _e1079.member.member_2, _e1079.member.member_3);
+                        phi_2235_ = type_23(select(-340282350000000000000000000000000000000f, _e1102, (_e1102 > -340282350000000000000000000000000000000f)), _e1079.member.member_1, _e1079.member.member_2, _e1079.member.member_3);
                     } else {
-                        phi_1967_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2235_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1109 = phi_1967_;
+                    let _e1109 = phi_2235_;
                     if _e75 {
                     } else {
                         break;

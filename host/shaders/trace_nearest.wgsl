@@ -42,17 +42,17 @@ struct type_29 {
     member: array<type_27>,
 }
 
-struct type_39 {
+struct type_38 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_41 {
+struct type_40 {
     member: array<type_24>,
 }
 
-struct type_45 {
+struct type_44 {
     member: array<array<type_23, 8>>,
 }
 
@@ -64,133 +64,133 @@ var<storage> global_2: type_29;
 @group(0) @binding(2) 
 var<storage> global_3: type_15;
 @group(0) @binding(3) 
-var<storage> global_4: type_41;
+var<storage> global_4: type_40;
 @group(0) @binding(4) 
-var<storage, read_write> global_5: type_45;
+var<storage, read_write> global_5: type_44;
 
 fn function_() {
     var local: array<type_23, 8>;
-    var local_1: array<u32, 128>;
-    var local_2: array<f32, 128>;
-    var phi_271_: i32;
-    var phi_272_: i32;
-    var phi_282_: bool;
-    var phi_292_: u32;
-    var phi_293_: u32;
-    var phi_295_: bool;
-    var phi_300_: u32;
-    var phi_344_: f32;
-    var phi_350_: f32;
-    var phi_361_: f32;
-    var phi_367_: f32;
-    var phi_390_: f32;
-    var phi_401_: f32;
-    var phi_410_: f32;
-    var phi_416_: f32;
-    var phi_427_: f32;
-    var phi_433_: f32;
-    var phi_456_: f32;
-    var phi_467_: f32;
-    var phi_476_: f32;
-    var phi_482_: f32;
-    var phi_493_: f32;
-    var phi_499_: f32;
-    var phi_522_: f32;
-    var phi_533_: f32;
-    var phi_633_: f32;
-    var phi_634_: f32;
-    var phi_2253_: bool;
-    var phi_2233_: f32;
-    var phi_698_: u32;
-    var phi_701_: u32;
-    var phi_703_: bool;
-    var phi_705_: u32;
-    var phi_716_: bool;
-    var phi_747_: u32;
-    var phi_748_: bool;
-    var phi_749_: u32;
-    var phi_1637_: type_39;
-    var phi_1982_: u32;
-    var phi_2008_: u32;
-    var phi_2009_: u32;
-    var phi_2010_: u32;
-    var phi_2012_: u32;
-    var phi_2013_: u32;
-    var phi_2014_: bool;
-    var phi_2023_: u32;
-    var phi_2028_: u32;
-    var phi_2029_: bool;
-    var phi_2250_: bool;
-    var phi_2240_: f32;
-    var phi_765_: type_4;
-    var phi_766_: type_4;
-    var phi_789_: type_4;
-    var phi_809_: u32;
-    var phi_897_: array<array<f32, 3>, 3>;
-    var phi_1369_: vec3<f32>;
-    var phi_1370_: vec3<f32>;
-    var phi_1401_: bool;
-    var phi_1410_: vec3<f32>;
-    var phi_1450_: type_23;
-    var phi_1452_: type_23;
-    var phi_1453_: bool;
-    var phi_1457_: type_23;
-    var phi_1458_: type_23;
-    var phi_1459_: type_23;
-    var phi_1460_: bool;
-    var phi_1464_: type_23;
-    var phi_1465_: bool;
-    var phi_1469_: type_23;
-    var phi_1470_: bool;
-    var phi_1474_: type_23;
-    var phi_1486_: type_4;
-    var phi_1489_: type_23;
-    var phi_1487_: type_4;
-    var phi_1512_: type_4;
-    var phi_1544_: bool;
-    var phi_1545_: bool;
-    var phi_1566_: type_23;
-    var phi_1490_: type_23;
-    var phi_2241_: bool;
-    var phi_2504_: f32;
-    var phi_2503_: f32;
-    var phi_2354_: bool;
-    var phi_2502_: f32;
-    var phi_2353_: bool;
-    var phi_2501_: f32;
-    var phi_2352_: bool;
-    var phi_2441_: f32;
-    var phi_2351_: bool;
-    var phi_2406_: f32;
-    var phi_2360_: bool;
-    var phi_2031_: u32;
-    var phi_2032_: bool;
-    var phi_2033_: u32;
-    var phi_2405_: f32;
-    var phi_2359_: bool;
-    var phi_2034_: u32;
-    var phi_2035_: u32;
-    var phi_2036_: bool;
-    var phi_2037_: u32;
-    var phi_2404_: f32;
-    var phi_2358_: bool;
-    var phi_2038_: u32;
-    var phi_2039_: u32;
-    var phi_2040_: bool;
-    var phi_2041_: u32;
-    var phi_2403_: f32;
-    var phi_2357_: bool;
-    var phi_699_: u32;
-    var phi_702_: u32;
-    var phi_704_: bool;
-    var phi_706_: u32;
-    var phi_2042_: bool;
-    var phi_2356_: bool;
-    var phi_2049_: type_4;
-    var phi_2050_: type_4;
-    var phi_2073_: type_4;
-    var phi_2139_: type_23;
-    var phi_2396_: bool;
+    var local_1: array<f32, 128>;
+    var local_2: array<u32, 128>;
+    var phi_273_: i32;
+    var phi_274_: i32;
+    var phi_284_: bool;
+    var phi_294_: u32;
+    var phi_295_: u32;
+    var phi_297_: bool;
+    var phi_302_: u32;
+    var phi_346_: f32;
+    var phi_352_: f32;
+    var phi_363_: f32;
+    var phi_369_: f32;
+    var phi_392_: f32;
+    var phi_403_: f32;
+    var phi_412_: f32;
+    var phi_418_: f32;
+    var phi_429_: f32;
+    var phi_435_: f32;
+    var phi_458_: f32;
+    var phi_469_: f32;
+    var phi_478_: f32;
+    var phi_484_: f32;
+    var phi_495_: f32;
+    var phi_501_: f32;
+    var phi_524_: f32;
+    var phi_535_: f32;
+    var phi_635_: f32;
+    var phi_636_: f32;
+    var phi_2528_: bool;
+    var phi_2508_: f32;
+    var phi_963_: u32;
+    var phi_966_: u32;
+    var phi_968_: bool;
+    var phi_970_: u32;
+    var phi_981_: bool;
+    var phi_1013_: u32;
+    var phi_1014_: bool;
+    var phi_1015_: u32;
+    var phi_1904_: type_38;
+    var phi_2249_: u32;
+    var phi_2276_: u32;
+    var phi_2277_: u32;
+    var phi_2278_: u32;
+    var phi_2280_: u32;
+    var phi_2281_: u32;
+    var phi_2282_: bool;
+    var phi_2291_: u32;
+    var phi_2296_: u32;
+    var phi_2297_: bool;
+    var phi_2525_: bool;
+    var phi_2515_: f32;
+    var phi_1030_: type_4;
+    var phi_1031_: type_4;
+    var phi_1054_: type_4;
+    var phi_1075_: u32;
+    var phi_1164_: array<array<f32, 3>, 3>;
+    var phi_1636_: vec3<f32>;
+    var phi_1637_: vec3<f32>;
+    var phi_1668_: bool;
+    var phi_1677_: vec3<f32>;
+    var phi_1717_: type_23;
+    var phi_1719_: type_23;
+    var phi_1720_: bool;
+    var phi_1724_: type_23;
+    var phi_1725_: type_23;
+    var phi_1726_: type_23;
+    var phi_1727_: bool;
+    var phi_1731_: type_23;
+    var phi_1732_: bool;
+    var phi_1736_: type_23;
+    var phi_1737_: bool;
+    var phi_1741_: type_23;
+    var phi_1753_: type_4;
+    var phi_1756_: type_23;
+    var phi_1754_: type_4;
+    var phi_1779_: type_4;
+    var phi_1811_: bool;
+    var phi_1812_: bool;
+    var phi_1833_: type_23;
+    var phi_1757_: type_23;
+    var phi_2516_: bool;
+    var phi_2779_: f32;
+    var phi_2778_: f32;
+    var phi_2629_: bool;
+    var phi_2777_: f32;
+    var phi_2628_: bool;
+    var phi_2776_: f32;
+    var phi_2627_: bool;
+    var phi_2716_: f32;
+    var phi_2626_: bool;
+    var phi_2681_: f32;
+    var phi_2635_: bool;
+    var phi_2299_: u32;
+    var phi_2300_: bool;
+    var phi_2301_: u32;
+    var phi_2680_: f32;
+    var phi_2634_: bool;
+    var phi_2302_: u32;
+    var phi_2303_: u32;
+    var phi_2304_: bool;
+    var phi_2305_: u32;
+    var phi_2679_: f32;
+    var phi_2633_: bool;
+    var phi_2306_: u32;
+    var phi_2307_: u32;
+    var phi_2308_: bool;
+    var phi_2309_: u32;
+    var phi_2678_: f32;
+    var phi_2632_: bool;
+    var phi_964_: u32;
+    var phi_967_: u32;
+    var phi_969_: bool;
+    var phi_971_: u32;
+    var phi_2310_: bool;
+    var phi_2631_: bool;
+    var phi_2317_: type_4;
+    var phi_2318_: type_4;
+    var phi_2341_: type_4;
+    var phi_2407_: type_23;
+    var phi_2671_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -232,43 +232,43 @@ fn function_() {
                     if _e157 {
                         let _e160 = (bitcast<u32>(bitcast<f32>(_e132)) & 2147483647u);
                         if (_e160 >= 8388608u) {
-                            phi_271_ = (bitcast<i32>((_e160 >> bitcast<u32>(23i))) - 127i);
+                            phi_273_ = (bitcast<i32>((_e160 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_271_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e160)), 32u, (_e160 == 0u))));
+                            phi_273_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e160)), 32u, (_e160 == 0u))));
                         }
-                        let _e174 = phi_271_;
-                        phi_272_ = _e174;
+                        let _e174 = phi_273_;
+                        phi_274_ = _e174;
                     } else {
-                        phi_272_ = 0i;
+                        phi_274_ = 0i;
                     }
-                    let _e176 = phi_272_;
+                    let _e176 = phi_274_;
                     let _e177 = (_e93 == _e132);
                     if _e177 {
-                        phi_282_ = true;
+                        phi_284_ = true;
                     } else {
-                        phi_282_ = (_e100 == _e132);
+                        phi_284_ = (_e100 == _e132);
                     }
-                    let _e180 = phi_282_;
+                    let _e180 = phi_284_;
                     let _e181 = select(1u, 0u, _e177);
                     if _e180 {
                         let _e182 = (_e181 + 1u);
-                        phi_292_ = _e182;
-                        phi_293_ = _e182;
-                        phi_295_ = select(true, false, (_e182 == 2u));
+                        phi_294_ = _e182;
+                        phi_295_ = _e182;
+                        phi_297_ = select(true, false, (_e182 == 2u));
                     } else {
-                        phi_292_ = u32();
-                        phi_293_ = 0u;
-                        phi_295_ = true;
+                        phi_294_ = u32();
+                        phi_295_ = 0u;
+                        phi_297_ = true;
                     }
-                    let _e186 = phi_292_;
-                    let _e188 = phi_293_;
-                    let _e190 = phi_295_;
+                    let _e186 = phi_294_;
+                    let _e188 = phi_295_;
+                    let _e190 = phi_297_;
                     if _e190 {
-                        phi_300_ = (_e188 + 1u);
+                        phi_302_ = (_e188 + 1u);
                     } else {
-                        phi_300_ = 0u;
+                        phi_302_ = 0u;
                     }
-                    let _e194 = phi_300_;
+                    let _e194 = phi_302_;
                     let _e195 = select(_e186, _e188, _e190);
                     let _e196 = select(_e181, select(2u, _e181, _e180), _e190);
                     let _e197 = (_e83 / 2i);
@@ -281,140 +281,140 @@ fn function_() {
                     let _e225 = global_4.member[_e77].member;
                     let _e226 = (_e195 == 0u);
                     if _e226 {
-                        phi_344_ = _e225[0];
+                        phi_346_ = _e225[0];
                     } else {
-                        phi_344_ = _e225[1];
+                        phi_346_ = _e225[1];
                     }
-                    let _e230 = phi_344_;
+                    let _e230 = phi_346_;
                     let _e231 = (_e195 == 2u);
                     if _e231 {
-                        phi_350_ = _e225[2];
+                        phi_352_ = _e225[2];
                     } else {
-                        phi_350_ = _e230;
+                        phi_352_ = _e230;
                     }
-                    let _e234 = phi_350_;
+                    let _e234 = phi_352_;
                     let _e236 = ((_e234 * _e202) * _e208);
                     let _e237 = global_4.member[_e77].member_2;
                     if _e226 {
-                        phi_361_ = _e237[0];
+                        phi_363_ = _e237[0];
                     } else {
-                        phi_361_ = _e237[1];
+                        phi_363_ = _e237[1];
                     }
-                    let _e241 = phi_361_;
+                    let _e241 = phi_363_;
                     if _e231 {
-                        phi_367_ = _e237[2];
+                        phi_369_ = _e237[2];
                     } else {
-                        phi_367_ = _e241;
+                        phi_369_ = _e241;
                     }
-                    let _e244 = phi_367_;
+                    let _e244 = phi_369_;
                     let _e246 = ((_e244 * _e215) * _e221);
                     let _e250 = (bitcast<f32>((bitcast<u32>(_e246) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e250 {
                         let _e254 = (bitcast<f32>((bitcast<u32>(_e236) & 2147483647u)) * 0.00000011920929f);
-                        phi_390_ = select(0.00000000000011368684f, _e254, (_e254 > 0.00000000000011368684f));
+                        phi_392_ = select(0.00000000000011368684f, _e254, (_e254 > 0.00000000000011368684f));
                     } else {
-                        phi_390_ = 0f;
+                        phi_392_ = 0f;
                     }
-                    let _e258 = phi_390_;
+                    let _e258 = phi_392_;
                     let _e259 = (_e236 + _e258);
                     let _e260 = (_e236 - _e258);
                     let _e261 = select(_e246, 0f, _e250);
                     if _e250 {
-                        phi_401_ = 38685626000000000000000000f;
+                        phi_403_ = 38685626000000000000000000f;
                     } else {
-                        phi_401_ = (1f / _e246);
+                        phi_403_ = (1f / _e246);
                     }
-                    let _e264 = phi_401_;
+                    let _e264 = phi_403_;
                     let _e265 = (_e194 == 0u);
                     if _e265 {
-                        phi_410_ = _e225[0];
+                        phi_412_ = _e225[0];
                     } else {
-                        phi_410_ = _e225[1];
+                        phi_412_ = _e225[1];
                     }
-                    let _e269 = phi_410_;
+                    let _e269 = phi_412_;
                     let _e270 = (_e194 == 2u);
                     if _e270 {
-                        phi_416_ = _e225[2];
+                        phi_418_ = _e225[2];
                     } else {
-                        phi_416_ = _e269;
+                        phi_418_ = _e269;
                     }
-                    let _e273 = phi_416_;
+                    let _e273 = phi_418_;
                     let _e275 = ((_e273 * _e202) * _e208);
                     if _e265 {
-                        phi_427_ = _e237[0];
+                        phi_429_ = _e237[0];
                     } else {
-                        phi_427_ = _e237[1];
+                        phi_429_ = _e237[1];
                     }
-                    let _e279 = phi_427_;
+                    let _e279 = phi_429_;
                     if _e270 {
-                        phi_433_ = _e237[2];
+                        phi_435_ = _e237[2];
                     } else {
-                        phi_433_ = _e279;
+                        phi_435_ = _e279;
                     }
-                    let _e282 = phi_433_;
+                    let _e282 = phi_435_;
                     let _e284 = ((_e282 * _e215) * _e221);
                     let _e288 = (bitcast<f32>((bitcast<u32>(_e284) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e288 {
                         let _e292 = (bitcast<f32>((bitcast<u32>(_e275) & 2147483647u)) * 0.00000011920929f);
-                        phi_456_ = select(0.00000000000011368684f, _e292, (_e292 > 0.00000000000011368684f));
+                        phi_458_ = select(0.00000000000011368684f, _e292, (_e292 > 0.00000000000011368684f));
                     } else {
-                        phi_456_ = 0f;
+                        phi_458_ = 0f;
                     }
-                    let _e296 = phi_456_;
+                    let _e296 = phi_458_;
                     let _e297 = (_e275 + _e296);
                     let _e298 = (_e275 - _e296);
                     let _e299 = select(_e284, 0f, _e288);
                     if _e288 {
-                        phi_467_ = 38685626000000000000000000f;
+                        phi_469_ = 38685626000000000000000000f;
                     } else {
-                        phi_467_ = (1f / _e284);
+                        phi_469_ = (1f / _e284);
                     }
-                    let _e302 = phi_467_;
+                    let _e302 = phi_469_;
                     let _e303 = (_e196 == 0u);
                     if _e303 {
-                        phi_476_ = _e225[0];
+                        phi_478_ = _e225[0];
                     } else {
-                        phi_476_ = _e225[1];
+                        phi_478_ = _e225[1];
                     }
-                    let _e307 = phi_476_;
+                    let _e307 = phi_478_;
                     let _e308 = (_e196 == 2u);
                     if _e308 {
-                        phi_482_ = _e225[2];
+                        phi_484_ = _e225[2];
                     } else {
-                        phi_482_ = _e307;
+                        phi_484_ = _e307;
                     }
-                    let _e311 = phi_482_;
+                    let _e311 = phi_484_;
                     let _e313 = ((_e311 * _e202) * _e208);
                     if _e303 {
-                        phi_493_ = _e237[0];
+                        phi_495_ = _e237[0];
                     } else {
-                        phi_493_ = _e237[1];
+                        phi_495_ = _e237[1];
                     }
-                    let _e317 = phi_493_;
+                    let _e317 = phi_495_;
                     if _e308 {
-                        phi_499_ = _e237[2];
+                        phi_501_ = _e237[2];
                     } else {
-                        phi_499_ = _e317;
+                        phi_501_ = _e317;
                     }
-                    let _e320 = phi_499_;
+                    let _e320 = phi_501_;
                     let _e322 = ((_e320 * _e215) * _e221);
                     let _e326 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e326 {
                         let _e330 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) * 0.00000011920929f);
-                        phi_522_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
+                        phi_524_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
                     } else {
-                        phi_522_ = 0f;
+                        phi_524_ = 0f;
                     }
-                    let _e334 = phi_522_;
+                    let _e334 = phi_524_;
                     let _e335 = (_e313 + _e334);
                     let _e336 = (_e313 - _e334);
                     let _e337 = select(_e322, 0f, _e326);
                     if _e326 {
-                        phi_533_ = 38685626000000000000000000f;
+                        phi_535_ = 38685626000000000000000000f;
                     } else {
-                        phi_533_ = (1f / _e322);
+                        phi_535_ = (1f / _e322);
                     }
-                    let _e340 = phi_533_;
+                    let _e340 = phi_535_;
                     let _e343 = bitcast<f32>((bitcast<u32>(_e236) & 2147483647u));
                     let _e346 = bitcast<f32>((bitcast<u32>(_e275) & 2147483647u));
                     let _e348 = select(_e346, _e343, (_e343 > _e346));
@@ -428,108 +428,108 @@ fn function_() {
                         let _e374 = select(340282350000000000000000000000000000000f, _e372, (_e372 < 340282350000000000000000000000000000000f));
                         let _e379 = (((_e151 * _e364) * _e364) * _e371);
                         let _e381 = select(340282350000000000000000000000000000000f, _e379, (_e379 < 340282350000000000000000000000000000000f));
-                        phi_633_ = select(-340282350000000000000000000000000000000f, _e381, (_e381 > -340282350000000000000000000000000000000f));
-                        phi_634_ = select(-340282350000000000000000000000000000000f, _e374, (_e374 > -340282350000000000000000000000000000000f));
+                        phi_635_ = select(-340282350000000000000000000000000000000f, _e381, (_e381 > -340282350000000000000000000000000000000f));
+                        phi_636_ = select(-340282350000000000000000000000000000000f, _e374, (_e374 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_633_ = 0f;
-                        phi_634_ = 1f;
+                        phi_635_ = 0f;
+                        phi_636_ = 1f;
                     }
-                    let _e385 = phi_633_;
-                    let _e387 = phi_634_;
+                    let _e385 = phi_635_;
+                    let _e387 = phi_636_;
                     local = array<type_23, 8>(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
-                    local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2253_ = false;
-                    phi_2233_ = _e385;
-                    phi_698_ = select(0u, 2147483648u, (_e67 == 0u));
-                    phi_701_ = ((3u * _e67) + 1u);
-                    phi_703_ = (_e387 <= _e385);
-                    phi_705_ = 0u;
+                    local_2 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_2528_ = false;
+                    phi_2508_ = _e385;
+                    phi_963_ = select(0u, 2147483648u, (_e67 == 0u));
+                    phi_966_ = ((3u * _e67) + 1u);
+                    phi_968_ = (_e387 <= _e385);
+                    phi_970_ = 0u;
                     loop {
-                        let _e394 = phi_2253_;
-                        let _e396 = phi_2233_;
-                        let _e398 = phi_698_;
-                        let _e400 = phi_701_;
-                        let _e402 = phi_703_;
-                        let _e404 = phi_705_;
+                        let _e394 = phi_2528_;
+                        let _e396 = phi_2508_;
+                        let _e398 = phi_963_;
+                        let _e400 = phi_966_;
+                        let _e402 = phi_968_;
+                        let _e404 = phi_970_;
                         if _e402 {
-                            phi_716_ = true;
+                            phi_981_ = true;
                         } else {
-                            phi_716_ = (_e404 > 0u);
+                            phi_981_ = (_e404 > 0u);
                         }
-                        let _e407 = phi_716_;
+                        let _e407 = phi_981_;
                         if _e407 {
                             let _e408 = (_e400 > 0u);
                             if _e408 {
                                 if _e402 {
-                                    phi_747_ = _e398;
-                                    phi_748_ = _e402;
-                                    phi_749_ = _e404;
+                                    phi_1013_ = _e398;
+                                    phi_1014_ = _e402;
+                                    phi_1015_ = _e404;
                                 } else {
                                     let _e409 = (_e404 - 1u);
                                     let _e410 = (_e409 % 128u);
                                     let _e411 = (_e410 < 128u);
                                     if _e411 {
                                     } else {
-                                        phi_2356_ = true;
+                                        phi_2631_ = true;
                                         break;
                                     }
-                                    let _e413 = local_1[_e410];
+                                    let _e413 = local_2[_e410];
                                     if _e411 {
                                     } else {
-                                        phi_2356_ = true;
+                                        phi_2631_ = true;
                                         break;
                                     }
-                                    let _e415 = local_2[_e410];
-                                    phi_747_ = _e413;
-                                    phi_748_ = (_e415 <= _e396);
-                                    phi_749_ = _e409;
+                                    let _e415 = local_1[_e410];
+                                    phi_1013_ = _e413;
+                                    phi_1014_ = (_e415 <= _e396);
+                                    phi_1015_ = _e409;
                                 }
-                                let _e418 = phi_747_;
-                                let _e420 = phi_748_;
-                                let _e422 = phi_749_;
+                                let _e418 = phi_1013_;
+                                let _e420 = phi_1014_;
+                                let _e422 = phi_1015_;
                                 if _e420 {
-                                    let _e426 = (_e418 & 268435455u);
                                     if ((_e418 & 2147483648u) != 0u) {
-                                        phi_2250_ = _e394;
-                                        phi_2240_ = _e396;
-                                        phi_765_ = type_4(_e426, (_e426 + ((_e418 >> bitcast<u32>(28u)) & 7u)));
+                                        phi_2525_ = _e394;
+                                        phi_2515_ = _e396;
+                                        phi_1030_ = type_4(0u, ((_e418 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e620 = phi_2250_;
-                                            let _e622 = phi_2240_;
-                                            let _e624 = phi_765_;
-                                            if (_e624.member < _e624.member_1) {
-                                                phi_766_ = type_4((_e624.member + 1u), _e624.member_1);
-                                                phi_789_ = type_4(1u, _e624.member);
+                                            let _e619 = phi_2525_;
+                                            let _e621 = phi_2515_;
+                                            let _e623 = phi_1030_;
+                                            if (_e623.member < _e623.member_1) {
+                                                phi_1031_ = type_4((_e623.member + 1u), _e623.member_1);
+                                                phi_1054_ = type_4(1u, _e623.member);
                                             } else {
-                                                phi_766_ = _e624;
-                                                phi_789_ = type_4(0u, type_4().member_1);
+                                                phi_1031_ = _e623;
+                                                phi_1054_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e637 = phi_766_;
-                                            let _e639 = phi_789_;
-                                            let _e643 = (bitcast<i32>(_e639.member) != 0i);
-                                            if _e643 {
-                                                let _e644 = (_e639.member_1 < _e69);
+                                            let _e636 = phi_1031_;
+                                            let _e638 = phi_1054_;
+                                            let _e642 = (bitcast<i32>(_e638.member) != 0i);
+                                            if _e642 {
+                                                let _e643 = ((_e418 & 268435455u) + _e638.member_1);
+                                                let _e644 = (_e643 < _e69);
                                                 if _e644 {
                                                     if _e644 {
                                                     } else {
-                                                        phi_2441_ = _e622;
-                                                        phi_2351_ = true;
+                                                        phi_2716_ = _e621;
+                                                        phi_2626_ = true;
                                                         break;
                                                     }
-                                                    let _e648 = global_3.member[_e639.member_1].member_1;
-                                                    phi_809_ = _e648;
+                                                    let _e648 = global_3.member[_e643].member_1;
+                                                    phi_1075_ = _e648;
                                                 } else {
-                                                    phi_809_ = 4294967295u;
+                                                    phi_1075_ = 4294967295u;
                                                 }
-                                                let _e650 = phi_809_;
-                                                if (_e639.member_1 >= _e69) {
-                                                    phi_897_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e650 = phi_1075_;
+                                                if (_e643 >= _e69) {
+                                                    phi_1164_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e644 {
                                                     } else {
-                                                        phi_2441_ = _e622;
-                                                        phi_2351_ = true;
+                                                        phi_2716_ = _e621;
+                                                        phi_2626_ = true;
                                                         break;
                                                     }
                                                     let _e652 = (_e195 % 3u);
@@ -537,76 +537,76 @@ fn function_() {
                                                     let _e654 = (_e196 % 3u);
                                                     if (_e652 < 9u) {
                                                     } else {
-                                                        phi_2441_ = _e622;
-                                                        phi_2351_ = true;
+                                                        phi_2716_ = _e621;
+                                                        phi_2626_ = true;
                                                         break;
                                                     }
-                                                    let _e660 = global_3.member[_e639.member_1].member[_e652];
+                                                    let _e660 = global_3.member[_e643].member[_e652];
                                                     if (_e653 < 9u) {
                                                     } else {
-                                                        phi_2441_ = _e622;
-                                                        phi_2351_ = true;
+                                                        phi_2716_ = _e621;
+                                                        phi_2626_ = true;
                                                         break;
                                                     }
-                                                    let _e666 = global_3.member[_e639.member_1].member[_e653];
+                                                    let _e666 = global_3.member[_e643].member[_e653];
                                                     if (_e654 < 9u) {
                                                     } else {
-                                                        phi_2441_ = _e622;
-                                                        phi_2351_ = true;
+                                                        phi_2716_ = _e621;
+                                                        phi_2626_ = true;
                                                         break;
                                                     }
-                                                    let _e672 = global_3.member[_e639.member_1].member[_e654];
+                                                    let _e672 = global_3.member[_e643].member[_e654];
                                                     let _e674 = (3u + _e652);
                                                     if (_e674 < 9u) {
                                                     } else {
-                                                        phi_2441_ = _e622;
-                                                        phi_2351_ = true;
+                                                        phi_2716_ = _e621;
+                                                        phi_2626_ = true;
                                                         break;
                                                     }
-                                                    let _e680 = global_3.member[_e639.member_1].member[_e674];
+                                                    let _e680 = global_3.member[_e643].member[_e674];
                                                     let _e681 = (3u + _e653);
                                                     if (_e681 < 9u) {
                                                     } else {
-                                                        phi_2441_ = _e622;
-                                                        phi_2351_ = true;
+                                                        phi_2716_ = _e621;
+                                                        phi_2626_ = true;
                                                         break;
                                                     }
-                                                    let _e687 = global_3.member[_e639.member_1].member[_e681];
+                                                    let _e687 = global_3.member[_e643].member[_e681];
                                                     let _e688 = (3u + _e654);
                                                     if (_e688 < 9u) {
                                                     } else {
-                                                        phi_2441_ = _e622;
-                                                        phi_2351_ = true;
+                                                        phi_2716_ = _e621;
+                                                        phi_2626_ = true;
                                                         break;
                                                     }
-                                                    let _e694 = global_3.member[_e639.member_1].member[_e688];
+                                                    let _e694 = global_3.member[_e643].member[_e688];
                                                     let _e696 = (6u + _e652);
                                                     if (_e696 < 9u) {
                                                     } else {
-                                                        phi_2441_ = _e622;
-                                                        phi_2351_ = true;
+                                                        phi_2716_ = _e621;
+                                                        phi_2626_ = true;
                                                         break;
                                                     }
-                                                    let _e702 = global_3.member[_e639.member_1].member[_e696];
+                                                    let _e702 = global_3.member[_e643].member[_e696];
                                                     let _e703 = (6u + _e653);
                                                     if (_e703 < 9u) {
                                                     } else {
-                                                        phi_2441_ = _e622;
-                                                        phi_2351_ = true;
+                                                        phi_2716_ = _e621;
+                                                        phi_2626_ = true;
                                                         break;
                                                     }
-                                                    let _e709 = global_3.member[_e639.member_1].member[_e703];
+                                                    let _e709 = global_3.member[_e643].member[_e703];
                                                     let _e710 = (6u + _e654);
                                                     if (_e710 < 9u) {
                                                     } else {
-                                                        phi_2441_ = _e622;
-                                                        phi_2351_ = true;
+                                                        phi_2716_ = _e621;
+                                                        phi_2626_ = true;
                                                         break;
                                                     }
-                                                    let _e716 = global_3.member[_e639.member_1].member[_e710];
-                                                    phi_897_ = array<array<f32, 3>, 3>(array<f32, 3>(_e660, _e666, _e672), array<f32, 3>(_e680, _e687, _e694), array<f32, 3>(_e702, _e709, _e716));
+                                                    let _e716 = global_3.member[_e643].member[_e710];
+                                                    phi_1164_ = array<array<f32, 3>, 3>(array<f32, 3>(_e660, _e666, _e672), array<f32, 3>(_e680, _e687, _e694), array<f32, 3>(_e702, _e709, _e716));
                                                 }
-                                                let _e720 = phi_897_;
+                                                let _e720 = phi_1164_;
                                                 let _e727 = (_e720[0][2] - _e313);
                                                 let _e730 = (((_e720[0][0] - _e236) * _e337) - (_e727 * _e261));
                                                 let _e733 = (((_e720[0][1] - _e275) * _e337) - (_e727 * _e299));
@@ -633,8 +633,8 @@ fn function_() {
                                                     let _e789 = select(0f, _e787, (_e787 > 0f));
                                                     let _e791 = ((_e781 + _e785) + _e789);
                                                     if (_e791 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1464_ = type_23();
-                                                        phi_1465_ = true;
+                                                        phi_1731_ = type_23();
+                                                        phi_1732_ = true;
                                                     } else {
                                                         let _e794 = select(_e720[1][0], _e720[0][0], (_e720[0][0] < _e720[1][0]));
                                                         let _e798 = select(_e720[1][0], _e720[0][0], (_e720[0][0] > _e720[1][0]));
@@ -661,12 +661,12 @@ fn function_() {
                                                         let _e849 = -(_e830);
                                                         let _e855 = select(_e387, _e840, (_e840 > _e387));
                                                         if (_e855 > (_e848 + (select(_e849, _e832, (_e832 > _e849)) * 0.0000019073523f))) {
-                                                            phi_1459_ = type_23();
-                                                            phi_1460_ = true;
+                                                            phi_1726_ = type_23();
+                                                            phi_1727_ = true;
                                                         } else {
-                                                            let _e857 = (_e855 > _e622);
+                                                            let _e857 = (_e855 > _e621);
                                                             if _e857 {
-                                                                phi_1458_ = type_23();
+                                                                phi_1725_ = type_23();
                                                             } else {
                                                                 let _e861 = (_e720[1][0] - _e720[0][0]);
                                                                 let _e862 = (_e720[1][1] - _e720[0][1]);
@@ -698,242 +698,242 @@ fn function_() {
                                                                 let _e913 = select(_e898, _e885, (_e885 > _e898));
                                                                 let _e915 = select(_e911, _e913, (_e913 > _e911));
                                                                 if (_e885 == _e915) {
-                                                                    phi_1369_ = _e868;
-                                                                    phi_1370_ = _e872;
+                                                                    phi_1636_ = _e868;
+                                                                    phi_1637_ = _e872;
                                                                 } else {
                                                                     let _e918 = vec3((_e898 == _e915));
-                                                                    phi_1369_ = select(_e864, _e872, _e918);
-                                                                    phi_1370_ = select(_e868, _e864, _e918);
+                                                                    phi_1636_ = select(_e864, _e872, _e918);
+                                                                    phi_1637_ = select(_e868, _e864, _e918);
                                                                 }
-                                                                let _e922 = phi_1369_;
-                                                                let _e924 = phi_1370_;
+                                                                let _e922 = phi_1636_;
+                                                                let _e924 = phi_1637_;
                                                                 let _e931 = ((_e922.y * _e924.z) - (_e924.y * _e922.z));
                                                                 let _e936 = ((_e922.z * _e924.x) - (_e924.z * _e922.x));
                                                                 let _e939 = ((_e922.x * _e924.y) - (_e924.x * _e922.y));
                                                                 if (_e781 >= _e785) {
-                                                                    phi_1401_ = select(true, false, (_e781 >= _e789));
+                                                                    phi_1668_ = select(true, false, (_e781 >= _e789));
                                                                 } else {
-                                                                    phi_1401_ = true;
+                                                                    phi_1668_ = true;
                                                                 }
-                                                                let _e944 = phi_1401_;
+                                                                let _e944 = phi_1668_;
                                                                 if _e944 {
-                                                                    phi_1410_ = select(vec3<f32>(_e720[2][0], _e720[2][1], _e720[2][2]), vec3<f32>(_e720[1][0], _e720[1][1], _e720[1][2]), vec3((_e785 >= _e789)));
+                                                                    phi_1677_ = select(vec3<f32>(_e720[2][0], _e720[2][1], _e720[2][2]), vec3<f32>(_e720[1][0], _e720[1][1], _e720[1][2]), vec3((_e785 >= _e789)));
                                                                 } else {
-                                                                    phi_1410_ = vec3<f32>(_e720[0][0], _e720[0][1], _e720[0][2]);
+                                                                    phi_1677_ = vec3<f32>(_e720[0][0], _e720[0][1], _e720[0][2]);
                                                                 }
-                                                                let _e949 = phi_1410_;
+                                                                let _e949 = phi_1677_;
                                                                 let _e966 = ((((_e931 * (_e949.x - _e236)) + (_e936 * (_e949.y - _e275))) + (_e939 * (_e949.z - _e313))) / (((_e931 * _e261) + (_e936 * _e299)) + (_e939 * _e337)));
                                                                 let _e968 = select(_e848, _e966, (_e966 < _e848));
                                                                 let _e970 = select(_e840, _e968, (_e968 > _e840));
                                                                 if (_e970 >= _e387) {
-                                                                    let _e972 = (_e970 <= _e622);
+                                                                    let _e972 = (_e970 <= _e621);
                                                                     if _e972 {
                                                                         let _e973 = (1f / _e791);
-                                                                        phi_1450_ = type_23(_e970, (_e785 * _e973), (_e789 * _e973), _e650);
+                                                                        phi_1717_ = type_23(_e970, (_e785 * _e973), (_e789 * _e973), _e650);
                                                                     } else {
-                                                                        phi_1450_ = type_23();
+                                                                        phi_1717_ = type_23();
                                                                     }
-                                                                    let _e978 = phi_1450_;
-                                                                    phi_1452_ = _e978;
-                                                                    phi_1453_ = select(true, false, _e972);
+                                                                    let _e978 = phi_1717_;
+                                                                    phi_1719_ = _e978;
+                                                                    phi_1720_ = select(true, false, _e972);
                                                                 } else {
-                                                                    phi_1452_ = type_23();
-                                                                    phi_1453_ = true;
+                                                                    phi_1719_ = type_23();
+                                                                    phi_1720_ = true;
                                                                 }
-                                                                let _e981 = phi_1452_;
-                                                                let _e983 = phi_1453_;
+                                                                let _e981 = phi_1719_;
+                                                                let _e983 = phi_1720_;
                                                                 if _e983 {
-                                                                    phi_1457_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1724_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1457_ = _e981;
+                                                                    phi_1724_ = _e981;
                                                                 }
-                                                                let _e985 = phi_1457_;
-                                                                phi_1458_ = _e985;
+                                                                let _e985 = phi_1724_;
+                                                                phi_1725_ = _e985;
                                                             }
-                                                            let _e987 = phi_1458_;
-                                                            phi_1459_ = _e987;
-                                                            phi_1460_ = _e857;
+                                                            let _e987 = phi_1725_;
+                                                            phi_1726_ = _e987;
+                                                            phi_1727_ = _e857;
                                                         }
-                                                        let _e989 = phi_1459_;
-                                                        let _e991 = phi_1460_;
-                                                        phi_1464_ = _e989;
-                                                        phi_1465_ = _e991;
+                                                        let _e989 = phi_1726_;
+                                                        let _e991 = phi_1727_;
+                                                        phi_1731_ = _e989;
+                                                        phi_1732_ = _e991;
                                                     }
-                                                    let _e993 = phi_1464_;
-                                                    let _e995 = phi_1465_;
-                                                    phi_1469_ = _e993;
-                                                    phi_1470_ = _e995;
+                                                    let _e993 = phi_1731_;
+                                                    let _e995 = phi_1732_;
+                                                    phi_1736_ = _e993;
+                                                    phi_1737_ = _e995;
                                                 } else {
-                                                    phi_1469_ = type_23();
-                                                    phi_1470_ = true;
+                                                    phi_1736_ = type_23();
+                                                    phi_1737_ = true;
                                                 }
-                                                let _e997 = phi_1469_;
-                                                let _e999 = phi_1470_;
+                                                let _e997 = phi_1736_;
+                                                let _e999 = phi_1737_;
                                                 if _e999 {
-                                                    phi_1474_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1741_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1474_ = _e997;
+                                                    phi_1741_ = _e997;
                                                 }
-                                                let _e1001 = phi_1474_;
+                                                let _e1001 = phi_1741_;
                                                 if (_e1001.member_3 != 4294967295u) {
                                                     if (_e650 != 4294967295u) {
-                                                        phi_1486_ = type_4(0u, 8u);
-                                                        phi_1489_ = _e1001;
+                                                        phi_1753_ = type_4(0u, 8u);
+                                                        phi_1756_ = _e1001;
                                                         loop {
-                                                            let _e1006 = phi_1486_;
-                                                            let _e1008 = phi_1489_;
+                                                            let _e1006 = phi_1753_;
+                                                            let _e1008 = phi_1756_;
                                                             if (_e1006.member < _e1006.member_1) {
-                                                                phi_1487_ = type_4((_e1006.member + 1u), _e1006.member_1);
-                                                                phi_1512_ = type_4(1u, _e1006.member);
+                                                                phi_1754_ = type_4((_e1006.member + 1u), _e1006.member_1);
+                                                                phi_1779_ = type_4(1u, _e1006.member);
                                                             } else {
-                                                                phi_1487_ = _e1006;
-                                                                phi_1512_ = type_4(0u, type_4().member_1);
+                                                                phi_1754_ = _e1006;
+                                                                phi_1779_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1021 = phi_1487_;
-                                                            let _e1023 = phi_1512_;
+                                                            let _e1021 = phi_1754_;
+                                                            let _e1023 = phi_1779_;
                                                             let _e1027 = (bitcast<i32>(_e1023.member) != 0i);
                                                             if _e1027 {
                                                                 let _e1028 = (_e1023.member_1 < 8u);
                                                                 if _e1028 {
                                                                 } else {
-                                                                    phi_2241_ = true;
+                                                                    phi_2516_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1033 = local[_e1023.member_1].member;
                                                                 if (_e1008.member < _e1033) {
-                                                                    phi_1545_ = true;
+                                                                    phi_1812_ = true;
                                                                 } else {
                                                                     let _e1035 = local[_e1023.member_1].member;
                                                                     if (_e1008.member == _e1035) {
                                                                         let _e1040 = local[_e1023.member_1].member_3;
-                                                                        phi_1544_ = (_e1008.member_3 < _e1040);
+                                                                        phi_1811_ = (_e1008.member_3 < _e1040);
                                                                     } else {
-                                                                        phi_1544_ = false;
+                                                                        phi_1811_ = false;
                                                                     }
-                                                                    let _e1043 = phi_1544_;
-                                                                    phi_1545_ = _e1043;
+                                                                    let _e1043 = phi_1811_;
+                                                                    phi_1812_ = _e1043;
                                                                 }
-                                                                let _e1045 = phi_1545_;
+                                                                let _e1045 = phi_1812_;
                                                                 if _e1045 {
                                                                     if _e1028 {
                                                                     } else {
-                                                                        phi_2241_ = true;
+                                                                        phi_2516_ = true;
                                                                         break;
                                                                     }
                                                                     let _e1046 = local[_e1023.member_1];
                                                                     local[_e1023.member_1] = type_23(_e1008.member, _e1008.member_1, _e1008.member_2, _e1008.member_3);
-                                                                    phi_1566_ = type_23(_e1046.member, _e1046.member_1, _e1046.member_2, _e1046.member_3);
+                                                                    phi_1833_ = type_23(_e1046.member, _e1046.member_1, _e1046.member_2, _e1046.member_3);
                                                                 } else {
-                                                                    phi_1566_ = _e1008;
+                                                                    phi_1833_ = _e1008;
                                                                 }
-                                                                let _e1057 = phi_1566_;
-                                                                phi_1490_ = _e1057;
+                                                                let _e1057 = phi_1833_;
+                                                                phi_1757_ = _e1057;
                                                             } else {
-                                                                phi_1490_ = type_23();
+                                                                phi_1757_ = type_23();
                                                             }
-                                                            let _e1059 = phi_1490_;
+                                                            let _e1059 = phi_1757_;
                                                             continue;
                                                             continuing {
-                                                                phi_1486_ = _e1021;
-                                                                phi_1489_ = _e1059;
-                                                                phi_2241_ = _e620;
+                                                                phi_1753_ = _e1021;
+                                                                phi_1756_ = _e1059;
+                                                                phi_2516_ = _e619;
                                                                 break if !(_e1027);
                                                             }
                                                         }
-                                                        let _e1062 = phi_2241_;
-                                                        phi_2441_ = _e622;
-                                                        phi_2351_ = _e1062;
+                                                        let _e1062 = phi_2516_;
+                                                        phi_2716_ = _e621;
+                                                        phi_2626_ = _e1062;
                                                         if _e1062 {
                                                             break;
                                                         }
                                                         let _e1065 = local[7u].member_3;
                                                         if (_e1065 != 4294967295u) {
                                                             let _e1069 = local[7u].member;
-                                                            phi_2504_ = _e1069;
+                                                            phi_2779_ = _e1069;
                                                         } else {
-                                                            phi_2504_ = _e622;
+                                                            phi_2779_ = _e621;
                                                         }
-                                                        let _e1071 = phi_2504_;
-                                                        phi_2503_ = _e1071;
-                                                        phi_2354_ = _e1062;
+                                                        let _e1071 = phi_2779_;
+                                                        phi_2778_ = _e1071;
+                                                        phi_2629_ = _e1062;
                                                     } else {
-                                                        phi_2503_ = _e622;
-                                                        phi_2354_ = _e620;
+                                                        phi_2778_ = _e621;
+                                                        phi_2629_ = _e619;
                                                     }
-                                                    let _e1073 = phi_2503_;
-                                                    let _e1075 = phi_2354_;
-                                                    phi_2502_ = _e1073;
-                                                    phi_2353_ = _e1075;
+                                                    let _e1073 = phi_2778_;
+                                                    let _e1075 = phi_2629_;
+                                                    phi_2777_ = _e1073;
+                                                    phi_2628_ = _e1075;
                                                 } else {
-                                                    phi_2502_ = _e622;
-                                                    phi_2353_ = _e620;
+                                                    phi_2777_ = _e621;
+                                                    phi_2628_ = _e619;
                                                 }
-                                                let _e1077 = phi_2502_;
-                                                let _e1079 = phi_2353_;
-                                                phi_2501_ = _e1077;
-                                                phi_2352_ = _e1079;
+                                                let _e1077 = phi_2777_;
+                                                let _e1079 = phi_2628_;
+                                                phi_2776_ = _e1077;
+                                                phi_2627_ = _e1079;
                                             } else {
-                                                phi_2501_ = _e622;
-                                                phi_2352_ = _e620;
+                                                phi_2776_ = _e621;
+                                                phi_2627_ = _e619;
                                             }
-                                            let _e1081 = phi_2501_;
-                                            let _e1083 = phi_2352_;
+                                            let _e1081 = phi_2776_;
+                                            let _e1083 = phi_2627_;
                                             continue;
                                             continuing {
-                                                phi_2250_ = _e1083;
-                                                phi_2240_ = _e1081;
-                                                phi_765_ = _e637;
-                                                phi_2441_ = _e1081;
-                                                phi_2351_ = _e1083;
-                                                break if !(_e643);
+                                                phi_2525_ = _e1083;
+                                                phi_2515_ = _e1081;
+                                                phi_1030_ = _e636;
+                                                phi_2716_ = _e1081;
+                                                phi_2626_ = _e1083;
+                                                break if !(_e642);
                                             }
                                         }
-                                        let _e1086 = phi_2441_;
-                                        let _e1088 = phi_2351_;
-                                        phi_2356_ = _e1088;
+                                        let _e1086 = phi_2716_;
+                                        let _e1088 = phi_2626_;
+                                        phi_2631_ = _e1088;
                                         if _e1088 {
                                             break;
                                         }
-                                        phi_2406_ = _e1086;
-                                        phi_2360_ = _e1088;
-                                        phi_2031_ = _e418;
-                                        phi_2032_ = false;
-                                        phi_2033_ = _e422;
+                                        phi_2681_ = _e1086;
+                                        phi_2635_ = _e1088;
+                                        phi_2299_ = _e418;
+                                        phi_2300_ = false;
+                                        phi_2301_ = _e422;
                                     } else {
                                         if (_e418 >= _e67) {
-                                            phi_1637_ = type_39(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1904_ = type_38(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e418 < _e67) {
                                             } else {
-                                                phi_2356_ = true;
+                                                phi_2631_ = true;
                                                 break;
                                             }
                                             let _e432 = (_e195 % 3u);
                                             if (_e432 < 3u) {
                                             } else {
-                                                phi_2356_ = true;
+                                                phi_2631_ = true;
                                                 break;
                                             }
                                             let _e438 = global_2.member[_e418].member[_e432];
                                             let _e444 = (_e194 % 3u);
                                             if (_e444 < 3u) {
                                             } else {
-                                                phi_2356_ = true;
+                                                phi_2631_ = true;
                                                 break;
                                             }
                                             let _e450 = global_2.member[_e418].member[_e444];
                                             let _e456 = (_e196 % 3u);
                                             if (_e456 < 3u) {
                                             } else {
-                                                phi_2356_ = true;
+                                                phi_2631_ = true;
                                                 break;
                                             }
                                             let _e462 = global_2.member[_e418].member[_e456];
                                             let _e472 = global_2.member[_e418].member_1;
                                             let _e476 = global_2.member[_e418].member_2;
-                                            phi_1637_ = type_39(array<vec4<f32>, 3>(vec4<f32>(_e438[0], _e438[1], _e438[2], _e438[3]), vec4<f32>(_e450[0], _e450[1], _e450[2], _e450[3]), vec4<f32>(_e462[0], _e462[1], _e462[2], _e462[3])), _e472, _e476);
+                                            phi_1904_ = type_38(array<vec4<f32>, 3>(vec4<f32>(_e438[0], _e438[1], _e438[2], _e438[3]), vec4<f32>(_e450[0], _e450[1], _e450[2], _e450[3]), vec4<f32>(_e462[0], _e462[1], _e462[2], _e462[3])), _e472, _e476);
                                         }
-                                        let _e479 = phi_1637_;
+                                        let _e479 = phi_1904_;
                                         let _e490 = ((_e479.member[0].x - _e259) * _e264);
                                         let _e491 = ((_e479.member[0].y - _e259) * _e264);
                                         let _e492 = ((_e479.member[0].z - _e260) * _e264);
@@ -976,173 +976,173 @@ fn function_() {
                                         if _e578 {
                                             if _e579 {
                                                 if _e580 {
-                                                    phi_1982_ = _e479.member_2;
+                                                    phi_2249_ = _e479.member_2;
                                                 } else {
-                                                    phi_1982_ = _e479.member_1;
+                                                    phi_2249_ = _e479.member_1;
                                                 }
-                                                let _e584 = phi_1982_;
+                                                let _e584 = phi_2249_;
                                                 let _e585 = (_e422 % 128u);
                                                 let _e586 = (_e585 < 128u);
                                                 if _e586 {
                                                 } else {
-                                                    phi_2356_ = true;
+                                                    phi_2631_ = true;
                                                     break;
                                                 }
-                                                local_1[_e585] = _e584;
+                                                local_2[_e585] = _e584;
                                                 if _e586 {
                                                 } else {
-                                                    phi_2356_ = true;
+                                                    phi_2631_ = true;
                                                     break;
                                                 }
-                                                local_2[_e585] = select(_e573, _e571, (_e571 > _e573));
+                                                local_1[_e585] = select(_e573, _e571, (_e571 > _e573));
                                                 if _e580 {
-                                                    phi_2008_ = _e479.member_1;
+                                                    phi_2276_ = _e479.member_1;
                                                 } else {
-                                                    phi_2008_ = _e479.member_2;
+                                                    phi_2276_ = _e479.member_2;
                                                 }
-                                                let _e595 = phi_2008_;
-                                                phi_2009_ = _e595;
-                                                phi_2010_ = (_e422 + 1u);
+                                                let _e595 = phi_2276_;
+                                                phi_2277_ = _e595;
+                                                phi_2278_ = (_e422 + 1u);
                                             } else {
-                                                phi_2009_ = u32();
-                                                phi_2010_ = u32();
+                                                phi_2277_ = u32();
+                                                phi_2278_ = u32();
                                             }
-                                            let _e597 = phi_2009_;
-                                            let _e599 = phi_2010_;
-                                            phi_2012_ = _e597;
-                                            phi_2013_ = _e599;
-                                            phi_2014_ = select(true, false, _e579);
+                                            let _e597 = phi_2277_;
+                                            let _e599 = phi_2278_;
+                                            phi_2280_ = _e597;
+                                            phi_2281_ = _e599;
+                                            phi_2282_ = select(true, false, _e579);
                                         } else {
-                                            phi_2012_ = u32();
-                                            phi_2013_ = u32();
-                                            phi_2014_ = true;
+                                            phi_2280_ = u32();
+                                            phi_2281_ = u32();
+                                            phi_2282_ = true;
                                         }
-                                        let _e602 = phi_2012_;
-                                        let _e604 = phi_2013_;
-                                        let _e606 = phi_2014_;
+                                        let _e602 = phi_2280_;
+                                        let _e604 = phi_2281_;
+                                        let _e606 = phi_2282_;
                                         if _e606 {
                                             if _e578 {
-                                                phi_2023_ = _e479.member_1;
+                                                phi_2291_ = _e479.member_1;
                                             } else {
-                                                phi_2023_ = _e479.member_2;
+                                                phi_2291_ = _e479.member_2;
                                             }
-                                            let _e610 = phi_2023_;
-                                            phi_2028_ = _e610;
-                                            phi_2029_ = select(_e579, true, _e578);
+                                            let _e610 = phi_2291_;
+                                            phi_2296_ = _e610;
+                                            phi_2297_ = select(_e579, true, _e578);
                                         } else {
-                                            phi_2028_ = _e602;
-                                            phi_2029_ = _e420;
+                                            phi_2296_ = _e602;
+                                            phi_2297_ = _e420;
                                         }
-                                        let _e613 = phi_2028_;
-                                        let _e615 = phi_2029_;
-                                        phi_2406_ = _e396;
-                                        phi_2360_ = _e394;
-                                        phi_2031_ = _e613;
-                                        phi_2032_ = _e615;
-                                        phi_2033_ = select(_e604, _e422, _e606);
+                                        let _e613 = phi_2296_;
+                                        let _e615 = phi_2297_;
+                                        phi_2681_ = _e396;
+                                        phi_2635_ = _e394;
+                                        phi_2299_ = _e613;
+                                        phi_2300_ = _e615;
+                                        phi_2301_ = select(_e604, _e422, _e606);
                                     }
-                                    let _e1090 = phi_2406_;
-                                    let _e1092 = phi_2360_;
-                                    let _e1094 = phi_2031_;
-                                    let _e1096 = phi_2032_;
-                                    let _e1098 = phi_2033_;
-                                    phi_2405_ = _e1090;
-                                    phi_2359_ = _e1092;
-                                    phi_2034_ = _e1094;
-                                    phi_2035_ = (_e400 - 1u);
-                                    phi_2036_ = _e1096;
-                                    phi_2037_ = _e1098;
+                                    let _e1090 = phi_2681_;
+                                    let _e1092 = phi_2635_;
+                                    let _e1094 = phi_2299_;
+                                    let _e1096 = phi_2300_;
+                                    let _e1098 = phi_2301_;
+                                    phi_2680_ = _e1090;
+                                    phi_2634_ = _e1092;
+                                    phi_2302_ = _e1094;
+                                    phi_2303_ = (_e400 - 1u);
+                                    phi_2304_ = _e1096;
+                                    phi_2305_ = _e1098;
                                 } else {
-                                    phi_2405_ = _e396;
-                                    phi_2359_ = _e394;
-                                    phi_2034_ = _e418;
-                                    phi_2035_ = _e400;
-                                    phi_2036_ = _e420;
-                                    phi_2037_ = _e422;
+                                    phi_2680_ = _e396;
+                                    phi_2634_ = _e394;
+                                    phi_2302_ = _e418;
+                                    phi_2303_ = _e400;
+                                    phi_2304_ = _e420;
+                                    phi_2305_ = _e422;
                                 }
-                                let _e1100 = phi_2405_;
-                                let _e1102 = phi_2359_;
-                                let _e1104 = phi_2034_;
-                                let _e1106 = phi_2035_;
-                                let _e1108 = phi_2036_;
-                                let _e1110 = phi_2037_;
-                                phi_2404_ = _e1100;
-                                phi_2358_ = _e1102;
-                                phi_2038_ = _e1104;
-                                phi_2039_ = _e1106;
-                                phi_2040_ = _e1108;
-                                phi_2041_ = _e1110;
+                                let _e1100 = phi_2680_;
+                                let _e1102 = phi_2634_;
+                                let _e1104 = phi_2302_;
+                                let _e1106 = phi_2303_;
+                                let _e1108 = phi_2304_;
+                                let _e1110 = phi_2305_;
+                                phi_2679_ = _e1100;
+                                phi_2633_ = _e1102;
+                                phi_2306_ = _e1104;
+                                phi_2307_ = _e1106;
+                                phi_2308_ = _e1108;
+                                phi_2309_ = _e1110;
                             } else {
-                                phi_2404_ = _e396;
-                                phi_2358_ = _e394;
-                                phi_2038_ = u32();
-                                phi_2039_ = u32();
-                                phi_2040_ = bool();
-                                phi_2041_ = u32();
+                                phi_2679_ = _e396;
+                                phi_2633_ = _e394;
+                                phi_2306_ = u32();
+                                phi_2307_ = u32();
+                                phi_2308_ = bool();
+                                phi_2309_ = u32();
                             }
-                            let _e1112 = phi_2404_;
-                            let _e1114 = phi_2358_;
-                            let _e1116 = phi_2038_;
-                            let _e1118 = phi_2039_;
-                            let _e1120 = phi_2040_;
-                            let _e1122 = phi_2041_;
-                            phi_2403_ = _e1112;
-                            phi_2357_ = _e1114;
-                            phi_699_ = _e1116;
-                            phi_702_ = _e1118;
-                            phi_704_ = _e1120;
-                            phi_706_ = _e1122;
-                            phi_2042_ = _e408;
+                            let _e1112 = phi_2679_;
+                            let _e1114 = phi_2633_;
+                            let _e1116 = phi_2306_;
+                            let _e1118 = phi_2307_;
+                            let _e1120 = phi_2308_;
+                            let _e1122 = phi_2309_;
+                            phi_2678_ = _e1112;
+                            phi_2632_ = _e1114;
+                            phi_964_ = _e1116;
+                            phi_967_ = _e1118;
+                            phi_969_ = _e1120;
+                            phi_971_ = _e1122;
+                            phi_2310_ = _e408;
                         } else {
-                            phi_2403_ = _e396;
-                            phi_2357_ = _e394;
-                            phi_699_ = u32();
-                            phi_702_ = u32();
-                            phi_704_ = bool();
-                            phi_706_ = u32();
-                            phi_2042_ = false;
+                            phi_2678_ = _e396;
+                            phi_2632_ = _e394;
+                            phi_964_ = u32();
+                            phi_967_ = u32();
+                            phi_969_ = bool();
+                            phi_971_ = u32();
+                            phi_2310_ = false;
                         }
-                        let _e1124 = phi_2403_;
-                        let _e1126 = phi_2357_;
-                        let _e1128 = phi_699_;
-                        let _e1130 = phi_702_;
-                        let _e1132 = phi_704_;
-                        let _e1134 = phi_706_;
-                        let _e1136 = phi_2042_;
+                        let _e1124 = phi_2678_;
+                        let _e1126 = phi_2632_;
+                        let _e1128 = phi_964_;
+                        let _e1130 = phi_967_;
+                        let _e1132 = phi_969_;
+                        let _e1134 = phi_971_;
+                        let _e1136 = phi_2310_;
                         continue;
                         continuing {
-                            phi_2253_ = _e1126;
-                            phi_2233_ = _e1124;
-                            phi_698_ = _e1128;
-                            phi_701_ = _e1130;
-                            phi_703_ = _e1132;
-                            phi_705_ = _e1134;
-                            phi_2356_ = _e1126;
+                            phi_2528_ = _e1126;
+                            phi_2508_ = _e1124;
+                            phi_963_ = _e1128;
+                            phi_966_ = _e1130;
+                            phi_968_ = _e1132;
+                            phi_970_ = _e1134;
+                            phi_2631_ = _e1126;
                             break if !(_e1136);
                         }
                     }
-                    let _e1139 = phi_2356_;
+                    let _e1139 = phi_2631_;
                     if _e1139 {
                         break;
                     }
-                    phi_2049_ = type_4(0u, 8u);
+                    phi_2317_ = type_4(0u, 8u);
                     loop {
-                        let _e1141 = phi_2049_;
+                        let _e1141 = phi_2317_;
                         if (_e1141.member < _e1141.member_1) {
-                            phi_2050_ = type_4((_e1141.member + 1u), _e1141.member_1);
-                            phi_2073_ = type_4(1u, _e1141.member);
+                            phi_2318_ = type_4((_e1141.member + 1u), _e1141.member_1);
+                            phi_2341_ = type_4(1u, _e1141.member);
                         } else {
-                            phi_2050_ = _e1141;
-                            phi_2073_ = type_4(0u, type_4().member_1);
+                            phi_2318_ = _e1141;
+                            phi_2341_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1154 = phi_2050_;
-                        let _e1156 = phi_2073_;
+                        let _e1154 = phi_2318_;
+                        let _e1156 = phi_2341_;
                         let _e1160 = (bitcast<i32>(_e1156.member) != 0i);
                         if _e1160 {
                             let _e1161 = (_e1156.member_1 < 8u);
                             if _e1161 {
                             } else {
-                                phi_2396_ = true;
+                                phi_2671_ = true;
                                 break;
                             }
                             let _e1163 = local[_e1156.member_1];
@@ -1152,26 +1152,26 @@ fn function_() {
                                 let _e1177 = bitcast<f32>((bitcast<u32>((_e1170 + 127i)) << bitcast<u32>(23i)));
                                 let _e1185 = (((_e1163.member * _e1177) * _e1177) * bitcast<f32>((bitcast<u32>(((_e1169 - (2i * _e1170)) + 127i)) << bitcast<u32>(23i))));
                                 let _e1187 = select(340282350000000000000000000000000000000f, _e1185, (_e1185 < 340282350000000000000000000000000000000f));
-                                phi_2139_ = type_23(select(-340282350000000000000000000000000000000f, _e1187, (_e1187 > -340282350000000000000000000000000000000f)), _e1163.member_1, _e1163.member_2, _e1163.member_3);
+                                phi_2407_ = type_23(select(-340282350000000000000000000000000000000f, _e1187, (_e1187 > -340282350000000000000000000000000000000f)), _e1163.member_1, _e1163.member_2, _e1163.member_3);
                             } else {
-                                phi_2139_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_2407_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1192 = phi_2139_;
+                            let _e1192 = phi_2407_;
                             if _e1161 {
                             } else {
-                                phi_2396_ = true;
+                                phi_2671_ = true;
                                 break;
                             }
                             local[_e1156.member_1] = type_23(_e1192.member, _e1192.member_1, _e1192.member_2, _e1192.member_3);
                         }
                         continue;
                         continuing {
-                            phi_2049_ = _e1154;
-                            phi_2396_ = _e1139;
+                            phi_2317_ = _e1154;
+                            phi_2671_ = _e1139;
                             break if !(_e1160);
                         }
                     }
-                    let _e1200 = phi_2396_;
+                    let _e1200 = phi_2671_;
                     if _e1200 {
                         break;
                     }

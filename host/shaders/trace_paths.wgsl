@@ -58,12 +58,12 @@ struct type_36 {
     member: array<type_34>,
 }
 
-struct type_44 {
+struct type_42 {
     member: type_22,
     member_1: f32,
 }
 
-struct type_47 {
+struct type_46 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
@@ -86,113 +86,113 @@ var<storage, read_write> global_4: type_24;
 var<storage, read_write> global_5: type_51;
 
 fn function_() {
-    var local: array<u32, 128>;
-    var local_1: array<f32, 128>;
-    var phi_273_: i32;
-    var phi_274_: i32;
-    var phi_284_: bool;
-    var phi_294_: u32;
-    var phi_295_: u32;
-    var phi_297_: bool;
-    var phi_302_: u32;
-    var phi_346_: f32;
-    var phi_352_: f32;
-    var phi_363_: f32;
-    var phi_369_: f32;
-    var phi_392_: f32;
-    var phi_403_: f32;
-    var phi_412_: f32;
-    var phi_418_: f32;
-    var phi_429_: f32;
-    var phi_435_: f32;
-    var phi_458_: f32;
-    var phi_469_: f32;
-    var phi_478_: f32;
-    var phi_484_: f32;
-    var phi_495_: f32;
-    var phi_501_: f32;
-    var phi_524_: f32;
-    var phi_535_: f32;
-    var phi_635_: f32;
-    var phi_636_: f32;
-    var phi_2076_: bool;
-    var phi_647_: type_44;
-    var phi_650_: u32;
-    var phi_652_: u32;
-    var phi_654_: bool;
-    var phi_656_: u32;
-    var phi_667_: bool;
-    var phi_697_: u32;
-    var phi_698_: bool;
-    var phi_699_: u32;
-    var phi_1519_: type_47;
-    var phi_1863_: u32;
-    var phi_1889_: u32;
-    var phi_1890_: u32;
-    var phi_1891_: u32;
-    var phi_1893_: u32;
-    var phi_1894_: u32;
-    var phi_1895_: bool;
-    var phi_1904_: u32;
-    var phi_1909_: u32;
-    var phi_1910_: bool;
-    var phi_715_: type_44;
-    var phi_718_: type_7;
-    var phi_719_: type_7;
-    var phi_741_: type_7;
-    var phi_761_: u32;
-    var phi_849_: array<array<f32, 3>, 3>;
-    var phi_1320_: vec3<f32>;
-    var phi_1321_: vec3<f32>;
-    var phi_1352_: bool;
-    var phi_1361_: vec3<f32>;
-    var phi_1401_: type_22;
-    var phi_1403_: type_22;
-    var phi_1404_: bool;
-    var phi_1408_: type_22;
-    var phi_1409_: type_22;
-    var phi_1410_: type_22;
-    var phi_1411_: bool;
-    var phi_1415_: type_22;
-    var phi_1416_: bool;
-    var phi_1420_: type_22;
-    var phi_1421_: bool;
-    var phi_1425_: type_22;
-    var phi_1450_: bool;
-    var phi_1451_: bool;
-    var phi_1457_: type_44;
-    var phi_1458_: type_44;
-    var phi_1459_: type_44;
-    var phi_716_: type_44;
-    var phi_2070_: bool;
-    var phi_2184_: bool;
-    var phi_1912_: type_44;
-    var phi_1913_: u32;
-    var phi_1914_: bool;
-    var phi_1915_: u32;
-    var phi_2183_: bool;
-    var phi_1916_: type_44;
-    var phi_1917_: u32;
-    var phi_1918_: u32;
-    var phi_1919_: bool;
-    var phi_1920_: u32;
+    var local: array<f32, 128>;
+    var local_1: array<u32, 128>;
+    var phi_275_: i32;
+    var phi_276_: i32;
+    var phi_286_: bool;
+    var phi_296_: u32;
+    var phi_297_: u32;
+    var phi_299_: bool;
+    var phi_304_: u32;
+    var phi_348_: f32;
+    var phi_354_: f32;
+    var phi_365_: f32;
+    var phi_371_: f32;
+    var phi_394_: f32;
+    var phi_405_: f32;
+    var phi_414_: f32;
+    var phi_420_: f32;
+    var phi_431_: f32;
+    var phi_437_: f32;
+    var phi_460_: f32;
+    var phi_471_: f32;
+    var phi_480_: f32;
+    var phi_486_: f32;
+    var phi_497_: f32;
+    var phi_503_: f32;
+    var phi_526_: f32;
+    var phi_537_: f32;
+    var phi_637_: f32;
+    var phi_638_: f32;
+    var phi_2351_: bool;
+    var phi_912_: type_42;
+    var phi_915_: u32;
+    var phi_917_: u32;
+    var phi_919_: bool;
+    var phi_921_: u32;
+    var phi_932_: bool;
+    var phi_963_: u32;
+    var phi_964_: bool;
+    var phi_965_: u32;
+    var phi_1786_: type_46;
+    var phi_2130_: u32;
+    var phi_2157_: u32;
+    var phi_2158_: u32;
+    var phi_2159_: u32;
+    var phi_2161_: u32;
+    var phi_2162_: u32;
+    var phi_2163_: bool;
+    var phi_2172_: u32;
+    var phi_2177_: u32;
+    var phi_2178_: bool;
+    var phi_980_: type_42;
+    var phi_983_: type_7;
+    var phi_984_: type_7;
+    var phi_1006_: type_7;
+    var phi_1027_: u32;
+    var phi_1116_: array<array<f32, 3>, 3>;
+    var phi_1587_: vec3<f32>;
+    var phi_1588_: vec3<f32>;
+    var phi_1619_: bool;
+    var phi_1628_: vec3<f32>;
+    var phi_1668_: type_22;
+    var phi_1670_: type_22;
+    var phi_1671_: bool;
+    var phi_1675_: type_22;
+    var phi_1676_: type_22;
+    var phi_1677_: type_22;
+    var phi_1678_: bool;
+    var phi_1682_: type_22;
+    var phi_1683_: bool;
+    var phi_1687_: type_22;
+    var phi_1688_: bool;
+    var phi_1692_: type_22;
+    var phi_1717_: bool;
+    var phi_1718_: bool;
+    var phi_1724_: type_42;
+    var phi_1725_: type_42;
+    var phi_1726_: type_42;
+    var phi_981_: type_42;
+    var phi_2345_: bool;
+    var phi_2459_: bool;
+    var phi_2180_: type_42;
+    var phi_2181_: u32;
     var phi_2182_: bool;
-    var phi_1921_: type_44;
-    var phi_1922_: u32;
-    var phi_1923_: u32;
-    var phi_1924_: bool;
-    var phi_1925_: u32;
-    var phi_2181_: bool;
-    var phi_648_: type_44;
-    var phi_651_: u32;
-    var phi_653_: u32;
-    var phi_655_: bool;
-    var phi_657_: u32;
-    var phi_1926_: bool;
-    var phi_2180_: bool;
-    var local_2: type_44;
-    var phi_1978_: type_22;
-    var local_3: type_44;
+    var phi_2183_: u32;
+    var phi_2458_: bool;
+    var phi_2184_: type_42;
+    var phi_2185_: u32;
+    var phi_2186_: u32;
+    var phi_2187_: bool;
+    var phi_2188_: u32;
+    var phi_2457_: bool;
+    var phi_2189_: type_42;
+    var phi_2190_: u32;
+    var phi_2191_: u32;
+    var phi_2192_: bool;
+    var phi_2193_: u32;
+    var phi_2456_: bool;
+    var phi_913_: type_42;
+    var phi_916_: u32;
+    var phi_918_: u32;
+    var phi_920_: bool;
+    var phi_922_: u32;
+    var phi_2194_: bool;
+    var phi_2455_: bool;
+    var local_2: type_42;
+    var phi_2246_: type_22;
+    var local_3: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -238,43 +238,43 @@ fn function_() {
                     if _e165 {
                         let _e168 = (bitcast<u32>(bitcast<f32>(_e138)) & 2147483647u);
                         if (_e168 >= 8388608u) {
-                            phi_273_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
+                            phi_275_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_273_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
+                            phi_275_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
                         }
-                        let _e182 = phi_273_;
-                        phi_274_ = _e182;
+                        let _e182 = phi_275_;
+                        phi_276_ = _e182;
                     } else {
-                        phi_274_ = 0i;
+                        phi_276_ = 0i;
                     }
-                    let _e184 = phi_274_;
+                    let _e184 = phi_276_;
                     let _e185 = (_e94 == _e138);
                     if _e185 {
-                        phi_284_ = true;
+                        phi_286_ = true;
                     } else {
-                        phi_284_ = (_e102 == _e138);
+                        phi_286_ = (_e102 == _e138);
                     }
-                    let _e188 = phi_284_;
+                    let _e188 = phi_286_;
                     let _e189 = select(1u, 0u, _e185);
                     if _e188 {
                         let _e190 = (_e189 + 1u);
-                        phi_294_ = _e190;
-                        phi_295_ = _e190;
-                        phi_297_ = select(true, false, (_e190 == 2u));
+                        phi_296_ = _e190;
+                        phi_297_ = _e190;
+                        phi_299_ = select(true, false, (_e190 == 2u));
                     } else {
-                        phi_294_ = u32();
-                        phi_295_ = 0u;
-                        phi_297_ = true;
+                        phi_296_ = u32();
+                        phi_297_ = 0u;
+                        phi_299_ = true;
                     }
-                    let _e194 = phi_294_;
-                    let _e196 = phi_295_;
-                    let _e198 = phi_297_;
+                    let _e194 = phi_296_;
+                    let _e196 = phi_297_;
+                    let _e198 = phi_299_;
                     if _e198 {
-                        phi_302_ = (_e196 + 1u);
+                        phi_304_ = (_e196 + 1u);
                     } else {
-                        phi_302_ = 0u;
+                        phi_304_ = 0u;
                     }
-                    let _e202 = phi_302_;
+                    let _e202 = phi_304_;
                     let _e203 = select(_e194, _e196, _e198);
                     let _e204 = select(_e189, select(2u, _e189, _e188), _e198);
                     let _e205 = -(_e184);
@@ -284,137 +284,137 @@ fn function_() {
                     let _e222 = global_3.member[_e76].member.member;
                     let _e223 = (_e203 == 0u);
                     if _e223 {
-                        phi_346_ = _e222[0];
+                        phi_348_ = _e222[0];
                     } else {
-                        phi_346_ = _e222[1];
+                        phi_348_ = _e222[1];
                     }
-                    let _e227 = phi_346_;
+                    let _e227 = phi_348_;
                     let _e228 = (_e203 == 2u);
                     if _e228 {
-                        phi_352_ = _e222[2];
+                        phi_354_ = _e222[2];
                     } else {
-                        phi_352_ = _e227;
+                        phi_354_ = _e227;
                     }
-                    let _e231 = phi_352_;
+                    let _e231 = phi_354_;
                     let _e232 = global_3.member[_e76].member.member_2;
                     if _e223 {
-                        phi_363_ = _e232[0];
+                        phi_365_ = _e232[0];
                     } else {
-                        phi_363_ = _e232[1];
+                        phi_365_ = _e232[1];
                     }
-                    let _e236 = phi_363_;
+                    let _e236 = phi_365_;
                     if _e228 {
-                        phi_369_ = _e232[2];
+                        phi_371_ = _e232[2];
                     } else {
-                        phi_369_ = _e236;
+                        phi_371_ = _e236;
                     }
-                    let _e239 = phi_369_;
+                    let _e239 = phi_371_;
                     let _e241 = ((_e239 * _e211) * _e217);
                     let _e245 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e245 {
                         let _e249 = (bitcast<f32>((bitcast<u32>(_e231) & 2147483647u)) * 0.00000011920929f);
-                        phi_392_ = select(0.00000000000011368684f, _e249, (_e249 > 0.00000000000011368684f));
+                        phi_394_ = select(0.00000000000011368684f, _e249, (_e249 > 0.00000000000011368684f));
                     } else {
-                        phi_392_ = 0f;
+                        phi_394_ = 0f;
                     }
-                    let _e253 = phi_392_;
+                    let _e253 = phi_394_;
                     let _e254 = (_e231 + _e253);
                     let _e255 = (_e231 - _e253);
                     let _e256 = select(_e241, 0f, _e245);
                     if _e245 {
-                        phi_403_ = 38685626000000000000000000f;
+                        phi_405_ = 38685626000000000000000000f;
                     } else {
-                        phi_403_ = (1f / _e241);
+                        phi_405_ = (1f / _e241);
                     }
-                    let _e259 = phi_403_;
+                    let _e259 = phi_405_;
                     let _e260 = (_e202 == 0u);
                     if _e260 {
-                        phi_412_ = _e222[0];
+                        phi_414_ = _e222[0];
                     } else {
-                        phi_412_ = _e222[1];
+                        phi_414_ = _e222[1];
                     }
-                    let _e264 = phi_412_;
+                    let _e264 = phi_414_;
                     let _e265 = (_e202 == 2u);
                     if _e265 {
-                        phi_418_ = _e222[2];
+                        phi_420_ = _e222[2];
                     } else {
-                        phi_418_ = _e264;
+                        phi_420_ = _e264;
                     }
-                    let _e268 = phi_418_;
+                    let _e268 = phi_420_;
                     if _e260 {
-                        phi_429_ = _e232[0];
+                        phi_431_ = _e232[0];
                     } else {
-                        phi_429_ = _e232[1];
+                        phi_431_ = _e232[1];
                     }
-                    let _e272 = phi_429_;
+                    let _e272 = phi_431_;
                     if _e265 {
-                        phi_435_ = _e232[2];
+                        phi_437_ = _e232[2];
                     } else {
-                        phi_435_ = _e272;
+                        phi_437_ = _e272;
                     }
-                    let _e275 = phi_435_;
+                    let _e275 = phi_437_;
                     let _e277 = ((_e275 * _e211) * _e217);
                     let _e281 = (bitcast<f32>((bitcast<u32>(_e277) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e281 {
                         let _e285 = (bitcast<f32>((bitcast<u32>(_e268) & 2147483647u)) * 0.00000011920929f);
-                        phi_458_ = select(0.00000000000011368684f, _e285, (_e285 > 0.00000000000011368684f));
+                        phi_460_ = select(0.00000000000011368684f, _e285, (_e285 > 0.00000000000011368684f));
                     } else {
-                        phi_458_ = 0f;
+                        phi_460_ = 0f;
                     }
-                    let _e289 = phi_458_;
+                    let _e289 = phi_460_;
                     let _e290 = (_e268 + _e289);
                     let _e291 = (_e268 - _e289);
                     let _e292 = select(_e277, 0f, _e281);
                     if _e281 {
-                        phi_469_ = 38685626000000000000000000f;
+                        phi_471_ = 38685626000000000000000000f;
                     } else {
-                        phi_469_ = (1f / _e277);
+                        phi_471_ = (1f / _e277);
                     }
-                    let _e295 = phi_469_;
+                    let _e295 = phi_471_;
                     let _e296 = (_e204 == 0u);
                     if _e296 {
-                        phi_478_ = _e222[0];
+                        phi_480_ = _e222[0];
                     } else {
-                        phi_478_ = _e222[1];
+                        phi_480_ = _e222[1];
                     }
-                    let _e300 = phi_478_;
+                    let _e300 = phi_480_;
                     let _e301 = (_e204 == 2u);
                     if _e301 {
-                        phi_484_ = _e222[2];
+                        phi_486_ = _e222[2];
                     } else {
-                        phi_484_ = _e300;
+                        phi_486_ = _e300;
                     }
-                    let _e304 = phi_484_;
+                    let _e304 = phi_486_;
                     if _e296 {
-                        phi_495_ = _e232[0];
+                        phi_497_ = _e232[0];
                     } else {
-                        phi_495_ = _e232[1];
+                        phi_497_ = _e232[1];
                     }
-                    let _e308 = phi_495_;
+                    let _e308 = phi_497_;
                     if _e301 {
-                        phi_501_ = _e232[2];
+                        phi_503_ = _e232[2];
                     } else {
-                        phi_501_ = _e308;
+                        phi_503_ = _e308;
                     }
-                    let _e311 = phi_501_;
+                    let _e311 = phi_503_;
                     let _e313 = ((_e311 * _e211) * _e217);
                     let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e317 {
                         let _e321 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) * 0.00000011920929f);
-                        phi_524_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
+                        phi_526_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
                     } else {
-                        phi_524_ = 0f;
+                        phi_526_ = 0f;
                     }
-                    let _e325 = phi_524_;
+                    let _e325 = phi_526_;
                     let _e326 = (_e304 + _e325);
                     let _e327 = (_e304 - _e325);
                     let _e328 = select(_e313, 0f, _e317);
                     if _e317 {
-                        phi_535_ = 38685626000000000000000000f;
+                        phi_537_ = 38685626000000000000000000f;
                     } else {
-                        phi_535_ = (1f / _e313);
+                        phi_537_ = (1f / _e313);
                     }
-                    let _e331 = phi_535_;
+                    let _e331 = phi_537_;
                     let _e334 = bitcast<f32>((bitcast<u32>(_e231) & 2147483647u));
                     let _e337 = bitcast<f32>((bitcast<u32>(_e268) & 2147483647u));
                     let _e339 = select(_e337, _e334, (_e334 > _e337));
@@ -427,105 +427,105 @@ fn function_() {
                         let _e364 = select(340282350000000000000000000000000000000f, _e362, (_e362 < 340282350000000000000000000000000000000f));
                         let _e369 = (((_e159 * _e354) * _e354) * _e361);
                         let _e371 = select(340282350000000000000000000000000000000f, _e369, (_e369 < 340282350000000000000000000000000000000f));
-                        phi_635_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
-                        phi_636_ = select(-340282350000000000000000000000000000000f, _e364, (_e364 > -340282350000000000000000000000000000000f));
+                        phi_637_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
+                        phi_638_ = select(-340282350000000000000000000000000000000f, _e364, (_e364 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_635_ = 0f;
-                        phi_636_ = 1f;
+                        phi_637_ = 0f;
+                        phi_638_ = 1f;
                     }
-                    let _e375 = phi_635_;
-                    let _e377 = phi_636_;
-                    local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2076_ = false;
-                    phi_647_ = type_44(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e375);
-                    phi_650_ = select(0u, 2147483648u, (_e64 == 0u));
-                    phi_652_ = ((3u * _e64) + 1u);
-                    phi_654_ = (_e377 <= _e375);
-                    phi_656_ = 0u;
+                    let _e375 = phi_637_;
+                    let _e377 = phi_638_;
+                    local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_2351_ = false;
+                    phi_912_ = type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e375);
+                    phi_915_ = select(0u, 2147483648u, (_e64 == 0u));
+                    phi_917_ = ((3u * _e64) + 1u);
+                    phi_919_ = (_e377 <= _e375);
+                    phi_921_ = 0u;
                     loop {
-                        let _e385 = phi_2076_;
-                        let _e387 = phi_647_;
-                        let _e389 = phi_650_;
-                        let _e391 = phi_652_;
-                        let _e393 = phi_654_;
-                        let _e395 = phi_656_;
+                        let _e385 = phi_2351_;
+                        let _e387 = phi_912_;
+                        let _e389 = phi_915_;
+                        let _e391 = phi_917_;
+                        let _e393 = phi_919_;
+                        let _e395 = phi_921_;
                         local_2 = _e387;
                         if _e393 {
-                            phi_667_ = true;
+                            phi_932_ = true;
                         } else {
-                            phi_667_ = (_e395 > 0u);
+                            phi_932_ = (_e395 > 0u);
                         }
-                        let _e398 = phi_667_;
+                        let _e398 = phi_932_;
                         if _e398 {
                             let _e399 = (_e391 > 0u);
                             if _e399 {
                                 if _e393 {
-                                    phi_697_ = _e389;
-                                    phi_698_ = _e393;
-                                    phi_699_ = _e395;
+                                    phi_963_ = _e389;
+                                    phi_964_ = _e393;
+                                    phi_965_ = _e395;
                                 } else {
                                     let _e400 = (_e395 - 1u);
                                     let _e401 = (_e400 % 128u);
                                     let _e402 = (_e401 < 128u);
                                     if _e402 {
                                     } else {
-                                        phi_2180_ = true;
+                                        phi_2455_ = true;
                                         break;
                                     }
-                                    let _e404 = local[_e401];
+                                    let _e404 = local_1[_e401];
                                     if _e402 {
                                     } else {
-                                        phi_2180_ = true;
+                                        phi_2455_ = true;
                                         break;
                                     }
-                                    let _e406 = local_1[_e401];
-                                    phi_697_ = _e404;
-                                    phi_698_ = (_e406 <= _e387.member_1);
-                                    phi_699_ = _e400;
+                                    let _e406 = local[_e401];
+                                    phi_963_ = _e404;
+                                    phi_964_ = (_e406 <= _e387.member_1);
+                                    phi_965_ = _e400;
                                 }
-                                let _e410 = phi_697_;
-                                let _e412 = phi_698_;
-                                let _e414 = phi_699_;
+                                let _e410 = phi_963_;
+                                let _e412 = phi_964_;
+                                let _e414 = phi_965_;
                                 if _e412 {
-                                    let _e418 = (_e410 & 268435455u);
                                     if ((_e410 & 2147483648u) != 0u) {
-                                        phi_715_ = _e387;
-                                        phi_718_ = type_7(_e418, (_e418 + ((_e410 >> bitcast<u32>(28u)) & 7u)));
+                                        phi_980_ = _e387;
+                                        phi_983_ = type_7(0u, ((_e410 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e613 = phi_715_;
-                                            let _e615 = phi_718_;
-                                            local_3 = _e613;
-                                            if (_e615.member < _e615.member_1) {
-                                                phi_719_ = type_7((_e615.member + 1u), _e615.member_1);
-                                                phi_741_ = type_7(1u, _e615.member);
+                                            let _e612 = phi_980_;
+                                            let _e614 = phi_983_;
+                                            local_3 = _e612;
+                                            if (_e614.member < _e614.member_1) {
+                                                phi_984_ = type_7((_e614.member + 1u), _e614.member_1);
+                                                phi_1006_ = type_7(1u, _e614.member);
                                             } else {
-                                                phi_719_ = _e615;
-                                                phi_741_ = type_7(0u, type_7().member_1);
+                                                phi_984_ = _e614;
+                                                phi_1006_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e628 = phi_719_;
-                                            let _e630 = phi_741_;
-                                            let _e634 = (bitcast<i32>(_e630.member) != 0i);
-                                            if _e634 {
-                                                let _e635 = (_e630.member_1 < _e66);
+                                            let _e627 = phi_984_;
+                                            let _e629 = phi_1006_;
+                                            let _e633 = (bitcast<i32>(_e629.member) != 0i);
+                                            if _e633 {
+                                                let _e634 = ((_e410 & 268435455u) + _e629.member_1);
+                                                let _e635 = (_e634 < _e66);
                                                 if _e635 {
                                                     if _e635 {
                                                     } else {
-                                                        phi_2070_ = true;
+                                                        phi_2345_ = true;
                                                         break;
                                                     }
-                                                    let _e639 = global_1.member[_e630.member_1].member_1;
-                                                    phi_761_ = _e639;
+                                                    let _e639 = global_1.member[_e634].member_1;
+                                                    phi_1027_ = _e639;
                                                 } else {
-                                                    phi_761_ = 4294967295u;
+                                                    phi_1027_ = 4294967295u;
                                                 }
-                                                let _e641 = phi_761_;
-                                                if (_e630.member_1 >= _e66) {
-                                                    phi_849_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e641 = phi_1027_;
+                                                if (_e634 >= _e66) {
+                                                    phi_1116_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e635 {
                                                     } else {
-                                                        phi_2070_ = true;
+                                                        phi_2345_ = true;
                                                         break;
                                                     }
                                                     let _e643 = (_e203 % 3u);
@@ -533,67 +533,67 @@ fn function_() {
                                                     let _e645 = (_e204 % 3u);
                                                     if (_e643 < 9u) {
                                                     } else {
-                                                        phi_2070_ = true;
+                                                        phi_2345_ = true;
                                                         break;
                                                     }
-                                                    let _e651 = global_1.member[_e630.member_1].member[_e643];
+                                                    let _e651 = global_1.member[_e634].member[_e643];
                                                     if (_e644 < 9u) {
                                                     } else {
-                                                        phi_2070_ = true;
+                                                        phi_2345_ = true;
                                                         break;
                                                     }
-                                                    let _e657 = global_1.member[_e630.member_1].member[_e644];
+                                                    let _e657 = global_1.member[_e634].member[_e644];
                                                     if (_e645 < 9u) {
                                                     } else {
-                                                        phi_2070_ = true;
+                                                        phi_2345_ = true;
                                                         break;
                                                     }
-                                                    let _e663 = global_1.member[_e630.member_1].member[_e645];
+                                                    let _e663 = global_1.member[_e634].member[_e645];
                                                     let _e665 = (3u + _e643);
                                                     if (_e665 < 9u) {
                                                     } else {
-                                                        phi_2070_ = true;
+                                                        phi_2345_ = true;
                                                         break;
                                                     }
-                                                    let _e671 = global_1.member[_e630.member_1].member[_e665];
+                                                    let _e671 = global_1.member[_e634].member[_e665];
                                                     let _e672 = (3u + _e644);
                                                     if (_e672 < 9u) {
                                                     } else {
-                                                        phi_2070_ = true;
+                                                        phi_2345_ = true;
                                                         break;
                                                     }
-                                                    let _e678 = global_1.member[_e630.member_1].member[_e672];
+                                                    let _e678 = global_1.member[_e634].member[_e672];
                                                     let _e679 = (3u + _e645);
                                                     if (_e679 < 9u) {
                                                     } else {
-                                                        phi_2070_ = true;
+                                                        phi_2345_ = true;
                                                         break;
                                                     }
-                                                    let _e685 = global_1.member[_e630.member_1].member[_e679];
+                                                    let _e685 = global_1.member[_e634].member[_e679];
                                                     let _e687 = (6u + _e643);
                                                     if (_e687 < 9u) {
                                                     } else {
-                                                        phi_2070_ = true;
+                                                        phi_2345_ = true;
                                                         break;
                                                     }
-                                                    let _e693 = global_1.member[_e630.member_1].member[_e687];
+                                                    let _e693 = global_1.member[_e634].member[_e687];
                                                     let _e694 = (6u + _e644);
                                                     if (_e694 < 9u) {
                                                     } else {
-                                                        phi_2070_ = true;
+                                                        phi_2345_ = true;
                                                         break;
                                                     }
-                                                    let _e700 = global_1.member[_e630.member_1].member[_e694];
+                                                    let _e700 = global_1.member[_e634].member[_e694];
                                                     let _e701 = (6u + _e645);
                                                     if (_e701 < 9u) {
                                                     } else {
-                                                        phi_2070_ = true;
+                                                        phi_2345_ = true;
                                                         break;
                                                     }
-                                                    let _e707 = global_1.member[_e630.member_1].member[_e701];
-                                                    phi_849_ = array<array<f32, 3>, 3>(array<f32, 3>(_e651, _e657, _e663), array<f32, 3>(_e671, _e678, _e685), array<f32, 3>(_e693, _e700, _e707));
+                                                    let _e707 = global_1.member[_e634].member[_e701];
+                                                    phi_1116_ = array<array<f32, 3>, 3>(array<f32, 3>(_e651, _e657, _e663), array<f32, 3>(_e671, _e678, _e685), array<f32, 3>(_e693, _e700, _e707));
                                                 }
-                                                let _e711 = phi_849_;
+                                                let _e711 = phi_1116_;
                                                 let _e719 = (_e711[0][2] - _e304);
                                                 let _e722 = (((_e711[0][0] - _e231) * _e328) - (_e719 * _e256));
                                                 let _e725 = (((_e711[0][1] - _e268) * _e328) - (_e719 * _e292));
@@ -620,8 +620,8 @@ fn function_() {
                                                     let _e781 = select(0f, _e779, (_e779 > 0f));
                                                     let _e783 = ((_e773 + _e777) + _e781);
                                                     if (_e783 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1415_ = type_22();
-                                                        phi_1416_ = true;
+                                                        phi_1682_ = type_22();
+                                                        phi_1683_ = true;
                                                     } else {
                                                         let _e786 = select(_e711[1][0], _e711[0][0], (_e711[0][0] < _e711[1][0]));
                                                         let _e790 = select(_e711[1][0], _e711[0][0], (_e711[0][0] > _e711[1][0]));
@@ -648,12 +648,12 @@ fn function_() {
                                                         let _e841 = -(_e822);
                                                         let _e847 = select(_e377, _e832, (_e832 > _e377));
                                                         if (_e847 > (_e840 + (select(_e841, _e824, (_e824 > _e841)) * 0.0000019073523f))) {
-                                                            phi_1410_ = type_22();
-                                                            phi_1411_ = true;
+                                                            phi_1677_ = type_22();
+                                                            phi_1678_ = true;
                                                         } else {
-                                                            let _e849 = (_e847 > _e613.member_1);
+                                                            let _e849 = (_e847 > _e612.member_1);
                                                             if _e849 {
-                                                                phi_1409_ = type_22();
+                                                                phi_1676_ = type_22();
                                                             } else {
                                                                 let _e853 = (_e711[1][0] - _e711[0][0]);
                                                                 let _e854 = (_e711[1][1] - _e711[0][1]);
@@ -685,172 +685,172 @@ fn function_() {
                                                                 let _e905 = select(_e890, _e877, (_e877 > _e890));
                                                                 let _e907 = select(_e903, _e905, (_e905 > _e903));
                                                                 if (_e877 == _e907) {
-                                                                    phi_1320_ = _e860;
-                                                                    phi_1321_ = _e864;
+                                                                    phi_1587_ = _e860;
+                                                                    phi_1588_ = _e864;
                                                                 } else {
                                                                     let _e910 = vec3((_e890 == _e907));
-                                                                    phi_1320_ = select(_e856, _e864, _e910);
-                                                                    phi_1321_ = select(_e860, _e856, _e910);
+                                                                    phi_1587_ = select(_e856, _e864, _e910);
+                                                                    phi_1588_ = select(_e860, _e856, _e910);
                                                                 }
-                                                                let _e914 = phi_1320_;
-                                                                let _e916 = phi_1321_;
+                                                                let _e914 = phi_1587_;
+                                                                let _e916 = phi_1588_;
                                                                 let _e923 = ((_e914.y * _e916.z) - (_e916.y * _e914.z));
                                                                 let _e928 = ((_e914.z * _e916.x) - (_e916.z * _e914.x));
                                                                 let _e931 = ((_e914.x * _e916.y) - (_e916.x * _e914.y));
                                                                 if (_e773 >= _e777) {
-                                                                    phi_1352_ = select(true, false, (_e773 >= _e781));
+                                                                    phi_1619_ = select(true, false, (_e773 >= _e781));
                                                                 } else {
-                                                                    phi_1352_ = true;
+                                                                    phi_1619_ = true;
                                                                 }
-                                                                let _e936 = phi_1352_;
+                                                                let _e936 = phi_1619_;
                                                                 if _e936 {
-                                                                    phi_1361_ = select(vec3<f32>(_e711[2][0], _e711[2][1], _e711[2][2]), vec3<f32>(_e711[1][0], _e711[1][1], _e711[1][2]), vec3((_e777 >= _e781)));
+                                                                    phi_1628_ = select(vec3<f32>(_e711[2][0], _e711[2][1], _e711[2][2]), vec3<f32>(_e711[1][0], _e711[1][1], _e711[1][2]), vec3((_e777 >= _e781)));
                                                                 } else {
-                                                                    phi_1361_ = vec3<f32>(_e711[0][0], _e711[0][1], _e711[0][2]);
+                                                                    phi_1628_ = vec3<f32>(_e711[0][0], _e711[0][1], _e711[0][2]);
                                                                 }
-                                                                let _e941 = phi_1361_;
+                                                                let _e941 = phi_1628_;
                                                                 let _e958 = ((((_e923 * (_e941.x - _e231)) + (_e928 * (_e941.y - _e268))) + (_e931 * (_e941.z - _e304))) / (((_e923 * _e256) + (_e928 * _e292)) + (_e931 * _e328)));
                                                                 let _e960 = select(_e840, _e958, (_e958 < _e840));
                                                                 let _e962 = select(_e832, _e960, (_e960 > _e832));
                                                                 if (_e962 >= _e377) {
-                                                                    let _e964 = (_e962 <= _e613.member_1);
+                                                                    let _e964 = (_e962 <= _e612.member_1);
                                                                     if _e964 {
                                                                         let _e965 = (1f / _e783);
-                                                                        phi_1401_ = type_22(_e962, (_e777 * _e965), (_e781 * _e965), _e641);
+                                                                        phi_1668_ = type_22(_e962, (_e777 * _e965), (_e781 * _e965), _e641);
                                                                     } else {
-                                                                        phi_1401_ = type_22();
+                                                                        phi_1668_ = type_22();
                                                                     }
-                                                                    let _e970 = phi_1401_;
-                                                                    phi_1403_ = _e970;
-                                                                    phi_1404_ = select(true, false, _e964);
+                                                                    let _e970 = phi_1668_;
+                                                                    phi_1670_ = _e970;
+                                                                    phi_1671_ = select(true, false, _e964);
                                                                 } else {
-                                                                    phi_1403_ = type_22();
-                                                                    phi_1404_ = true;
+                                                                    phi_1670_ = type_22();
+                                                                    phi_1671_ = true;
                                                                 }
-                                                                let _e973 = phi_1403_;
-                                                                let _e975 = phi_1404_;
+                                                                let _e973 = phi_1670_;
+                                                                let _e975 = phi_1671_;
                                                                 if _e975 {
-                                                                    phi_1408_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1675_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1408_ = _e973;
+                                                                    phi_1675_ = _e973;
                                                                 }
-                                                                let _e977 = phi_1408_;
-                                                                phi_1409_ = _e977;
+                                                                let _e977 = phi_1675_;
+                                                                phi_1676_ = _e977;
                                                             }
-                                                            let _e979 = phi_1409_;
-                                                            phi_1410_ = _e979;
-                                                            phi_1411_ = _e849;
+                                                            let _e979 = phi_1676_;
+                                                            phi_1677_ = _e979;
+                                                            phi_1678_ = _e849;
                                                         }
-                                                        let _e981 = phi_1410_;
-                                                        let _e983 = phi_1411_;
-                                                        phi_1415_ = _e981;
-                                                        phi_1416_ = _e983;
+                                                        let _e981 = phi_1677_;
+                                                        let _e983 = phi_1678_;
+                                                        phi_1682_ = _e981;
+                                                        phi_1683_ = _e983;
                                                     }
-                                                    let _e985 = phi_1415_;
-                                                    let _e987 = phi_1416_;
-                                                    phi_1420_ = _e985;
-                                                    phi_1421_ = _e987;
+                                                    let _e985 = phi_1682_;
+                                                    let _e987 = phi_1683_;
+                                                    phi_1687_ = _e985;
+                                                    phi_1688_ = _e987;
                                                 } else {
-                                                    phi_1420_ = type_22();
-                                                    phi_1421_ = true;
+                                                    phi_1687_ = type_22();
+                                                    phi_1688_ = true;
                                                 }
-                                                let _e989 = phi_1420_;
-                                                let _e991 = phi_1421_;
+                                                let _e989 = phi_1687_;
+                                                let _e991 = phi_1688_;
                                                 if _e991 {
-                                                    phi_1425_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1692_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1425_ = _e989;
+                                                    phi_1692_ = _e989;
                                                 }
-                                                let _e993 = phi_1425_;
+                                                let _e993 = phi_1692_;
                                                 if (_e993.member_3 != 4294967295u) {
                                                     if (_e641 != _e82) {
-                                                        if (_e993.member < _e613.member.member) {
-                                                            phi_1451_ = true;
+                                                        if (_e993.member < _e612.member.member) {
+                                                            phi_1718_ = true;
                                                         } else {
-                                                            if (_e993.member == _e613.member.member) {
-                                                                phi_1450_ = (_e993.member_3 < _e613.member.member_3);
+                                                            if (_e993.member == _e612.member.member) {
+                                                                phi_1717_ = (_e993.member_3 < _e612.member.member_3);
                                                             } else {
-                                                                phi_1450_ = false;
+                                                                phi_1717_ = false;
                                                             }
-                                                            let _e1006 = phi_1450_;
-                                                            phi_1451_ = _e1006;
+                                                            let _e1006 = phi_1717_;
+                                                            phi_1718_ = _e1006;
                                                         }
-                                                        let _e1008 = phi_1451_;
+                                                        let _e1008 = phi_1718_;
                                                         if _e1008 {
-                                                            phi_1457_ = type_44(_e993, _e993.member);
+                                                            phi_1724_ = type_42(_e993, _e993.member);
                                                         } else {
-                                                            phi_1457_ = _e613;
+                                                            phi_1724_ = _e612;
                                                         }
-                                                        let _e1011 = phi_1457_;
-                                                        phi_1458_ = _e1011;
+                                                        let _e1011 = phi_1724_;
+                                                        phi_1725_ = _e1011;
                                                     } else {
-                                                        phi_1458_ = _e613;
+                                                        phi_1725_ = _e612;
                                                     }
-                                                    let _e1013 = phi_1458_;
-                                                    phi_1459_ = _e1013;
+                                                    let _e1013 = phi_1725_;
+                                                    phi_1726_ = _e1013;
                                                 } else {
-                                                    phi_1459_ = _e613;
+                                                    phi_1726_ = _e612;
                                                 }
-                                                let _e1015 = phi_1459_;
-                                                phi_716_ = _e1015;
+                                                let _e1015 = phi_1726_;
+                                                phi_981_ = _e1015;
                                             } else {
-                                                phi_716_ = type_44();
+                                                phi_981_ = type_42();
                                             }
-                                            let _e1017 = phi_716_;
+                                            let _e1017 = phi_981_;
                                             continue;
                                             continuing {
-                                                phi_715_ = _e1017;
-                                                phi_718_ = _e628;
-                                                phi_2070_ = _e385;
-                                                break if !(_e634);
+                                                phi_980_ = _e1017;
+                                                phi_983_ = _e627;
+                                                phi_2345_ = _e385;
+                                                break if !(_e633);
                                             }
                                         }
-                                        let _e1020 = phi_2070_;
-                                        phi_2180_ = _e1020;
+                                        let _e1020 = phi_2345_;
+                                        phi_2455_ = _e1020;
                                         if _e1020 {
                                             break;
                                         }
-                                        phi_2184_ = _e1020;
+                                        phi_2459_ = _e1020;
                                         let _e1212 = local_3;
-                                        phi_1912_ = _e1212;
-                                        phi_1913_ = _e410;
-                                        phi_1914_ = false;
-                                        phi_1915_ = _e414;
+                                        phi_2180_ = _e1212;
+                                        phi_2181_ = _e410;
+                                        phi_2182_ = false;
+                                        phi_2183_ = _e414;
                                     } else {
                                         if (_e410 >= _e64) {
-                                            phi_1519_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1786_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e410 < _e64) {
                                             } else {
-                                                phi_2180_ = true;
+                                                phi_2455_ = true;
                                                 break;
                                             }
                                             let _e424 = (_e203 % 3u);
                                             if (_e424 < 3u) {
                                             } else {
-                                                phi_2180_ = true;
+                                                phi_2455_ = true;
                                                 break;
                                             }
                                             let _e430 = global_2.member[_e410].member[_e424];
                                             let _e436 = (_e202 % 3u);
                                             if (_e436 < 3u) {
                                             } else {
-                                                phi_2180_ = true;
+                                                phi_2455_ = true;
                                                 break;
                                             }
                                             let _e442 = global_2.member[_e410].member[_e436];
                                             let _e448 = (_e204 % 3u);
                                             if (_e448 < 3u) {
                                             } else {
-                                                phi_2180_ = true;
+                                                phi_2455_ = true;
                                                 break;
                                             }
                                             let _e454 = global_2.member[_e410].member[_e448];
                                             let _e464 = global_2.member[_e410].member_1;
                                             let _e468 = global_2.member[_e410].member_2;
-                                            phi_1519_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e430[0], _e430[1], _e430[2], _e430[3]), vec4<f32>(_e442[0], _e442[1], _e442[2], _e442[3]), vec4<f32>(_e454[0], _e454[1], _e454[2], _e454[3])), _e464, _e468);
+                                            phi_1786_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e430[0], _e430[1], _e430[2], _e430[3]), vec4<f32>(_e442[0], _e442[1], _e442[2], _e442[3]), vec4<f32>(_e454[0], _e454[1], _e454[2], _e454[3])), _e464, _e468);
                                         }
-                                        let _e471 = phi_1519_;
+                                        let _e471 = phi_1786_;
                                         let _e483 = ((_e471.member[0].x - _e254) * _e259);
                                         let _e484 = ((_e471.member[0].y - _e254) * _e259);
                                         let _e485 = ((_e471.member[0].z - _e255) * _e259);
@@ -893,152 +893,152 @@ fn function_() {
                                         if _e571 {
                                             if _e572 {
                                                 if _e573 {
-                                                    phi_1863_ = _e471.member_2;
+                                                    phi_2130_ = _e471.member_2;
                                                 } else {
-                                                    phi_1863_ = _e471.member_1;
+                                                    phi_2130_ = _e471.member_1;
                                                 }
-                                                let _e577 = phi_1863_;
+                                                let _e577 = phi_2130_;
                                                 let _e578 = (_e414 % 128u);
                                                 let _e579 = (_e578 < 128u);
                                                 if _e579 {
                                                 } else {
-                                                    phi_2180_ = true;
+                                                    phi_2455_ = true;
                                                     break;
                                                 }
-                                                local[_e578] = _e577;
+                                                local_1[_e578] = _e577;
                                                 if _e579 {
                                                 } else {
-                                                    phi_2180_ = true;
+                                                    phi_2455_ = true;
                                                     break;
                                                 }
-                                                local_1[_e578] = select(_e566, _e564, (_e564 > _e566));
+                                                local[_e578] = select(_e566, _e564, (_e564 > _e566));
                                                 if _e573 {
-                                                    phi_1889_ = _e471.member_1;
+                                                    phi_2157_ = _e471.member_1;
                                                 } else {
-                                                    phi_1889_ = _e471.member_2;
+                                                    phi_2157_ = _e471.member_2;
                                                 }
-                                                let _e588 = phi_1889_;
-                                                phi_1890_ = _e588;
-                                                phi_1891_ = (_e414 + 1u);
+                                                let _e588 = phi_2157_;
+                                                phi_2158_ = _e588;
+                                                phi_2159_ = (_e414 + 1u);
                                             } else {
-                                                phi_1890_ = u32();
-                                                phi_1891_ = u32();
+                                                phi_2158_ = u32();
+                                                phi_2159_ = u32();
                                             }
-                                            let _e590 = phi_1890_;
-                                            let _e592 = phi_1891_;
-                                            phi_1893_ = _e590;
-                                            phi_1894_ = _e592;
-                                            phi_1895_ = select(true, false, _e572);
+                                            let _e590 = phi_2158_;
+                                            let _e592 = phi_2159_;
+                                            phi_2161_ = _e590;
+                                            phi_2162_ = _e592;
+                                            phi_2163_ = select(true, false, _e572);
                                         } else {
-                                            phi_1893_ = u32();
-                                            phi_1894_ = u32();
-                                            phi_1895_ = true;
+                                            phi_2161_ = u32();
+                                            phi_2162_ = u32();
+                                            phi_2163_ = true;
                                         }
-                                        let _e595 = phi_1893_;
-                                        let _e597 = phi_1894_;
-                                        let _e599 = phi_1895_;
+                                        let _e595 = phi_2161_;
+                                        let _e597 = phi_2162_;
+                                        let _e599 = phi_2163_;
                                         if _e599 {
                                             if _e571 {
-                                                phi_1904_ = _e471.member_1;
+                                                phi_2172_ = _e471.member_1;
                                             } else {
-                                                phi_1904_ = _e471.member_2;
+                                                phi_2172_ = _e471.member_2;
                                             }
-                                            let _e603 = phi_1904_;
-                                            phi_1909_ = _e603;
-                                            phi_1910_ = select(_e572, true, _e571);
+                                            let _e603 = phi_2172_;
+                                            phi_2177_ = _e603;
+                                            phi_2178_ = select(_e572, true, _e571);
                                         } else {
-                                            phi_1909_ = _e595;
-                                            phi_1910_ = _e412;
+                                            phi_2177_ = _e595;
+                                            phi_2178_ = _e412;
                                         }
-                                        let _e606 = phi_1909_;
-                                        let _e608 = phi_1910_;
-                                        phi_2184_ = _e385;
-                                        phi_1912_ = _e387;
-                                        phi_1913_ = _e606;
-                                        phi_1914_ = _e608;
-                                        phi_1915_ = select(_e597, _e414, _e599);
+                                        let _e606 = phi_2177_;
+                                        let _e608 = phi_2178_;
+                                        phi_2459_ = _e385;
+                                        phi_2180_ = _e387;
+                                        phi_2181_ = _e606;
+                                        phi_2182_ = _e608;
+                                        phi_2183_ = select(_e597, _e414, _e599);
                                     }
-                                    let _e1022 = phi_2184_;
-                                    let _e1024 = phi_1912_;
-                                    let _e1026 = phi_1913_;
-                                    let _e1028 = phi_1914_;
-                                    let _e1030 = phi_1915_;
-                                    phi_2183_ = _e1022;
-                                    phi_1916_ = _e1024;
-                                    phi_1917_ = _e1026;
-                                    phi_1918_ = (_e391 - 1u);
-                                    phi_1919_ = _e1028;
-                                    phi_1920_ = _e1030;
+                                    let _e1022 = phi_2459_;
+                                    let _e1024 = phi_2180_;
+                                    let _e1026 = phi_2181_;
+                                    let _e1028 = phi_2182_;
+                                    let _e1030 = phi_2183_;
+                                    phi_2458_ = _e1022;
+                                    phi_2184_ = _e1024;
+                                    phi_2185_ = _e1026;
+                                    phi_2186_ = (_e391 - 1u);
+                                    phi_2187_ = _e1028;
+                                    phi_2188_ = _e1030;
                                 } else {
-                                    phi_2183_ = _e385;
-                                    phi_1916_ = _e387;
-                                    phi_1917_ = _e410;
-                                    phi_1918_ = _e391;
-                                    phi_1919_ = _e412;
-                                    phi_1920_ = _e414;
+                                    phi_2458_ = _e385;
+                                    phi_2184_ = _e387;
+                                    phi_2185_ = _e410;
+                                    phi_2186_ = _e391;
+                                    phi_2187_ = _e412;
+                                    phi_2188_ = _e414;
                                 }
-                                let _e1032 = phi_2183_;
-                                let _e1034 = phi_1916_;
-                                let _e1036 = phi_1917_;
-                                let _e1038 = phi_1918_;
-                                let _e1040 = phi_1919_;
-                                let _e1042 = phi_1920_;
-                                phi_2182_ = _e1032;
-                                phi_1921_ = _e1034;
-                                phi_1922_ = _e1036;
-                                phi_1923_ = _e1038;
-                                phi_1924_ = _e1040;
-                                phi_1925_ = _e1042;
+                                let _e1032 = phi_2458_;
+                                let _e1034 = phi_2184_;
+                                let _e1036 = phi_2185_;
+                                let _e1038 = phi_2186_;
+                                let _e1040 = phi_2187_;
+                                let _e1042 = phi_2188_;
+                                phi_2457_ = _e1032;
+                                phi_2189_ = _e1034;
+                                phi_2190_ = _e1036;
+                                phi_2191_ = _e1038;
+                                phi_2192_ = _e1040;
+                                phi_2193_ = _e1042;
                             } else {
-                                phi_2182_ = _e385;
-                                phi_1921_ = type_44();
-                                phi_1922_ = u32();
-                                phi_1923_ = u32();
-                                phi_1924_ = bool();
-                                phi_1925_ = u32();
+                                phi_2457_ = _e385;
+                                phi_2189_ = type_42();
+                                phi_2190_ = u32();
+                                phi_2191_ = u32();
+                                phi_2192_ = bool();
+                                phi_2193_ = u32();
                             }
-                            let _e1044 = phi_2182_;
-                            let _e1046 = phi_1921_;
-                            let _e1048 = phi_1922_;
-                            let _e1050 = phi_1923_;
-                            let _e1052 = phi_1924_;
-                            let _e1054 = phi_1925_;
-                            phi_2181_ = _e1044;
-                            phi_648_ = _e1046;
-                            phi_651_ = _e1048;
-                            phi_653_ = _e1050;
-                            phi_655_ = _e1052;
-                            phi_657_ = _e1054;
-                            phi_1926_ = _e399;
+                            let _e1044 = phi_2457_;
+                            let _e1046 = phi_2189_;
+                            let _e1048 = phi_2190_;
+                            let _e1050 = phi_2191_;
+                            let _e1052 = phi_2192_;
+                            let _e1054 = phi_2193_;
+                            phi_2456_ = _e1044;
+                            phi_913_ = _e1046;
+                            phi_916_ = _e1048;
+                            phi_918_ = _e1050;
+                            phi_920_ = _e1052;
+                            phi_922_ = _e1054;
+                            phi_2194_ = _e399;
                         } else {
-                            phi_2181_ = _e385;
-                            phi_648_ = type_44();
-                            phi_651_ = u32();
-                            phi_653_ = u32();
-                            phi_655_ = bool();
-                            phi_657_ = u32();
-                            phi_1926_ = false;
+                            phi_2456_ = _e385;
+                            phi_913_ = type_42();
+                            phi_916_ = u32();
+                            phi_918_ = u32();
+                            phi_920_ = bool();
+                            phi_922_ = u32();
+                            phi_2194_ = false;
                         }
-                        let _e1056 = phi_2181_;
-                        let _e1058 = phi_648_;
-                        let _e1060 = phi_651_;
-                        let _e1062 = phi_653_;
-                        let _e1064 = phi_655_;
-                        let _e1066 = phi_657_;
-                        let _e1068 = phi_1926_;
+                        let _e1056 = phi_2456_;
+                        let _e1058 = phi_913_;
+                        let _e1060 = phi_916_;
+                        let _e1062 = phi_918_;
+                        let _e1064 = phi_920_;
+                        let _e1066 = phi_922_;
+                        let _e1068 = phi_2194_;
                         continue;
                         continuing {
-                            phi_2076_ = _e1056;
-                            phi_647_ = _e1058;
-                            phi_650_ = _e1060;
-                            phi_652_ = _e1062;
-                            phi_654_ = _e1064;
-                            phi_656_ = _e1066;
-                            phi_2180_ = _e1056;
+                            phi_2351_ = _e1056;
+                            phi_912_ = _e1058;
+                            phi_915_ = _e1060;
+                            phi_917_ = _e1062;
+                            phi_919_ = _e1064;
+                            phi_921_ = _e1066;
+                            phi_2455_ = _e1056;
                             break if !(_e1068);
                         }
                     }
-                    let _e1071 = phi_2180_;
+                    let _e1071 = phi_2455_;
                     if _e1071 {
                         break;
                     }
@@ -1048,11 +1048,11 @@ fn function_() {
                         let _e1085 = bitcast<f32>((bitcast<u32>((_e1078 + 127i)) << bitcast<u32>(23i)));
                         let _e1093 = (((_e1073.member.member * _e1085) * _e1085) * bitcast<f32>((bitcast<u32>(((_e205 - (2i * _e1078)) + 127i)) << bitcast<u32>(23i))));
                         let _e1095 = select(340282350000000000000000000000000000000f, _e1093, (_e1093 < 340282350000000000000000000000000000000f));
-                        phi_1978_ = type_22(select(-340282350000000000000000000000000000000f, _e1095, (_e1095 > -340282350000000000000000000000000000000f)), _e1073.member.member_1, _e1073.member.member_2, _e1073.member.member_3);
+                        phi_2246_ = type_22(select(-340282350000000000000000000000000000000f, _e1095, (_e1095 > -340282350000000000000000000000000000000f)), _e1073.member.member_1, _e1073.member.member_2, _e1073.member.member_3);
                     } else {
-                        phi_1978_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2246_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1102 = phi_1978_;
+                    let _e1102 = phi_2246_;
                     if _e78 {
                     } else {
                         break;

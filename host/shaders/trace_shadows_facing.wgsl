@@ -75,22 +75,22 @@ struct type_47 {
     member_3: array<u32, 3>,
 }
 
-struct type_54 {
+struct type_53 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_55 {
+struct type_54 {
     member: f32,
     member_1: bool,
 }
 
-struct type_57 {
+struct type_56 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_60 {
+struct type_59 {
     member: array<i32>,
 }
 
@@ -102,7 +102,7 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_12;
 @group(0) @binding(1) 
-var<uniform> global_2: type_57;
+var<uniform> global_2: type_56;
 @group(0) @binding(2) 
 var<storage> global_3: type_39;
 @group(0) @binding(3) 
@@ -110,7 +110,7 @@ var<storage> global_4: type_20;
 @group(0) @binding(4) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
-var<storage> global_6: type_60;
+var<storage> global_6: type_59;
 @group(0) @binding(8) 
 var<storage, read_write> global_7: type_67;
 @group(0) @binding(6) 
@@ -119,1111 +119,1131 @@ var<storage> global_8: type_44;
 var<storage, read_write> global_9: type_32;
 
 fn function_() {
-    var local: array<u32, 128>;
-    var local_1: array<f32, 128>;
-    var phi_313_: type_47;
-    var phi_423_: i32;
-    var phi_424_: i32;
-    var phi_434_: bool;
-    var phi_444_: u32;
-    var phi_445_: u32;
-    var phi_447_: bool;
-    var phi_452_: u32;
-    var phi_496_: f32;
-    var phi_502_: f32;
-    var phi_513_: f32;
-    var phi_519_: f32;
-    var phi_542_: f32;
-    var phi_553_: f32;
-    var phi_562_: f32;
-    var phi_568_: f32;
-    var phi_579_: f32;
-    var phi_585_: f32;
-    var phi_608_: f32;
-    var phi_619_: f32;
-    var phi_628_: f32;
-    var phi_634_: f32;
-    var phi_645_: f32;
-    var phi_651_: f32;
-    var phi_674_: f32;
-    var phi_685_: f32;
-    var phi_785_: f32;
-    var phi_786_: f32;
-    var phi_2486_: bool;
-    var phi_797_: type_55;
-    var phi_800_: u32;
-    var phi_802_: u32;
-    var phi_804_: bool;
-    var phi_806_: u32;
-    var phi_817_: bool;
-    var phi_847_: u32;
-    var phi_848_: bool;
-    var phi_849_: u32;
-    var phi_2010_: type_54;
-    var phi_2354_: u32;
-    var phi_2380_: u32;
-    var phi_2381_: u32;
-    var phi_2382_: u32;
-    var phi_2384_: u32;
-    var phi_2385_: u32;
-    var phi_2386_: bool;
-    var phi_2395_: u32;
-    var phi_2400_: u32;
-    var phi_2401_: bool;
-    var phi_865_: type_55;
-    var phi_868_: type_8;
-    var phi_869_: type_8;
-    var phi_891_: type_8;
-    var phi_911_: u32;
-    var phi_999_: array<array<f32, 3>, 3>;
-    var phi_1470_: vec3<f32>;
-    var phi_1471_: vec3<f32>;
-    var phi_1502_: bool;
-    var phi_1511_: vec3<f32>;
-    var phi_1551_: type_28;
-    var phi_1553_: type_28;
-    var phi_1554_: bool;
-    var phi_1558_: type_28;
-    var phi_1559_: type_28;
-    var phi_1560_: type_28;
-    var phi_1561_: bool;
-    var phi_1565_: type_28;
-    var phi_1566_: bool;
-    var phi_1570_: type_28;
-    var phi_1571_: bool;
-    var phi_1575_: type_28;
-    var phi_1598_: u32;
-    var phi_1612_: i32;
-    var phi_1704_: array<array<f32, 3>, 3>;
-    var phi_1742_: vec3<f32>;
-    var phi_1924_: f32;
-    var phi_1942_: bool;
-    var phi_1943_: bool;
-    var phi_1948_: type_55;
-    var phi_1949_: type_55;
-    var phi_866_: type_55;
-    var phi_2480_: bool;
-    var local_2: type_55;
-    var phi_2610_: bool;
-    var phi_2403_: type_55;
-    var phi_2404_: u32;
-    var phi_2405_: bool;
-    var phi_2406_: u32;
-    var phi_2609_: bool;
-    var phi_2407_: type_55;
-    var phi_2408_: u32;
-    var phi_2409_: u32;
-    var phi_2410_: bool;
-    var phi_2411_: u32;
-    var phi_2608_: bool;
-    var phi_2412_: type_55;
-    var phi_2413_: u32;
-    var phi_2414_: u32;
-    var phi_2415_: bool;
-    var phi_2416_: u32;
-    var phi_2607_: bool;
-    var phi_798_: type_55;
-    var phi_801_: u32;
-    var phi_803_: u32;
-    var phi_805_: bool;
-    var phi_807_: u32;
-    var phi_2417_: bool;
-    var phi_2606_: bool;
-    var local_3: type_55;
-    var local_4: type_55;
+    var local: array<f32, 128>;
+    var local_1: array<u32, 128>;
+    var phi_315_: type_47;
+    var phi_425_: i32;
+    var phi_426_: i32;
+    var phi_436_: bool;
+    var phi_446_: u32;
+    var phi_447_: u32;
+    var phi_449_: bool;
+    var phi_454_: u32;
+    var phi_498_: f32;
+    var phi_504_: f32;
+    var phi_515_: f32;
+    var phi_521_: f32;
+    var phi_544_: f32;
+    var phi_555_: f32;
+    var phi_564_: f32;
+    var phi_570_: f32;
+    var phi_581_: f32;
+    var phi_587_: f32;
+    var phi_610_: f32;
+    var phi_621_: f32;
+    var phi_630_: f32;
+    var phi_636_: f32;
+    var phi_647_: f32;
+    var phi_653_: f32;
+    var phi_676_: f32;
+    var phi_687_: f32;
+    var phi_787_: f32;
+    var phi_788_: f32;
+    var phi_2722_: bool;
+    var phi_1062_: type_54;
+    var phi_1065_: u32;
+    var phi_1067_: u32;
+    var phi_1069_: bool;
+    var phi_1071_: u32;
+    var phi_1082_: bool;
+    var phi_1113_: u32;
+    var phi_1114_: bool;
+    var phi_1115_: u32;
+    var phi_2238_: type_53;
+    var phi_2582_: u32;
+    var phi_2609_: u32;
+    var phi_2610_: u32;
+    var phi_2611_: u32;
+    var phi_2613_: u32;
+    var phi_2614_: u32;
+    var phi_2615_: bool;
+    var phi_2624_: u32;
+    var phi_2629_: u32;
+    var phi_2630_: bool;
+    var phi_1130_: type_54;
+    var phi_1133_: type_8;
+    var phi_1134_: type_8;
+    var phi_1156_: type_8;
+    var phi_1177_: u32;
+    var phi_1266_: array<array<f32, 3>, 3>;
+    var phi_1737_: vec3<f32>;
+    var phi_1738_: vec3<f32>;
+    var phi_1769_: bool;
+    var phi_1778_: vec3<f32>;
+    var phi_1818_: type_28;
+    var phi_1820_: type_28;
+    var phi_1821_: bool;
+    var phi_1825_: type_28;
+    var phi_1826_: type_28;
+    var phi_1827_: type_28;
+    var phi_1828_: bool;
+    var phi_1832_: type_28;
+    var phi_1833_: bool;
+    var phi_1837_: type_28;
+    var phi_1838_: bool;
+    var phi_1842_: type_28;
+    var phi_1865_: u32;
+    var phi_1879_: i32;
+    var phi_1899_: vec3<f32>;
+    var phi_1900_: vec3<f32>;
+    var phi_1916_: vec3<f32>;
+    var phi_1917_: vec3<f32>;
+    var phi_1933_: vec3<f32>;
+    var phi_1934_: vec3<f32>;
+    var phi_1970_: vec3<f32>;
+    var phi_2152_: f32;
+    var phi_2170_: bool;
+    var phi_2171_: bool;
+    var phi_2176_: type_54;
+    var phi_2177_: type_54;
+    var phi_1131_: type_54;
+    var phi_2716_: bool;
+    var local_2: type_54;
+    var phi_2851_: bool;
+    var phi_2632_: type_54;
+    var phi_2633_: u32;
+    var phi_2634_: bool;
+    var phi_2635_: u32;
+    var phi_2850_: bool;
+    var phi_2636_: type_54;
+    var phi_2637_: u32;
+    var phi_2638_: u32;
+    var phi_2639_: bool;
+    var phi_2640_: u32;
+    var phi_2849_: bool;
+    var phi_2641_: type_54;
+    var phi_2642_: u32;
+    var phi_2643_: u32;
+    var phi_2644_: bool;
+    var phi_2645_: u32;
+    var phi_2848_: bool;
+    var phi_1063_: type_54;
+    var phi_1066_: u32;
+    var phi_1068_: u32;
+    var phi_1070_: bool;
+    var phi_1072_: u32;
+    var phi_2646_: bool;
+    var phi_2847_: bool;
+    var local_3: type_54;
+    var local_4: type_54;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e73 = global;
-            let _e75 = arrayLength((&global_3.member));
-            let _e77 = arrayLength((&global_4.member));
-            let _e89 = arrayLength((&global_7.member));
-            let _e93 = (_e73.x + (_e73.y * 2097152u));
-            let _e94 = (_e93 < arrayLength((&global_8.member)));
-            if _e94 {
-                let _e95 = (_e93 < arrayLength((&global_9.member)));
-                if _e95 {
-                    if _e94 {
+            let _e72 = global;
+            let _e74 = arrayLength((&global_3.member));
+            let _e76 = arrayLength((&global_4.member));
+            let _e88 = arrayLength((&global_7.member));
+            let _e92 = (_e72.x + (_e72.y * 2097152u));
+            let _e93 = (_e92 < arrayLength((&global_8.member)));
+            if _e93 {
+                let _e94 = (_e92 < arrayLength((&global_9.member)));
+                if _e94 {
+                    if _e93 {
                     } else {
                         break;
                     }
-                    let _e100 = global_8.member[_e93].member.member_1;
-                    let _e105 = global_8.member[_e93].member.member_3;
-                    if (_e100 <= _e105) {
-                        let _e107 = (1u < _e89);
-                        if _e107 {
-                            if (0u < _e89) {
+                    let _e99 = global_8.member[_e92].member.member_1;
+                    let _e104 = global_8.member[_e92].member.member_3;
+                    if (_e99 <= _e104) {
+                        let _e106 = (1u < _e88);
+                        if _e106 {
+                            if (0u < _e88) {
                             } else {
                                 break;
                             }
-                            let _e111 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e111 + 1u) < _e111) {
-                                if _e107 {
+                            let _e110 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e110 + 1u) < _e110) {
+                                if _e106 {
                                 } else {
                                     break;
                                 }
-                                let _e116 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e115 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        let _e119 = global_1.member[0u];
-                        let _e123 = global_2.member[0u][0u];
-                        let _e127 = global_2.member[0u][1u];
-                        let _e131 = global_2.member[0u][2u];
-                        let _e135 = global_2.member[0u][3u];
-                        let _e139 = global_2.member[1u][0u];
-                        let _e143 = global_2.member[1u][1u];
-                        let _e147 = global_2.member[1u][2u];
-                        let _e151 = global_2.member[1u][3u];
-                        let _e152 = bitcast<f32>(_e123);
-                        let _e153 = bitcast<f32>(_e127);
-                        let _e154 = bitcast<f32>(_e131);
-                        let _e156 = bitcast<f32>(_e139);
-                        let _e157 = array<u32, 3>(_e143, _e147, _e151);
-                        let _e159 = bitcast<i32>(_e119);
-                        let _e160 = (_e159 / 2i);
-                        let _e165 = bitcast<f32>((bitcast<u32>((_e160 + 127i)) << bitcast<u32>(23i)));
-                        let _e171 = bitcast<f32>((bitcast<u32>(((_e159 - _e160) + 127i)) << bitcast<u32>(23i)));
-                        if (_e135 == 0u) {
-                            phi_313_ = type_47(array<f32, 3>(_e152, _e153, _e154), _e135, _e156, _e157);
+                        let _e118 = global_1.member[0u];
+                        let _e122 = global_2.member[0u][0u];
+                        let _e126 = global_2.member[0u][1u];
+                        let _e130 = global_2.member[0u][2u];
+                        let _e134 = global_2.member[0u][3u];
+                        let _e138 = global_2.member[1u][0u];
+                        let _e142 = global_2.member[1u][1u];
+                        let _e146 = global_2.member[1u][2u];
+                        let _e150 = global_2.member[1u][3u];
+                        let _e151 = bitcast<f32>(_e122);
+                        let _e152 = bitcast<f32>(_e126);
+                        let _e153 = bitcast<f32>(_e130);
+                        let _e155 = bitcast<f32>(_e138);
+                        let _e156 = array<u32, 3>(_e142, _e146, _e150);
+                        let _e158 = bitcast<i32>(_e118);
+                        let _e159 = (_e158 / 2i);
+                        let _e164 = bitcast<f32>((bitcast<u32>((_e159 + 127i)) << bitcast<u32>(23i)));
+                        let _e170 = bitcast<f32>((bitcast<u32>(((_e158 - _e159) + 127i)) << bitcast<u32>(23i)));
+                        if (_e134 == 0u) {
+                            phi_315_ = type_47(array<f32, 3>(_e151, _e152, _e153), _e134, _e155, _e156);
                         } else {
-                            phi_313_ = type_47(array<f32, 3>(((_e152 * _e165) * _e171), ((_e153 * _e165) * _e171), ((_e154 * _e165) * _e171)), _e135, ((_e156 * _e165) * _e171), _e157);
+                            phi_315_ = type_47(array<f32, 3>(((_e151 * _e164) * _e170), ((_e152 * _e164) * _e170), ((_e153 * _e164) * _e170)), _e134, ((_e155 * _e164) * _e170), _e156);
                         }
-                        let _e184 = phi_313_;
-                        if _e94 {
-                        } else {
-                            break;
-                        }
-                        if _e94 {
+                        let _e183 = phi_315_;
+                        if _e93 {
                         } else {
                             break;
                         }
-                        let _e188 = global_8.member[_e93].member_2;
-                        let _e198 = global_8.member[_e93].member.member_2[0u];
-                        let _e200 = (bitcast<u32>(_e198) & 2147483647u);
-                        let _e206 = global_8.member[_e93].member.member_2[1u];
-                        let _e208 = (bitcast<u32>(_e206) & 2147483647u);
-                        let _e214 = global_8.member[_e93].member.member_2[2u];
-                        let _e216 = (bitcast<u32>(_e214) & 2147483647u);
-                        let _e222 = global_8.member[_e93].member.member[0u];
-                        let _e224 = (bitcast<u32>(_e222) & 2147483647u);
-                        let _e230 = global_8.member[_e93].member.member[1u];
-                        let _e232 = (bitcast<u32>(_e230) & 2147483647u);
-                        let _e238 = global_8.member[_e93].member.member[2u];
-                        let _e240 = (bitcast<u32>(_e238) & 2147483647u);
-                        let _e242 = select(_e208, _e200, (_e208 < _e200));
-                        let _e244 = select(_e216, _e242, (_e216 < _e242));
-                        let _e246 = select(_e224, _e244, (_e224 < _e244));
-                        let _e248 = select(_e232, _e246, (_e232 < _e246));
-                        let _e250 = select(_e240, _e248, (_e240 < _e248));
-                        let _e252 = (bitcast<u32>(_e100) & 2147483647u);
-                        let _e261 = (((select(_e252, _e250, (_e252 < _e250)) < 2139095040u) && ((bitcast<u32>(_e105) & 2147483647u) <= 2139095040u)) && (_e244 > 0u));
-                        if _e261 {
-                            let _e264 = (bitcast<u32>(bitcast<f32>(_e244)) & 2147483647u);
-                            if (_e264 >= 8388608u) {
-                                phi_423_ = (bitcast<i32>((_e264 >> bitcast<u32>(23i))) - 127i);
+                        if _e93 {
+                        } else {
+                            break;
+                        }
+                        let _e187 = global_8.member[_e92].member_2;
+                        let _e197 = global_8.member[_e92].member.member_2[0u];
+                        let _e199 = (bitcast<u32>(_e197) & 2147483647u);
+                        let _e205 = global_8.member[_e92].member.member_2[1u];
+                        let _e207 = (bitcast<u32>(_e205) & 2147483647u);
+                        let _e213 = global_8.member[_e92].member.member_2[2u];
+                        let _e215 = (bitcast<u32>(_e213) & 2147483647u);
+                        let _e221 = global_8.member[_e92].member.member[0u];
+                        let _e223 = (bitcast<u32>(_e221) & 2147483647u);
+                        let _e229 = global_8.member[_e92].member.member[1u];
+                        let _e231 = (bitcast<u32>(_e229) & 2147483647u);
+                        let _e237 = global_8.member[_e92].member.member[2u];
+                        let _e239 = (bitcast<u32>(_e237) & 2147483647u);
+                        let _e241 = select(_e207, _e199, (_e207 < _e199));
+                        let _e243 = select(_e215, _e241, (_e215 < _e241));
+                        let _e245 = select(_e223, _e243, (_e223 < _e243));
+                        let _e247 = select(_e231, _e245, (_e231 < _e245));
+                        let _e249 = select(_e239, _e247, (_e239 < _e247));
+                        let _e251 = (bitcast<u32>(_e99) & 2147483647u);
+                        let _e260 = (((select(_e251, _e249, (_e251 < _e249)) < 2139095040u) && ((bitcast<u32>(_e104) & 2147483647u) <= 2139095040u)) && (_e243 > 0u));
+                        if _e260 {
+                            let _e263 = (bitcast<u32>(bitcast<f32>(_e243)) & 2147483647u);
+                            if (_e263 >= 8388608u) {
+                                phi_425_ = (bitcast<i32>((_e263 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_423_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e264)), 32u, (_e264 == 0u))));
+                                phi_425_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e263)), 32u, (_e263 == 0u))));
                             }
-                            let _e278 = phi_423_;
-                            phi_424_ = _e278;
+                            let _e277 = phi_425_;
+                            phi_426_ = _e277;
                         } else {
-                            phi_424_ = 0i;
+                            phi_426_ = 0i;
                         }
-                        let _e280 = phi_424_;
-                        let _e281 = (_e200 == _e244);
-                        if _e281 {
-                            phi_434_ = true;
+                        let _e279 = phi_426_;
+                        let _e280 = (_e199 == _e243);
+                        if _e280 {
+                            phi_436_ = true;
                         } else {
-                            phi_434_ = (_e208 == _e244);
+                            phi_436_ = (_e207 == _e243);
                         }
-                        let _e284 = phi_434_;
-                        let _e285 = select(1u, 0u, _e281);
-                        if _e284 {
-                            let _e286 = (_e285 + 1u);
-                            phi_444_ = _e286;
-                            phi_445_ = _e286;
-                            phi_447_ = select(true, false, (_e286 == 2u));
+                        let _e283 = phi_436_;
+                        let _e284 = select(1u, 0u, _e280);
+                        if _e283 {
+                            let _e285 = (_e284 + 1u);
+                            phi_446_ = _e285;
+                            phi_447_ = _e285;
+                            phi_449_ = select(true, false, (_e285 == 2u));
                         } else {
-                            phi_444_ = u32();
-                            phi_445_ = 0u;
-                            phi_447_ = true;
+                            phi_446_ = u32();
+                            phi_447_ = 0u;
+                            phi_449_ = true;
                         }
-                        let _e290 = phi_444_;
-                        let _e292 = phi_445_;
-                        let _e294 = phi_447_;
-                        if _e294 {
-                            phi_452_ = (_e292 + 1u);
+                        let _e289 = phi_446_;
+                        let _e291 = phi_447_;
+                        let _e293 = phi_449_;
+                        if _e293 {
+                            phi_454_ = (_e291 + 1u);
                         } else {
-                            phi_452_ = 0u;
+                            phi_454_ = 0u;
                         }
-                        let _e298 = phi_452_;
-                        let _e299 = select(_e290, _e292, _e294);
-                        let _e300 = select(_e285, select(2u, _e285, _e284), _e294);
-                        let _e301 = -(_e280);
-                        let _e302 = (_e301 / 2i);
-                        let _e307 = bitcast<f32>((bitcast<u32>((_e302 + 127i)) << bitcast<u32>(23i)));
-                        let _e313 = bitcast<f32>((bitcast<u32>(((_e301 - _e302) + 127i)) << bitcast<u32>(23i)));
-                        let _e318 = global_8.member[_e93].member.member;
-                        let _e319 = (_e299 == 0u);
-                        if _e319 {
-                            phi_496_ = _e318[0];
+                        let _e297 = phi_454_;
+                        let _e298 = select(_e289, _e291, _e293);
+                        let _e299 = select(_e284, select(2u, _e284, _e283), _e293);
+                        let _e300 = -(_e279);
+                        let _e301 = (_e300 / 2i);
+                        let _e306 = bitcast<f32>((bitcast<u32>((_e301 + 127i)) << bitcast<u32>(23i)));
+                        let _e312 = bitcast<f32>((bitcast<u32>(((_e300 - _e301) + 127i)) << bitcast<u32>(23i)));
+                        let _e317 = global_8.member[_e92].member.member;
+                        let _e318 = (_e298 == 0u);
+                        if _e318 {
+                            phi_498_ = _e317[0];
                         } else {
-                            phi_496_ = _e318[1];
+                            phi_498_ = _e317[1];
                         }
-                        let _e323 = phi_496_;
-                        let _e324 = (_e299 == 2u);
-                        if _e324 {
-                            phi_502_ = _e318[2];
+                        let _e322 = phi_498_;
+                        let _e323 = (_e298 == 2u);
+                        if _e323 {
+                            phi_504_ = _e317[2];
                         } else {
-                            phi_502_ = _e323;
+                            phi_504_ = _e322;
                         }
-                        let _e327 = phi_502_;
-                        let _e328 = global_8.member[_e93].member.member_2;
-                        if _e319 {
-                            phi_513_ = _e328[0];
+                        let _e326 = phi_504_;
+                        let _e327 = global_8.member[_e92].member.member_2;
+                        if _e318 {
+                            phi_515_ = _e327[0];
                         } else {
-                            phi_513_ = _e328[1];
+                            phi_515_ = _e327[1];
                         }
-                        let _e332 = phi_513_;
-                        if _e324 {
-                            phi_519_ = _e328[2];
+                        let _e331 = phi_515_;
+                        if _e323 {
+                            phi_521_ = _e327[2];
                         } else {
-                            phi_519_ = _e332;
+                            phi_521_ = _e331;
                         }
-                        let _e335 = phi_519_;
-                        let _e337 = ((_e335 * _e307) * _e313);
-                        let _e341 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e341 {
-                            let _e345 = (bitcast<f32>((bitcast<u32>(_e327) & 2147483647u)) * 0.00000011920929f);
-                            phi_542_ = select(0.00000000000011368684f, _e345, (_e345 > 0.00000000000011368684f));
+                        let _e334 = phi_521_;
+                        let _e336 = ((_e334 * _e306) * _e312);
+                        let _e340 = (bitcast<f32>((bitcast<u32>(_e336) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e340 {
+                            let _e344 = (bitcast<f32>((bitcast<u32>(_e326) & 2147483647u)) * 0.00000011920929f);
+                            phi_544_ = select(0.00000000000011368684f, _e344, (_e344 > 0.00000000000011368684f));
                         } else {
-                            phi_542_ = 0f;
+                            phi_544_ = 0f;
                         }
-                        let _e349 = phi_542_;
-                        let _e350 = (_e327 + _e349);
-                        let _e351 = (_e327 - _e349);
-                        let _e352 = select(_e337, 0f, _e341);
-                        if _e341 {
-                            phi_553_ = 38685626000000000000000000f;
+                        let _e348 = phi_544_;
+                        let _e349 = (_e326 + _e348);
+                        let _e350 = (_e326 - _e348);
+                        let _e351 = select(_e336, 0f, _e340);
+                        if _e340 {
+                            phi_555_ = 38685626000000000000000000f;
                         } else {
-                            phi_553_ = (1f / _e337);
+                            phi_555_ = (1f / _e336);
                         }
-                        let _e355 = phi_553_;
-                        let _e356 = (_e298 == 0u);
-                        if _e356 {
-                            phi_562_ = _e318[0];
+                        let _e354 = phi_555_;
+                        let _e355 = (_e297 == 0u);
+                        if _e355 {
+                            phi_564_ = _e317[0];
                         } else {
-                            phi_562_ = _e318[1];
+                            phi_564_ = _e317[1];
                         }
-                        let _e360 = phi_562_;
-                        let _e361 = (_e298 == 2u);
-                        if _e361 {
-                            phi_568_ = _e318[2];
+                        let _e359 = phi_564_;
+                        let _e360 = (_e297 == 2u);
+                        if _e360 {
+                            phi_570_ = _e317[2];
                         } else {
-                            phi_568_ = _e360;
+                            phi_570_ = _e359;
                         }
-                        let _e364 = phi_568_;
-                        if _e356 {
-                            phi_579_ = _e328[0];
+                        let _e363 = phi_570_;
+                        if _e355 {
+                            phi_581_ = _e327[0];
                         } else {
-                            phi_579_ = _e328[1];
+                            phi_581_ = _e327[1];
                         }
-                        let _e368 = phi_579_;
-                        if _e361 {
-                            phi_585_ = _e328[2];
+                        let _e367 = phi_581_;
+                        if _e360 {
+                            phi_587_ = _e327[2];
                         } else {
-                            phi_585_ = _e368;
+                            phi_587_ = _e367;
                         }
-                        let _e371 = phi_585_;
-                        let _e373 = ((_e371 * _e307) * _e313);
-                        let _e377 = (bitcast<f32>((bitcast<u32>(_e373) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e377 {
-                            let _e381 = (bitcast<f32>((bitcast<u32>(_e364) & 2147483647u)) * 0.00000011920929f);
-                            phi_608_ = select(0.00000000000011368684f, _e381, (_e381 > 0.00000000000011368684f));
+                        let _e370 = phi_587_;
+                        let _e372 = ((_e370 * _e306) * _e312);
+                        let _e376 = (bitcast<f32>((bitcast<u32>(_e372) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e376 {
+                            let _e380 = (bitcast<f32>((bitcast<u32>(_e363) & 2147483647u)) * 0.00000011920929f);
+                            phi_610_ = select(0.00000000000011368684f, _e380, (_e380 > 0.00000000000011368684f));
                         } else {
-                            phi_608_ = 0f;
+                            phi_610_ = 0f;
                         }
-                        let _e385 = phi_608_;
-                        let _e386 = (_e364 + _e385);
-                        let _e387 = (_e364 - _e385);
-                        let _e388 = select(_e373, 0f, _e377);
-                        if _e377 {
-                            phi_619_ = 38685626000000000000000000f;
+                        let _e384 = phi_610_;
+                        let _e385 = (_e363 + _e384);
+                        let _e386 = (_e363 - _e384);
+                        let _e387 = select(_e372, 0f, _e376);
+                        if _e376 {
+                            phi_621_ = 38685626000000000000000000f;
                         } else {
-                            phi_619_ = (1f / _e373);
+                            phi_621_ = (1f / _e372);
                         }
-                        let _e391 = phi_619_;
-                        let _e392 = (_e300 == 0u);
-                        if _e392 {
-                            phi_628_ = _e318[0];
+                        let _e390 = phi_621_;
+                        let _e391 = (_e299 == 0u);
+                        if _e391 {
+                            phi_630_ = _e317[0];
                         } else {
-                            phi_628_ = _e318[1];
+                            phi_630_ = _e317[1];
                         }
-                        let _e396 = phi_628_;
-                        let _e397 = (_e300 == 2u);
-                        if _e397 {
-                            phi_634_ = _e318[2];
+                        let _e395 = phi_630_;
+                        let _e396 = (_e299 == 2u);
+                        if _e396 {
+                            phi_636_ = _e317[2];
                         } else {
-                            phi_634_ = _e396;
+                            phi_636_ = _e395;
                         }
-                        let _e400 = phi_634_;
-                        if _e392 {
-                            phi_645_ = _e328[0];
+                        let _e399 = phi_636_;
+                        if _e391 {
+                            phi_647_ = _e327[0];
                         } else {
-                            phi_645_ = _e328[1];
+                            phi_647_ = _e327[1];
                         }
-                        let _e404 = phi_645_;
-                        if _e397 {
-                            phi_651_ = _e328[2];
+                        let _e403 = phi_647_;
+                        if _e396 {
+                            phi_653_ = _e327[2];
                         } else {
-                            phi_651_ = _e404;
+                            phi_653_ = _e403;
                         }
-                        let _e407 = phi_651_;
-                        let _e409 = ((_e407 * _e307) * _e313);
-                        let _e413 = (bitcast<f32>((bitcast<u32>(_e409) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e413 {
-                            let _e417 = (bitcast<f32>((bitcast<u32>(_e400) & 2147483647u)) * 0.00000011920929f);
-                            phi_674_ = select(0.00000000000011368684f, _e417, (_e417 > 0.00000000000011368684f));
+                        let _e406 = phi_653_;
+                        let _e408 = ((_e406 * _e306) * _e312);
+                        let _e412 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e412 {
+                            let _e416 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) * 0.00000011920929f);
+                            phi_676_ = select(0.00000000000011368684f, _e416, (_e416 > 0.00000000000011368684f));
                         } else {
-                            phi_674_ = 0f;
+                            phi_676_ = 0f;
                         }
-                        let _e421 = phi_674_;
-                        let _e422 = (_e400 + _e421);
-                        let _e423 = (_e400 - _e421);
-                        let _e424 = select(_e409, 0f, _e413);
-                        if _e413 {
-                            phi_685_ = 38685626000000000000000000f;
+                        let _e420 = phi_676_;
+                        let _e421 = (_e399 + _e420);
+                        let _e422 = (_e399 - _e420);
+                        let _e423 = select(_e408, 0f, _e412);
+                        if _e412 {
+                            phi_687_ = 38685626000000000000000000f;
                         } else {
-                            phi_685_ = (1f / _e409);
+                            phi_687_ = (1f / _e408);
                         }
-                        let _e427 = phi_685_;
-                        let _e430 = bitcast<f32>((bitcast<u32>(_e327) & 2147483647u));
-                        let _e433 = bitcast<f32>((bitcast<u32>(_e364) & 2147483647u));
-                        let _e435 = select(_e433, _e430, (_e430 > _e433));
-                        let _e438 = bitcast<f32>((bitcast<u32>(_e400) & 2147483647u));
-                        if (_e261 && (select(_e438, _e435, (_e435 > _e438)) <= 1099511600000f)) {
-                            let _e443 = (_e280 / 3i);
-                            let _e450 = bitcast<f32>((bitcast<u32>((_e443 + 127i)) << bitcast<u32>(23i)));
-                            let _e457 = bitcast<f32>((bitcast<u32>(((_e280 - (2i * _e443)) + 127i)) << bitcast<u32>(23i)));
-                            let _e458 = (((_e100 * _e450) * _e450) * _e457);
-                            let _e460 = select(340282350000000000000000000000000000000f, _e458, (_e458 < 340282350000000000000000000000000000000f));
-                            let _e465 = (((_e105 * _e450) * _e450) * _e457);
-                            let _e467 = select(340282350000000000000000000000000000000f, _e465, (_e465 < 340282350000000000000000000000000000000f));
-                            phi_785_ = select(-340282350000000000000000000000000000000f, _e467, (_e467 > -340282350000000000000000000000000000000f));
-                            phi_786_ = select(-340282350000000000000000000000000000000f, _e460, (_e460 > -340282350000000000000000000000000000000f));
+                        let _e426 = phi_687_;
+                        let _e429 = bitcast<f32>((bitcast<u32>(_e326) & 2147483647u));
+                        let _e432 = bitcast<f32>((bitcast<u32>(_e363) & 2147483647u));
+                        let _e434 = select(_e432, _e429, (_e429 > _e432));
+                        let _e437 = bitcast<f32>((bitcast<u32>(_e399) & 2147483647u));
+                        if (_e260 && (select(_e437, _e434, (_e434 > _e437)) <= 1099511600000f)) {
+                            let _e442 = (_e279 / 3i);
+                            let _e449 = bitcast<f32>((bitcast<u32>((_e442 + 127i)) << bitcast<u32>(23i)));
+                            let _e456 = bitcast<f32>((bitcast<u32>(((_e279 - (2i * _e442)) + 127i)) << bitcast<u32>(23i)));
+                            let _e457 = (((_e99 * _e449) * _e449) * _e456);
+                            let _e459 = select(340282350000000000000000000000000000000f, _e457, (_e457 < 340282350000000000000000000000000000000f));
+                            let _e464 = (((_e104 * _e449) * _e449) * _e456);
+                            let _e466 = select(340282350000000000000000000000000000000f, _e464, (_e464 < 340282350000000000000000000000000000000f));
+                            phi_787_ = select(-340282350000000000000000000000000000000f, _e466, (_e466 > -340282350000000000000000000000000000000f));
+                            phi_788_ = select(-340282350000000000000000000000000000000f, _e459, (_e459 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_785_ = 0f;
-                            phi_786_ = 1f;
+                            phi_787_ = 0f;
+                            phi_788_ = 1f;
                         }
-                        let _e471 = phi_785_;
-                        let _e473 = phi_786_;
-                        local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                        local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2486_ = false;
-                        phi_797_ = type_55(_e471, false);
-                        phi_800_ = select(0u, 2147483648u, (_e75 == 0u));
-                        phi_802_ = ((3u * _e75) + 1u);
-                        phi_804_ = (_e473 <= _e471);
-                        phi_806_ = 0u;
+                        let _e470 = phi_787_;
+                        let _e472 = phi_788_;
+                        local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                        local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        phi_2722_ = false;
+                        phi_1062_ = type_54(_e470, false);
+                        phi_1065_ = select(0u, 2147483648u, (_e74 == 0u));
+                        phi_1067_ = ((3u * _e74) + 1u);
+                        phi_1069_ = (_e472 <= _e470);
+                        phi_1071_ = 0u;
                         loop {
-                            let _e481 = phi_2486_;
-                            let _e483 = phi_797_;
-                            let _e485 = phi_800_;
-                            let _e487 = phi_802_;
-                            let _e489 = phi_804_;
-                            let _e491 = phi_806_;
-                            local_3 = _e483;
-                            if _e489 {
-                                phi_817_ = true;
+                            let _e480 = phi_2722_;
+                            let _e482 = phi_1062_;
+                            let _e484 = phi_1065_;
+                            let _e486 = phi_1067_;
+                            let _e488 = phi_1069_;
+                            let _e490 = phi_1071_;
+                            local_3 = _e482;
+                            if _e488 {
+                                phi_1082_ = true;
                             } else {
-                                phi_817_ = (_e491 > 0u);
+                                phi_1082_ = (_e490 > 0u);
                             }
-                            let _e494 = phi_817_;
-                            if _e494 {
-                                let _e495 = (_e487 > 0u);
-                                if _e495 {
-                                    if _e489 {
-                                        phi_847_ = _e485;
-                                        phi_848_ = _e489;
-                                        phi_849_ = _e491;
+                            let _e493 = phi_1082_;
+                            if _e493 {
+                                let _e494 = (_e486 > 0u);
+                                if _e494 {
+                                    if _e488 {
+                                        phi_1113_ = _e484;
+                                        phi_1114_ = _e488;
+                                        phi_1115_ = _e490;
                                     } else {
-                                        let _e496 = (_e491 - 1u);
-                                        let _e497 = (_e496 % 128u);
-                                        let _e498 = (_e497 < 128u);
-                                        if _e498 {
+                                        let _e495 = (_e490 - 1u);
+                                        let _e496 = (_e495 % 128u);
+                                        let _e497 = (_e496 < 128u);
+                                        if _e497 {
                                         } else {
-                                            phi_2606_ = true;
+                                            phi_2847_ = true;
                                             break;
                                         }
-                                        let _e500 = local[_e497];
-                                        if _e498 {
+                                        let _e499 = local_1[_e496];
+                                        if _e497 {
                                         } else {
-                                            phi_2606_ = true;
+                                            phi_2847_ = true;
                                             break;
                                         }
-                                        let _e502 = local_1[_e497];
-                                        phi_847_ = _e500;
-                                        phi_848_ = (_e502 <= _e483.member);
-                                        phi_849_ = _e496;
+                                        let _e501 = local[_e496];
+                                        phi_1113_ = _e499;
+                                        phi_1114_ = (_e501 <= _e482.member);
+                                        phi_1115_ = _e495;
                                     }
-                                    let _e506 = phi_847_;
-                                    let _e508 = phi_848_;
-                                    let _e510 = phi_849_;
-                                    if _e508 {
-                                        let _e514 = (_e506 & 268435455u);
-                                        if ((_e506 & 2147483648u) != 0u) {
-                                            phi_865_ = _e483;
-                                            phi_868_ = type_8(_e514, (_e514 + ((_e506 >> bitcast<u32>(28u)) & 7u)));
+                                    let _e505 = phi_1113_;
+                                    let _e507 = phi_1114_;
+                                    let _e509 = phi_1115_;
+                                    if _e507 {
+                                        if ((_e505 & 2147483648u) != 0u) {
+                                            phi_1130_ = _e482;
+                                            phi_1133_ = type_8(0u, ((_e505 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e709 = phi_865_;
-                                                let _e711 = phi_868_;
-                                                local_2 = _e709;
-                                                local_4 = _e709;
-                                                if (_e711.member < _e711.member_1) {
-                                                    phi_869_ = type_8((_e711.member + 1u), _e711.member_1);
-                                                    phi_891_ = type_8(1u, _e711.member);
+                                                let _e707 = phi_1130_;
+                                                let _e709 = phi_1133_;
+                                                local_2 = _e707;
+                                                local_4 = _e707;
+                                                if (_e709.member < _e709.member_1) {
+                                                    phi_1134_ = type_8((_e709.member + 1u), _e709.member_1);
+                                                    phi_1156_ = type_8(1u, _e709.member);
                                                 } else {
-                                                    phi_869_ = _e711;
-                                                    phi_891_ = type_8(0u, type_8().member_1);
+                                                    phi_1134_ = _e709;
+                                                    phi_1156_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e724 = phi_869_;
-                                                let _e726 = phi_891_;
-                                                let _e730 = (bitcast<i32>(_e726.member) != 0i);
-                                                if _e730 {
-                                                    let _e731 = (_e726.member_1 < _e77);
-                                                    if _e731 {
-                                                        if _e731 {
+                                                let _e722 = phi_1134_;
+                                                let _e724 = phi_1156_;
+                                                let _e728 = (bitcast<i32>(_e724.member) != 0i);
+                                                if _e728 {
+                                                    let _e729 = ((_e505 & 268435455u) + _e724.member_1);
+                                                    let _e730 = (_e729 < _e76);
+                                                    if _e730 {
+                                                        if _e730 {
                                                         } else {
-                                                            phi_2480_ = true;
+                                                            phi_2716_ = true;
                                                             break;
                                                         }
-                                                        let _e735 = global_4.member[_e726.member_1].member_1;
-                                                        phi_911_ = _e735;
+                                                        let _e734 = global_4.member[_e729].member_1;
+                                                        phi_1177_ = _e734;
                                                     } else {
-                                                        phi_911_ = 4294967295u;
+                                                        phi_1177_ = 4294967295u;
                                                     }
-                                                    let _e737 = phi_911_;
-                                                    let _e738 = (_e726.member_1 >= _e77);
-                                                    if _e738 {
-                                                        phi_999_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e736 = phi_1177_;
+                                                    if (_e729 >= _e76) {
+                                                        phi_1266_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e731 {
+                                                        if _e730 {
                                                         } else {
-                                                            phi_2480_ = true;
+                                                            phi_2716_ = true;
                                                             break;
                                                         }
-                                                        let _e739 = (_e299 % 3u);
-                                                        let _e740 = (_e298 % 3u);
-                                                        let _e741 = (_e300 % 3u);
+                                                        let _e738 = (_e298 % 3u);
+                                                        let _e739 = (_e297 % 3u);
+                                                        let _e740 = (_e299 % 3u);
+                                                        if (_e738 < 9u) {
+                                                        } else {
+                                                            phi_2716_ = true;
+                                                            break;
+                                                        }
+                                                        let _e746 = global_4.member[_e729].member[_e738];
                                                         if (_e739 < 9u) {
                                                         } else {
-                                                            phi_2480_ = true;
+                                                            phi_2716_ = true;
                                                             break;
                                                         }
-                                                        let _e747 = global_4.member[_e726.member_1].member[_e739];
+                                                        let _e752 = global_4.member[_e729].member[_e739];
                                                         if (_e740 < 9u) {
                                                         } else {
-                                                            phi_2480_ = true;
+                                                            phi_2716_ = true;
                                                             break;
                                                         }
-                                                        let _e753 = global_4.member[_e726.member_1].member[_e740];
-                                                        if (_e741 < 9u) {
+                                                        let _e758 = global_4.member[_e729].member[_e740];
+                                                        let _e760 = (3u + _e738);
+                                                        if (_e760 < 9u) {
                                                         } else {
-                                                            phi_2480_ = true;
+                                                            phi_2716_ = true;
                                                             break;
                                                         }
-                                                        let _e759 = global_4.member[_e726.member_1].member[_e741];
-                                                        let _e761 = (3u + _e739);
-                                                        if (_e761 < 9u) {
+                                                        let _e766 = global_4.member[_e729].member[_e760];
+                                                        let _e767 = (3u + _e739);
+                                                        if (_e767 < 9u) {
                                                         } else {
-                                                            phi_2480_ = true;
+                                                            phi_2716_ = true;
                                                             break;
                                                         }
-                                                        let _e767 = global_4.member[_e726.member_1].member[_e761];
-                                                        let _e768 = (3u + _e740);
-                                                        if (_e768 < 9u) {
+                                                        let _e773 = global_4.member[_e729].member[_e767];
+                                                        let _e774 = (3u + _e740);
+                                                        if (_e774 < 9u) {
                                                         } else {
-                                                            phi_2480_ = true;
+                                                            phi_2716_ = true;
                                                             break;
                                                         }
-                                                        let _e774 = global_4.member[_e726.member_1].member[_e768];
-                                                        let _e775 = (3u + _e741);
-                                                        if (_e775 < 9u) {
+                                                        let _e780 = global_4.member[_e729].member[_e774];
+                                                        let _e782 = (6u + _e738);
+                                                        if (_e782 < 9u) {
                                                         } else {
-                                                            phi_2480_ = true;
+                                                            phi_2716_ = true;
                                                             break;
                                                         }
-                                                        let _e781 = global_4.member[_e726.member_1].member[_e775];
-                                                        let _e783 = (6u + _e739);
-                                                        if (_e783 < 9u) {
+                                                        let _e788 = global_4.member[_e729].member[_e782];
+                                                        let _e789 = (6u + _e739);
+                                                        if (_e789 < 9u) {
                                                         } else {
-                                                            phi_2480_ = true;
+                                                            phi_2716_ = true;
                                                             break;
                                                         }
-                                                        let _e789 = global_4.member[_e726.member_1].member[_e783];
-                                                        let _e790 = (6u + _e740);
-                                                        if (_e790 < 9u) {
+                                                        let _e795 = global_4.member[_e729].member[_e789];
+                                                        let _e796 = (6u + _e740);
+                                                        if (_e796 < 9u) {
                                                         } else {
-                                                            phi_2480_ = true;
+                                                            phi_2716_ = true;
                                                             break;
                                                         }
-                                                        let _e796 = global_4.member[_e726.member_1].member[_e790];
-                                                        let _e797 = (6u + _e741);
-                                                        if (_e797 < 9u) {
-                                                        } else {
-                                                            phi_2480_ = true;
-                                                            break;
-                                                        }
-                                                        let _e803 = global_4.member[_e726.member_1].member[_e797];
-                                                        phi_999_ = array<array<f32, 3>, 3>(array<f32, 3>(_e747, _e753, _e759), array<f32, 3>(_e767, _e774, _e781), array<f32, 3>(_e789, _e796, _e803));
+                                                        let _e802 = global_4.member[_e729].member[_e796];
+                                                        phi_1266_ = array<array<f32, 3>, 3>(array<f32, 3>(_e746, _e752, _e758), array<f32, 3>(_e766, _e773, _e780), array<f32, 3>(_e788, _e795, _e802));
                                                     }
-                                                    let _e807 = phi_999_;
-                                                    let _e815 = (_e807[0][2] - _e400);
-                                                    let _e818 = (((_e807[0][0] - _e327) * _e424) - (_e815 * _e352));
-                                                    let _e821 = (((_e807[0][1] - _e364) * _e424) - (_e815 * _e388));
-                                                    let _e828 = (_e807[1][2] - _e400);
-                                                    let _e831 = (((_e807[1][0] - _e327) * _e424) - (_e828 * _e352));
-                                                    let _e834 = (((_e807[1][1] - _e364) * _e424) - (_e828 * _e388));
-                                                    let _e841 = (_e807[2][2] - _e400);
-                                                    let _e844 = (((_e807[2][0] - _e327) * _e424) - (_e841 * _e352));
-                                                    let _e847 = (((_e807[2][1] - _e364) * _e424) - (_e841 * _e388));
-                                                    let _e848 = (_e844 * _e834);
-                                                    let _e849 = (_e847 * _e831);
-                                                    let _e850 = (_e818 * _e847);
-                                                    let _e851 = (_e821 * _e844);
-                                                    let _e852 = (_e831 * _e821);
-                                                    let _e853 = (_e834 * _e818);
-                                                    let _e858 = (((_e848 >= _e849) && (_e850 >= _e851)) && (_e852 >= _e853));
-                                                    if (_e858 || (((_e848 <= _e849) && (_e850 <= _e851)) && (_e852 <= _e853))) {
-                                                        let _e865 = select(-1f, 1f, _e858);
-                                                        let _e867 = ((_e848 - _e849) * _e865);
-                                                        let _e869 = select(0f, _e867, (_e867 > 0f));
-                                                        let _e871 = ((_e850 - _e851) * _e865);
-                                                        let _e873 = select(0f, _e871, (_e871 > 0f));
-                                                        let _e875 = ((_e852 - _e853) * _e865);
-                                                        let _e877 = select(0f, _e875, (_e875 > 0f));
-                                                        let _e879 = ((_e869 + _e873) + _e877);
-                                                        if (_e879 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1565_ = type_28();
-                                                            phi_1566_ = true;
+                                                    let _e806 = phi_1266_;
+                                                    let _e814 = (_e806[0][2] - _e399);
+                                                    let _e817 = (((_e806[0][0] - _e326) * _e423) - (_e814 * _e351));
+                                                    let _e820 = (((_e806[0][1] - _e363) * _e423) - (_e814 * _e387));
+                                                    let _e827 = (_e806[1][2] - _e399);
+                                                    let _e830 = (((_e806[1][0] - _e326) * _e423) - (_e827 * _e351));
+                                                    let _e833 = (((_e806[1][1] - _e363) * _e423) - (_e827 * _e387));
+                                                    let _e840 = (_e806[2][2] - _e399);
+                                                    let _e843 = (((_e806[2][0] - _e326) * _e423) - (_e840 * _e351));
+                                                    let _e846 = (((_e806[2][1] - _e363) * _e423) - (_e840 * _e387));
+                                                    let _e847 = (_e843 * _e833);
+                                                    let _e848 = (_e846 * _e830);
+                                                    let _e849 = (_e817 * _e846);
+                                                    let _e850 = (_e820 * _e843);
+                                                    let _e851 = (_e830 * _e820);
+                                                    let _e852 = (_e833 * _e817);
+                                                    let _e857 = (((_e847 >= _e848) && (_e849 >= _e850)) && (_e851 >= _e852));
+                                                    if (_e857 || (((_e847 <= _e848) && (_e849 <= _e850)) && (_e851 <= _e852))) {
+                                                        let _e864 = select(-1f, 1f, _e857);
+                                                        let _e866 = ((_e847 - _e848) * _e864);
+                                                        let _e868 = select(0f, _e866, (_e866 > 0f));
+                                                        let _e870 = ((_e849 - _e850) * _e864);
+                                                        let _e872 = select(0f, _e870, (_e870 > 0f));
+                                                        let _e874 = ((_e851 - _e852) * _e864);
+                                                        let _e876 = select(0f, _e874, (_e874 > 0f));
+                                                        let _e878 = ((_e868 + _e872) + _e876);
+                                                        if (_e878 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1832_ = type_28();
+                                                            phi_1833_ = true;
                                                         } else {
-                                                            let _e882 = select(_e807[1][0], _e807[0][0], (_e807[0][0] < _e807[1][0]));
-                                                            let _e886 = select(_e807[1][0], _e807[0][0], (_e807[0][0] > _e807[1][0]));
-                                                            let _e890 = select(_e807[1][1], _e807[0][1], (_e807[0][1] < _e807[1][1]));
-                                                            let _e894 = select(_e807[1][1], _e807[0][1], (_e807[0][1] > _e807[1][1]));
-                                                            let _e898 = select(_e807[1][2], _e807[0][2], (_e807[0][2] < _e807[1][2]));
-                                                            let _e902 = select(_e807[1][2], _e807[0][2], (_e807[0][2] > _e807[1][2]));
-                                                            let _e907 = ((select(_e807[2][0], _e882, (_e882 < _e807[2][0])) - _e350) * _e355);
-                                                            let _e908 = ((select(_e807[2][0], _e886, (_e886 > _e807[2][0])) - _e351) * _e355);
-                                                            let _e911 = ((select(_e807[2][1], _e890, (_e890 < _e807[2][1])) - _e386) * _e391);
-                                                            let _e912 = ((select(_e807[2][1], _e894, (_e894 > _e807[2][1])) - _e387) * _e391);
-                                                            let _e915 = ((select(_e807[2][2], _e898, (_e898 < _e807[2][2])) - _e422) * _e427);
-                                                            let _e916 = ((select(_e807[2][2], _e902, (_e902 > _e807[2][2])) - _e423) * _e427);
-                                                            let _e918 = select(_e916, _e915, (_e915 < _e916));
-                                                            let _e920 = select(_e916, _e915, (_e915 > _e916));
-                                                            let _e922 = select(_e908, _e907, (_e907 < _e908));
-                                                            let _e924 = select(_e912, _e911, (_e911 < _e912));
-                                                            let _e926 = select(_e924, _e922, (_e922 > _e924));
-                                                            let _e928 = select(_e918, _e926, (_e926 > _e918));
-                                                            let _e930 = select(_e908, _e907, (_e907 > _e908));
-                                                            let _e932 = select(_e912, _e911, (_e911 > _e912));
-                                                            let _e934 = select(_e932, _e930, (_e930 < _e932));
-                                                            let _e936 = select(_e920, _e934, (_e934 < _e920));
-                                                            let _e937 = -(_e918);
-                                                            let _e943 = select(_e473, _e928, (_e928 > _e473));
-                                                            if (_e943 > (_e936 + (select(_e937, _e920, (_e920 > _e937)) * 0.0000019073523f))) {
-                                                                phi_1560_ = type_28();
-                                                                phi_1561_ = true;
+                                                            let _e881 = select(_e806[1][0], _e806[0][0], (_e806[0][0] < _e806[1][0]));
+                                                            let _e885 = select(_e806[1][0], _e806[0][0], (_e806[0][0] > _e806[1][0]));
+                                                            let _e889 = select(_e806[1][1], _e806[0][1], (_e806[0][1] < _e806[1][1]));
+                                                            let _e893 = select(_e806[1][1], _e806[0][1], (_e806[0][1] > _e806[1][1]));
+                                                            let _e897 = select(_e806[1][2], _e806[0][2], (_e806[0][2] < _e806[1][2]));
+                                                            let _e901 = select(_e806[1][2], _e806[0][2], (_e806[0][2] > _e806[1][2]));
+                                                            let _e906 = ((select(_e806[2][0], _e881, (_e881 < _e806[2][0])) - _e349) * _e354);
+                                                            let _e907 = ((select(_e806[2][0], _e885, (_e885 > _e806[2][0])) - _e350) * _e354);
+                                                            let _e910 = ((select(_e806[2][1], _e889, (_e889 < _e806[2][1])) - _e385) * _e390);
+                                                            let _e911 = ((select(_e806[2][1], _e893, (_e893 > _e806[2][1])) - _e386) * _e390);
+                                                            let _e914 = ((select(_e806[2][2], _e897, (_e897 < _e806[2][2])) - _e421) * _e426);
+                                                            let _e915 = ((select(_e806[2][2], _e901, (_e901 > _e806[2][2])) - _e422) * _e426);
+                                                            let _e917 = select(_e915, _e914, (_e914 < _e915));
+                                                            let _e919 = select(_e915, _e914, (_e914 > _e915));
+                                                            let _e921 = select(_e907, _e906, (_e906 < _e907));
+                                                            let _e923 = select(_e911, _e910, (_e910 < _e911));
+                                                            let _e925 = select(_e923, _e921, (_e921 > _e923));
+                                                            let _e927 = select(_e917, _e925, (_e925 > _e917));
+                                                            let _e929 = select(_e907, _e906, (_e906 > _e907));
+                                                            let _e931 = select(_e911, _e910, (_e910 > _e911));
+                                                            let _e933 = select(_e931, _e929, (_e929 < _e931));
+                                                            let _e935 = select(_e919, _e933, (_e933 < _e919));
+                                                            let _e936 = -(_e917);
+                                                            let _e942 = select(_e472, _e927, (_e927 > _e472));
+                                                            if (_e942 > (_e935 + (select(_e936, _e919, (_e919 > _e936)) * 0.0000019073523f))) {
+                                                                phi_1827_ = type_28();
+                                                                phi_1828_ = true;
                                                             } else {
-                                                                let _e945 = (_e943 > _e709.member);
-                                                                if _e945 {
-                                                                    phi_1559_ = type_28();
+                                                                let _e944 = (_e942 > _e707.member);
+                                                                if _e944 {
+                                                                    phi_1826_ = type_28();
                                                                 } else {
-                                                                    let _e949 = (_e807[1][0] - _e807[0][0]);
-                                                                    let _e950 = (_e807[1][1] - _e807[0][1]);
-                                                                    let _e951 = (_e807[1][2] - _e807[0][2]);
-                                                                    let _e952 = vec3<f32>(_e949, _e950, _e951);
-                                                                    let _e953 = (_e807[2][0] - _e807[1][0]);
-                                                                    let _e954 = (_e807[2][1] - _e807[1][1]);
-                                                                    let _e955 = (_e807[2][2] - _e807[1][2]);
-                                                                    let _e956 = vec3<f32>(_e953, _e954, _e955);
-                                                                    let _e957 = (_e807[0][0] - _e807[2][0]);
-                                                                    let _e958 = (_e807[0][1] - _e807[2][1]);
-                                                                    let _e959 = (_e807[0][2] - _e807[2][2]);
-                                                                    let _e960 = vec3<f32>(_e957, _e958, _e959);
-                                                                    let _e963 = bitcast<f32>((bitcast<u32>(_e949) & 2147483647u));
-                                                                    let _e966 = bitcast<f32>((bitcast<u32>(_e950) & 2147483647u));
-                                                                    let _e968 = select(_e966, _e963, (_e963 > _e966));
-                                                                    let _e971 = bitcast<f32>((bitcast<u32>(_e951) & 2147483647u));
-                                                                    let _e973 = select(_e971, _e968, (_e968 > _e971));
-                                                                    let _e976 = bitcast<f32>((bitcast<u32>(_e953) & 2147483647u));
-                                                                    let _e979 = bitcast<f32>((bitcast<u32>(_e954) & 2147483647u));
-                                                                    let _e981 = select(_e979, _e976, (_e976 > _e979));
-                                                                    let _e984 = bitcast<f32>((bitcast<u32>(_e955) & 2147483647u));
-                                                                    let _e986 = select(_e984, _e981, (_e981 > _e984));
-                                                                    let _e989 = bitcast<f32>((bitcast<u32>(_e957) & 2147483647u));
-                                                                    let _e992 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
-                                                                    let _e994 = select(_e992, _e989, (_e989 > _e992));
-                                                                    let _e997 = bitcast<f32>((bitcast<u32>(_e959) & 2147483647u));
-                                                                    let _e999 = select(_e997, _e994, (_e994 > _e997));
-                                                                    let _e1001 = select(_e986, _e973, (_e973 > _e986));
-                                                                    let _e1003 = select(_e999, _e1001, (_e1001 > _e999));
-                                                                    if (_e973 == _e1003) {
-                                                                        phi_1470_ = _e956;
-                                                                        phi_1471_ = _e960;
+                                                                    let _e948 = (_e806[1][0] - _e806[0][0]);
+                                                                    let _e949 = (_e806[1][1] - _e806[0][1]);
+                                                                    let _e950 = (_e806[1][2] - _e806[0][2]);
+                                                                    let _e951 = vec3<f32>(_e948, _e949, _e950);
+                                                                    let _e952 = (_e806[2][0] - _e806[1][0]);
+                                                                    let _e953 = (_e806[2][1] - _e806[1][1]);
+                                                                    let _e954 = (_e806[2][2] - _e806[1][2]);
+                                                                    let _e955 = vec3<f32>(_e952, _e953, _e954);
+                                                                    let _e956 = (_e806[0][0] - _e806[2][0]);
+                                                                    let _e957 = (_e806[0][1] - _e806[2][1]);
+                                                                    let _e958 = (_e806[0][2] - _e806[2][2]);
+                                                                    let _e959 = vec3<f32>(_e956, _e957, _e958);
+                                                                    let _e962 = bitcast<f32>((bitcast<u32>(_e948) & 2147483647u));
+                                                                    let _e965 = bitcast<f32>((bitcast<u32>(_e949) & 2147483647u));
+                                                                    let _e967 = select(_e965, _e962, (_e962 > _e965));
+                                                                    let _e970 = bitcast<f32>((bitcast<u32>(_e950) & 2147483647u));
+                                                                    let _e972 = select(_e970, _e967, (_e967 > _e970));
+                                                                    let _e975 = bitcast<f32>((bitcast<u32>(_e952) & 2147483647u));
+                                                                    let _e978 = bitcast<f32>((bitcast<u32>(_e953) & 2147483647u));
+                                                                    let _e980 = select(_e978, _e975, (_e975 > _e978));
+                                                                    let _e983 = bitcast<f32>((bitcast<u32>(_e954) & 2147483647u));
+                                                                    let _e985 = select(_e983, _e980, (_e980 > _e983));
+                                                                    let _e988 = bitcast<f32>((bitcast<u32>(_e956) & 2147483647u));
+                                                                    let _e991 = bitcast<f32>((bitcast<u32>(_e957) & 2147483647u));
+                                                                    let _e993 = select(_e991, _e988, (_e988 > _e991));
+                                                                    let _e996 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
+                                                                    let _e998 = select(_e996, _e993, (_e993 > _e996));
+                                                                    let _e1000 = select(_e985, _e972, (_e972 > _e985));
+                                                                    let _e1002 = select(_e998, _e1000, (_e1000 > _e998));
+                                                                    if (_e972 == _e1002) {
+                                                                        phi_1737_ = _e955;
+                                                                        phi_1738_ = _e959;
                                                                     } else {
-                                                                        let _e1006 = vec3((_e986 == _e1003));
-                                                                        phi_1470_ = select(_e952, _e960, _e1006);
-                                                                        phi_1471_ = select(_e956, _e952, _e1006);
+                                                                        let _e1005 = vec3((_e985 == _e1002));
+                                                                        phi_1737_ = select(_e951, _e959, _e1005);
+                                                                        phi_1738_ = select(_e955, _e951, _e1005);
                                                                     }
-                                                                    let _e1010 = phi_1470_;
-                                                                    let _e1012 = phi_1471_;
-                                                                    let _e1019 = ((_e1010.y * _e1012.z) - (_e1012.y * _e1010.z));
-                                                                    let _e1024 = ((_e1010.z * _e1012.x) - (_e1012.z * _e1010.x));
-                                                                    let _e1027 = ((_e1010.x * _e1012.y) - (_e1012.x * _e1010.y));
-                                                                    if (_e869 >= _e873) {
-                                                                        phi_1502_ = select(true, false, (_e869 >= _e877));
+                                                                    let _e1009 = phi_1737_;
+                                                                    let _e1011 = phi_1738_;
+                                                                    let _e1018 = ((_e1009.y * _e1011.z) - (_e1011.y * _e1009.z));
+                                                                    let _e1023 = ((_e1009.z * _e1011.x) - (_e1011.z * _e1009.x));
+                                                                    let _e1026 = ((_e1009.x * _e1011.y) - (_e1011.x * _e1009.y));
+                                                                    if (_e868 >= _e872) {
+                                                                        phi_1769_ = select(true, false, (_e868 >= _e876));
                                                                     } else {
-                                                                        phi_1502_ = true;
+                                                                        phi_1769_ = true;
                                                                     }
-                                                                    let _e1032 = phi_1502_;
-                                                                    if _e1032 {
-                                                                        phi_1511_ = select(vec3<f32>(_e807[2][0], _e807[2][1], _e807[2][2]), vec3<f32>(_e807[1][0], _e807[1][1], _e807[1][2]), vec3((_e873 >= _e877)));
+                                                                    let _e1031 = phi_1769_;
+                                                                    if _e1031 {
+                                                                        phi_1778_ = select(vec3<f32>(_e806[2][0], _e806[2][1], _e806[2][2]), vec3<f32>(_e806[1][0], _e806[1][1], _e806[1][2]), vec3((_e872 >= _e876)));
                                                                     } else {
-                                                                        phi_1511_ = vec3<f32>(_e807[0][0], _e807[0][1], _e807[0][2]);
+                                                                        phi_1778_ = vec3<f32>(_e806[0][0], _e806[0][1], _e806[0][2]);
                                                                     }
-                                                                    let _e1037 = phi_1511_;
-                                                                    let _e1054 = ((((_e1019 * (_e1037.x - _e327)) + (_e1024 * (_e1037.y - _e364))) + (_e1027 * (_e1037.z - _e400))) / (((_e1019 * _e352) + (_e1024 * _e388)) + (_e1027 * _e424)));
-                                                                    let _e1056 = select(_e936, _e1054, (_e1054 < _e936));
-                                                                    let _e1058 = select(_e928, _e1056, (_e1056 > _e928));
-                                                                    if (_e1058 >= _e473) {
-                                                                        let _e1060 = (_e1058 <= _e709.member);
-                                                                        if _e1060 {
-                                                                            let _e1061 = (1f / _e879);
-                                                                            phi_1551_ = type_28(_e1058, (_e873 * _e1061), (_e877 * _e1061), _e737);
+                                                                    let _e1036 = phi_1778_;
+                                                                    let _e1053 = ((((_e1018 * (_e1036.x - _e326)) + (_e1023 * (_e1036.y - _e363))) + (_e1026 * (_e1036.z - _e399))) / (((_e1018 * _e351) + (_e1023 * _e387)) + (_e1026 * _e423)));
+                                                                    let _e1055 = select(_e935, _e1053, (_e1053 < _e935));
+                                                                    let _e1057 = select(_e927, _e1055, (_e1055 > _e927));
+                                                                    if (_e1057 >= _e472) {
+                                                                        let _e1059 = (_e1057 <= _e707.member);
+                                                                        if _e1059 {
+                                                                            let _e1060 = (1f / _e878);
+                                                                            phi_1818_ = type_28(_e1057, (_e872 * _e1060), (_e876 * _e1060), _e736);
                                                                         } else {
-                                                                            phi_1551_ = type_28();
+                                                                            phi_1818_ = type_28();
                                                                         }
-                                                                        let _e1066 = phi_1551_;
-                                                                        phi_1553_ = _e1066;
-                                                                        phi_1554_ = select(true, false, _e1060);
+                                                                        let _e1065 = phi_1818_;
+                                                                        phi_1820_ = _e1065;
+                                                                        phi_1821_ = select(true, false, _e1059);
                                                                     } else {
-                                                                        phi_1553_ = type_28();
-                                                                        phi_1554_ = true;
+                                                                        phi_1820_ = type_28();
+                                                                        phi_1821_ = true;
                                                                     }
-                                                                    let _e1069 = phi_1553_;
-                                                                    let _e1071 = phi_1554_;
-                                                                    if _e1071 {
-                                                                        phi_1558_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e1068 = phi_1820_;
+                                                                    let _e1070 = phi_1821_;
+                                                                    if _e1070 {
+                                                                        phi_1825_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_1558_ = _e1069;
+                                                                        phi_1825_ = _e1068;
                                                                     }
-                                                                    let _e1073 = phi_1558_;
-                                                                    phi_1559_ = _e1073;
+                                                                    let _e1072 = phi_1825_;
+                                                                    phi_1826_ = _e1072;
                                                                 }
-                                                                let _e1075 = phi_1559_;
-                                                                phi_1560_ = _e1075;
-                                                                phi_1561_ = _e945;
+                                                                let _e1074 = phi_1826_;
+                                                                phi_1827_ = _e1074;
+                                                                phi_1828_ = _e944;
                                                             }
-                                                            let _e1077 = phi_1560_;
-                                                            let _e1079 = phi_1561_;
-                                                            phi_1565_ = _e1077;
-                                                            phi_1566_ = _e1079;
+                                                            let _e1076 = phi_1827_;
+                                                            let _e1078 = phi_1828_;
+                                                            phi_1832_ = _e1076;
+                                                            phi_1833_ = _e1078;
                                                         }
-                                                        let _e1081 = phi_1565_;
-                                                        let _e1083 = phi_1566_;
-                                                        phi_1570_ = _e1081;
-                                                        phi_1571_ = _e1083;
+                                                        let _e1080 = phi_1832_;
+                                                        let _e1082 = phi_1833_;
+                                                        phi_1837_ = _e1080;
+                                                        phi_1838_ = _e1082;
                                                     } else {
-                                                        phi_1570_ = type_28();
-                                                        phi_1571_ = true;
+                                                        phi_1837_ = type_28();
+                                                        phi_1838_ = true;
                                                     }
-                                                    let _e1085 = phi_1570_;
-                                                    let _e1087 = phi_1571_;
-                                                    if _e1087 {
-                                                        phi_1575_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1084 = phi_1837_;
+                                                    let _e1086 = phi_1838_;
+                                                    if _e1086 {
+                                                        phi_1842_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1575_ = _e1085;
+                                                        phi_1842_ = _e1084;
                                                     }
-                                                    let _e1089 = phi_1575_;
-                                                    if (_e1089.member_3 != 4294967295u) {
-                                                        if (_e737 == _e188) {
-                                                            phi_1943_ = false;
+                                                    let _e1088 = phi_1842_;
+                                                    if (_e1088.member_3 != 4294967295u) {
+                                                        if (_e736 == _e187) {
+                                                            phi_2171_ = false;
                                                         } else {
-                                                            let _e1093 = (_e737 < arrayLength((&global_5.member)));
-                                                            if _e1093 {
-                                                                if _e1093 {
+                                                            let _e1092 = (_e736 < arrayLength((&global_5.member)));
+                                                            if _e1092 {
+                                                                if _e1092 {
                                                                 } else {
-                                                                    phi_2480_ = true;
+                                                                    phi_2716_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1095 = global_5.member[_e737];
-                                                                phi_1598_ = _e1095;
+                                                                let _e1094 = global_5.member[_e736];
+                                                                phi_1865_ = _e1094;
                                                             } else {
-                                                                phi_1598_ = 4294967295u;
+                                                                phi_1865_ = 4294967295u;
                                                             }
-                                                            let _e1097 = phi_1598_;
-                                                            let _e1098 = (_e1097 < arrayLength((&global_6.member)));
-                                                            if _e1098 {
-                                                                if _e1098 {
+                                                            let _e1096 = phi_1865_;
+                                                            let _e1097 = (_e1096 < arrayLength((&global_6.member)));
+                                                            if _e1097 {
+                                                                if _e1097 {
                                                                 } else {
-                                                                    phi_2480_ = true;
+                                                                    phi_2716_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1100 = global_6.member[_e1097];
-                                                                phi_1612_ = _e1100;
+                                                                let _e1099 = global_6.member[_e1096];
+                                                                phi_1879_ = _e1099;
                                                             } else {
-                                                                phi_1612_ = 0i;
+                                                                phi_1879_ = 0i;
                                                             }
-                                                            let _e1102 = phi_1612_;
-                                                            let _e1103 = (_e1102 == 0i);
-                                                            if _e1103 {
-                                                                phi_1942_ = true;
+                                                            let _e1101 = phi_1879_;
+                                                            let _e1102 = (_e1101 == 0i);
+                                                            if _e1102 {
+                                                                phi_2170_ = true;
                                                             } else {
-                                                                if _e738 {
-                                                                    phi_1704_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                                if _e318 {
+                                                                    phi_1900_ = vec3<f32>(_e806[0][0], _e806[0][1], _e806[0][2]);
                                                                 } else {
-                                                                    if _e731 {
+                                                                    if (_e298 == 1u) {
+                                                                        phi_1899_ = vec3<f32>(_e806[0][2], _e806[0][0], _e806[0][1]);
                                                                     } else {
-                                                                        phi_2480_ = true;
-                                                                        break;
+                                                                        phi_1899_ = vec3<f32>(_e806[0][1], _e806[0][2], _e806[0][0]);
                                                                     }
-                                                                    let _e1108 = global_4.member[_e726.member_1].member[0u];
-                                                                    let _e1113 = global_4.member[_e726.member_1].member[1u];
-                                                                    let _e1118 = global_4.member[_e726.member_1].member[2u];
-                                                                    let _e1124 = global_4.member[_e726.member_1].member[3u];
-                                                                    let _e1129 = global_4.member[_e726.member_1].member[4u];
-                                                                    let _e1134 = global_4.member[_e726.member_1].member[5u];
-                                                                    let _e1140 = global_4.member[_e726.member_1].member[6u];
-                                                                    let _e1145 = global_4.member[_e726.member_1].member[7u];
-                                                                    let _e1150 = global_4.member[_e726.member_1].member[8u];
-                                                                    phi_1704_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1108, _e1113, _e1118), array<f32, 3>(_e1124, _e1129, _e1134), array<f32, 3>(_e1140, _e1145, _e1150));
+                                                                    let _e1107 = phi_1899_;
+                                                                    phi_1900_ = _e1107;
                                                                 }
-                                                                let _e1154 = phi_1704_;
-                                                                let _e1167 = (_e1154[1][0] - _e1154[0][0]);
-                                                                let _e1168 = (_e1154[1][1] - _e1154[0][1]);
-                                                                let _e1169 = (_e1154[1][2] - _e1154[0][2]);
-                                                                let _e1170 = (_e1154[2][0] - _e1154[0][0]);
-                                                                let _e1171 = (_e1154[2][1] - _e1154[0][1]);
-                                                                let _e1172 = (_e1154[2][2] - _e1154[0][2]);
-                                                                if (_e184.member_1 == 1u) {
-                                                                    phi_1742_ = vec3<f32>((_e184.member[0] - _e1154[0][0]), (_e184.member[1] - _e1154[0][1]), (_e184.member[2] - _e1154[0][2]));
+                                                                let _e1110 = phi_1900_;
+                                                                if _e318 {
+                                                                    phi_1917_ = vec3<f32>(_e806[1][0], _e806[1][1], _e806[1][2]);
                                                                 } else {
-                                                                    phi_1742_ = vec3<f32>(_e184.member[0], _e184.member[1], _e184.member[2]);
+                                                                    if (_e298 == 1u) {
+                                                                        phi_1916_ = vec3<f32>(_e806[1][2], _e806[1][0], _e806[1][1]);
+                                                                    } else {
+                                                                        phi_1916_ = vec3<f32>(_e806[1][1], _e806[1][2], _e806[1][0]);
+                                                                    }
+                                                                    let _e1115 = phi_1916_;
+                                                                    phi_1917_ = _e1115;
                                                                 }
-                                                                let _e1189 = phi_1742_;
-                                                                let _e1195 = bitcast<f32>((bitcast<u32>((_e1167 * _e1171)) ^ _e184.member_3[0]));
-                                                                let _e1199 = bitcast<f32>((bitcast<u32>((_e1168 * _e1170)) ^ _e184.member_3[0]));
-                                                                let _e1203 = bitcast<f32>((bitcast<u32>((_e1168 * _e1172)) ^ _e184.member_3[0]));
-                                                                let _e1207 = bitcast<f32>((bitcast<u32>((_e1169 * _e1171)) ^ _e184.member_3[0]));
-                                                                let _e1211 = bitcast<f32>((bitcast<u32>((_e1169 * _e1170)) ^ _e184.member_3[0]));
-                                                                let _e1215 = bitcast<f32>((bitcast<u32>((_e1167 * _e1172)) ^ _e184.member_3[0]));
-                                                                let _e1216 = (_e1203 - _e1207);
-                                                                let _e1217 = (_e1211 - _e1215);
-                                                                let _e1218 = (_e1195 - _e1199);
-                                                                let _e1242 = (bitcast<f32>((bitcast<u32>(_e1203) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u)));
-                                                                let _e1249 = (bitcast<f32>((bitcast<u32>(_e1211) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u)));
-                                                                let _e1256 = (bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u)));
-                                                                if (_e184.member_2 == 0f) {
-                                                                    phi_1924_ = 0f;
+                                                                let _e1118 = phi_1917_;
+                                                                if _e318 {
+                                                                    phi_1934_ = vec3<f32>(_e806[2][0], _e806[2][1], _e806[2][2]);
                                                                 } else {
-                                                                    let _e1286 = bitcast<f32>((bitcast<u32>(_e1216) & 2147483647u));
-                                                                    let _e1289 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
-                                                                    let _e1292 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
-                                                                    let _e1294 = select(_e1292, _e1289, (_e1289 > _e1292));
-                                                                    let _e1298 = select(_e1292, _e1289, (_e1289 < _e1292));
-                                                                    let _e1302 = select(_e1289, _e1286, (_e1286 < _e1289));
-                                                                    let _e1304 = select(_e1289, _e1286, (_e1286 > _e1289));
-                                                                    let _e1306 = select(_e1292, _e1304, (_e1304 < _e1292));
-                                                                    phi_1924_ = bitcast<f32>((bitcast<u32>((_e184.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1294, _e1286, (_e1286 > _e1294)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1306, _e1302, (_e1302 > _e1306)))) ^ _e184.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1298, _e1286, (_e1286 < _e1298)))) ^ _e184.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1242 + _e1249) + _e1256))) ^ _e184.member_3[0]))) * 1.0000005f)) ^ _e184.member_3[0])))) ^ _e184.member_3[0]));
+                                                                    if (_e298 == 1u) {
+                                                                        phi_1933_ = vec3<f32>(_e806[2][2], _e806[2][0], _e806[2][1]);
+                                                                    } else {
+                                                                        phi_1933_ = vec3<f32>(_e806[2][1], _e806[2][2], _e806[2][0]);
+                                                                    }
+                                                                    let _e1123 = phi_1933_;
+                                                                    phi_1934_ = _e1123;
                                                                 }
-                                                                let _e1333 = phi_1924_;
-                                                                phi_1942_ = (_e1103 || !(((((bitcast<f32>((bitcast<u32>((_e1189.x * _e1216)) ^ _e184.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1189.y * _e1217)) ^ _e184.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1189.z * _e1218)) ^ _e184.member_3[0]))) * f32(-(_e1102))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1189.x) & 2147483647u)) * _e1242)) ^ _e184.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1189.y) & 2147483647u)) * _e1249)) ^ _e184.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1189.z) & 2147483647u)) * _e1256)) ^ _e184.member_3[0]))))) ^ _e184.member_3[0])) + _e1333) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1126 = phi_1934_;
+                                                                let _e1129 = (_e1118.x - _e1110.x);
+                                                                let _e1132 = (_e1118.y - _e1110.y);
+                                                                let _e1135 = (_e1118.z - _e1110.z);
+                                                                let _e1137 = (_e1126.x - _e1110.x);
+                                                                let _e1139 = (_e1126.y - _e1110.y);
+                                                                let _e1141 = (_e1126.z - _e1110.z);
+                                                                if (_e183.member_1 == 1u) {
+                                                                    phi_1970_ = (vec3<f32>(_e183.member[0], _e183.member[1], _e183.member[2]) - _e1110);
+                                                                } else {
+                                                                    phi_1970_ = vec3<f32>(_e183.member[0], _e183.member[1], _e183.member[2]);
+                                                                }
+                                                                let _e1156 = phi_1970_;
+                                                                let _e1162 = bitcast<f32>((bitcast<u32>((_e1129 * _e1139)) ^ _e183.member_3[0]));
+                                                                let _e1166 = bitcast<f32>((bitcast<u32>((_e1132 * _e1137)) ^ _e183.member_3[0]));
+                                                                let _e1170 = bitcast<f32>((bitcast<u32>((_e1132 * _e1141)) ^ _e183.member_3[0]));
+                                                                let _e1174 = bitcast<f32>((bitcast<u32>((_e1135 * _e1139)) ^ _e183.member_3[0]));
+                                                                let _e1178 = bitcast<f32>((bitcast<u32>((_e1135 * _e1137)) ^ _e183.member_3[0]));
+                                                                let _e1182 = bitcast<f32>((bitcast<u32>((_e1129 * _e1141)) ^ _e183.member_3[0]));
+                                                                let _e1183 = (_e1170 - _e1174);
+                                                                let _e1184 = (_e1178 - _e1182);
+                                                                let _e1185 = (_e1162 - _e1166);
+                                                                let _e1209 = (bitcast<f32>((bitcast<u32>(_e1170) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1174) & 2147483647u)));
+                                                                let _e1216 = (bitcast<f32>((bitcast<u32>(_e1178) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1182) & 2147483647u)));
+                                                                let _e1223 = (bitcast<f32>((bitcast<u32>(_e1162) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1166) & 2147483647u)));
+                                                                if (_e183.member_2 == 0f) {
+                                                                    phi_2152_ = 0f;
+                                                                } else {
+                                                                    let _e1253 = bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u));
+                                                                    let _e1256 = bitcast<f32>((bitcast<u32>(_e1184) & 2147483647u));
+                                                                    let _e1259 = bitcast<f32>((bitcast<u32>(_e1185) & 2147483647u));
+                                                                    let _e1261 = select(_e1259, _e1256, (_e1256 > _e1259));
+                                                                    let _e1265 = select(_e1259, _e1256, (_e1256 < _e1259));
+                                                                    let _e1269 = select(_e1256, _e1253, (_e1253 < _e1256));
+                                                                    let _e1271 = select(_e1256, _e1253, (_e1253 > _e1256));
+                                                                    let _e1273 = select(_e1259, _e1271, (_e1271 < _e1259));
+                                                                    phi_2152_ = bitcast<f32>((bitcast<u32>((_e183.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1261, _e1253, (_e1253 > _e1261)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1273, _e1269, (_e1269 > _e1273)))) ^ _e183.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1265, _e1253, (_e1253 < _e1265)))) ^ _e183.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1209 + _e1216) + _e1223))) ^ _e183.member_3[0]))) * 1.0000005f)) ^ _e183.member_3[0])))) ^ _e183.member_3[0]));
+                                                                }
+                                                                let _e1300 = phi_2152_;
+                                                                phi_2170_ = (_e1102 || !(((((bitcast<f32>((bitcast<u32>((_e1156.x * _e1183)) ^ _e183.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1156.y * _e1184)) ^ _e183.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1156.z * _e1185)) ^ _e183.member_3[0]))) * f32(-(_e1101))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1156.x) & 2147483647u)) * _e1209)) ^ _e183.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1156.y) & 2147483647u)) * _e1216)) ^ _e183.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1156.z) & 2147483647u)) * _e1223)) ^ _e183.member_3[0]))))) ^ _e183.member_3[0])) + _e1300) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1347 = phi_1942_;
-                                                            phi_1943_ = _e1347;
+                                                            let _e1314 = phi_2170_;
+                                                            phi_2171_ = _e1314;
                                                         }
-                                                        let _e1349 = phi_1943_;
-                                                        if _e1349 {
-                                                            phi_1948_ = type_55(_e709.member, true);
+                                                        let _e1316 = phi_2171_;
+                                                        if _e1316 {
+                                                            phi_2176_ = type_54(_e707.member, true);
                                                         } else {
-                                                            phi_1948_ = _e709;
+                                                            phi_2176_ = _e707;
                                                         }
-                                                        let _e1354 = phi_1948_;
-                                                        phi_1949_ = _e1354;
+                                                        let _e1321 = phi_2176_;
+                                                        phi_2177_ = _e1321;
                                                     } else {
-                                                        phi_1949_ = _e709;
+                                                        phi_2177_ = _e707;
                                                     }
-                                                    let _e1356 = phi_1949_;
-                                                    phi_866_ = _e1356;
+                                                    let _e1323 = phi_2177_;
+                                                    phi_1131_ = _e1323;
                                                 } else {
-                                                    phi_866_ = type_55();
+                                                    phi_1131_ = type_54();
                                                 }
-                                                let _e1358 = phi_866_;
+                                                let _e1325 = phi_1131_;
                                                 continue;
                                                 continuing {
-                                                    phi_865_ = _e1358;
-                                                    phi_868_ = _e724;
-                                                    phi_2480_ = _e481;
-                                                    break if !(_e730);
+                                                    phi_1130_ = _e1325;
+                                                    phi_1133_ = _e722;
+                                                    phi_2716_ = _e480;
+                                                    break if !(_e728);
                                                 }
                                             }
-                                            let _e1361 = phi_2480_;
-                                            phi_2606_ = _e1361;
-                                            if _e1361 {
+                                            let _e1328 = phi_2716_;
+                                            phi_2847_ = _e1328;
+                                            if _e1328 {
                                                 break;
                                             }
-                                            let _e1363 = local_2;
-                                            phi_2610_ = _e1361;
-                                            let _e1535 = local_4;
-                                            phi_2403_ = _e1535;
-                                            phi_2404_ = _e506;
-                                            phi_2405_ = false;
-                                            phi_2406_ = select(_e510, 0u, _e1363.member_1);
+                                            let _e1330 = local_2;
+                                            phi_2851_ = _e1328;
+                                            let _e1507 = local_4;
+                                            phi_2632_ = _e1507;
+                                            phi_2633_ = _e505;
+                                            phi_2634_ = false;
+                                            phi_2635_ = select(_e509, 0u, _e1330.member_1);
                                         } else {
-                                            if (_e506 >= _e75) {
-                                                phi_2010_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e505 >= _e74) {
+                                                phi_2238_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e506 < _e75) {
+                                                if (_e505 < _e74) {
                                                 } else {
-                                                    phi_2606_ = true;
+                                                    phi_2847_ = true;
                                                     break;
                                                 }
-                                                let _e520 = (_e299 % 3u);
-                                                if (_e520 < 3u) {
+                                                let _e519 = (_e298 % 3u);
+                                                if (_e519 < 3u) {
                                                 } else {
-                                                    phi_2606_ = true;
+                                                    phi_2847_ = true;
                                                     break;
                                                 }
-                                                let _e526 = global_3.member[_e506].member[_e520];
-                                                let _e532 = (_e298 % 3u);
-                                                if (_e532 < 3u) {
+                                                let _e525 = global_3.member[_e505].member[_e519];
+                                                let _e531 = (_e297 % 3u);
+                                                if (_e531 < 3u) {
                                                 } else {
-                                                    phi_2606_ = true;
+                                                    phi_2847_ = true;
                                                     break;
                                                 }
-                                                let _e538 = global_3.member[_e506].member[_e532];
-                                                let _e544 = (_e300 % 3u);
-                                                if (_e544 < 3u) {
+                                                let _e537 = global_3.member[_e505].member[_e531];
+                                                let _e543 = (_e299 % 3u);
+                                                if (_e543 < 3u) {
                                                 } else {
-                                                    phi_2606_ = true;
+                                                    phi_2847_ = true;
                                                     break;
                                                 }
-                                                let _e550 = global_3.member[_e506].member[_e544];
-                                                let _e560 = global_3.member[_e506].member_1;
-                                                let _e564 = global_3.member[_e506].member_2;
-                                                phi_2010_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e526[0], _e526[1], _e526[2], _e526[3]), vec4<f32>(_e538[0], _e538[1], _e538[2], _e538[3]), vec4<f32>(_e550[0], _e550[1], _e550[2], _e550[3])), _e560, _e564);
+                                                let _e549 = global_3.member[_e505].member[_e543];
+                                                let _e559 = global_3.member[_e505].member_1;
+                                                let _e563 = global_3.member[_e505].member_2;
+                                                phi_2238_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e525[0], _e525[1], _e525[2], _e525[3]), vec4<f32>(_e537[0], _e537[1], _e537[2], _e537[3]), vec4<f32>(_e549[0], _e549[1], _e549[2], _e549[3])), _e559, _e563);
                                             }
-                                            let _e567 = phi_2010_;
-                                            let _e579 = ((_e567.member[0].x - _e350) * _e355);
-                                            let _e580 = ((_e567.member[0].y - _e350) * _e355);
-                                            let _e581 = ((_e567.member[0].z - _e351) * _e355);
-                                            let _e582 = ((_e567.member[0].w - _e351) * _e355);
-                                            let _e592 = ((_e567.member[1].x - _e386) * _e391);
-                                            let _e593 = ((_e567.member[1].y - _e386) * _e391);
-                                            let _e594 = ((_e567.member[1].z - _e387) * _e391);
-                                            let _e595 = ((_e567.member[1].w - _e387) * _e391);
-                                            let _e605 = ((_e567.member[2].x - _e422) * _e427);
-                                            let _e606 = ((_e567.member[2].y - _e422) * _e427);
-                                            let _e607 = ((_e567.member[2].z - _e423) * _e427);
-                                            let _e608 = ((_e567.member[2].w - _e423) * _e427);
-                                            let _e610 = select(_e607, _e605, (_e605 < _e607));
-                                            let _e612 = select(_e608, _e606, (_e606 < _e608));
-                                            let _e614 = select(_e607, _e605, (_e605 > _e607));
-                                            let _e616 = select(_e608, _e606, (_e606 > _e608));
-                                            let _e618 = select(_e581, _e579, (_e579 < _e581));
-                                            let _e620 = select(_e582, _e580, (_e580 < _e582));
-                                            let _e622 = select(_e594, _e592, (_e592 < _e594));
-                                            let _e624 = select(_e595, _e593, (_e593 < _e595));
-                                            let _e626 = select(_e622, _e618, (_e618 > _e622));
-                                            let _e628 = select(_e624, _e620, (_e620 > _e624));
-                                            let _e630 = select(_e610, _e626, (_e626 > _e610));
-                                            let _e632 = select(_e612, _e628, (_e628 > _e612));
-                                            let _e634 = select(_e581, _e579, (_e579 > _e581));
-                                            let _e636 = select(_e582, _e580, (_e580 > _e582));
-                                            let _e638 = select(_e594, _e592, (_e592 > _e594));
-                                            let _e640 = select(_e595, _e593, (_e593 > _e595));
-                                            let _e642 = select(_e638, _e634, (_e634 < _e638));
-                                            let _e644 = select(_e640, _e636, (_e636 < _e640));
-                                            let _e649 = -(_e610);
-                                            let _e650 = -(_e612);
-                                            let _e657 = (select(_e614, _e642, (_e642 < _e614)) + (select(_e649, _e614, (_e614 > _e649)) * 0.0000019073523f));
-                                            let _e658 = (select(_e616, _e644, (_e644 < _e616)) + (select(_e650, _e616, (_e616 > _e650)) * 0.0000019073523f));
-                                            let _e660 = select(_e473, _e630, (_e630 > _e473));
-                                            let _e662 = select(_e473, _e632, (_e632 > _e473));
-                                            let _e667 = (_e660 <= select(_e483.member, _e657, (_e657 < _e483.member)));
-                                            let _e668 = (_e662 <= select(_e483.member, _e658, (_e658 < _e483.member)));
-                                            let _e669 = (_e660 <= _e662);
-                                            if _e667 {
-                                                if _e668 {
-                                                    if _e669 {
-                                                        phi_2354_ = _e567.member_2;
-                                                    } else {
-                                                        phi_2354_ = _e567.member_1;
-                                                    }
-                                                    let _e673 = phi_2354_;
-                                                    let _e674 = (_e510 % 128u);
-                                                    let _e675 = (_e674 < 128u);
-                                                    if _e675 {
-                                                    } else {
-                                                        phi_2606_ = true;
-                                                        break;
-                                                    }
-                                                    local[_e674] = _e673;
-                                                    if _e675 {
-                                                    } else {
-                                                        phi_2606_ = true;
-                                                        break;
-                                                    }
-                                                    local_1[_e674] = select(_e662, _e660, (_e660 > _e662));
-                                                    if _e669 {
-                                                        phi_2380_ = _e567.member_1;
-                                                    } else {
-                                                        phi_2380_ = _e567.member_2;
-                                                    }
-                                                    let _e684 = phi_2380_;
-                                                    phi_2381_ = _e684;
-                                                    phi_2382_ = (_e510 + 1u);
-                                                } else {
-                                                    phi_2381_ = u32();
-                                                    phi_2382_ = u32();
-                                                }
-                                                let _e686 = phi_2381_;
-                                                let _e688 = phi_2382_;
-                                                phi_2384_ = _e686;
-                                                phi_2385_ = _e688;
-                                                phi_2386_ = select(true, false, _e668);
-                                            } else {
-                                                phi_2384_ = u32();
-                                                phi_2385_ = u32();
-                                                phi_2386_ = true;
-                                            }
-                                            let _e691 = phi_2384_;
-                                            let _e693 = phi_2385_;
-                                            let _e695 = phi_2386_;
-                                            if _e695 {
+                                            let _e566 = phi_2238_;
+                                            let _e578 = ((_e566.member[0].x - _e349) * _e354);
+                                            let _e579 = ((_e566.member[0].y - _e349) * _e354);
+                                            let _e580 = ((_e566.member[0].z - _e350) * _e354);
+                                            let _e581 = ((_e566.member[0].w - _e350) * _e354);
+                                            let _e591 = ((_e566.member[1].x - _e385) * _e390);
+                                            let _e592 = ((_e566.member[1].y - _e385) * _e390);
+                                            let _e593 = ((_e566.member[1].z - _e386) * _e390);
+                                            let _e594 = ((_e566.member[1].w - _e386) * _e390);
+                                            let _e604 = ((_e566.member[2].x - _e421) * _e426);
+                                            let _e605 = ((_e566.member[2].y - _e421) * _e426);
+                                            let _e606 = ((_e566.member[2].z - _e422) * _e426);
+                                            let _e607 = ((_e566.member[2].w - _e422) * _e426);
+                                            let _e609 = select(_e606, _e604, (_e604 < _e606));
+                                            let _e611 = select(_e607, _e605, (_e605 < _e607));
+                                            let _e613 = select(_e606, _e604, (_e604 > _e606));
+                                            let _e615 = select(_e607, _e605, (_e605 > _e607));
+                                            let _e617 = select(_e580, _e578, (_e578 < _e580));
+                                            let _e619 = select(_e581, _e579, (_e579 < _e581));
+                                            let _e621 = select(_e593, _e591, (_e591 < _e593));
+                                            let _e623 = select(_e594, _e592, (_e592 < _e594));
+                                            let _e625 = select(_e621, _e617, (_e617 > _e621));
+                                            let _e627 = select(_e623, _e619, (_e619 > _e623));
+                                            let _e629 = select(_e609, _e625, (_e625 > _e609));
+                                            let _e631 = select(_e611, _e627, (_e627 > _e611));
+                                            let _e633 = select(_e580, _e578, (_e578 > _e580));
+                                            let _e635 = select(_e581, _e579, (_e579 > _e581));
+                                            let _e637 = select(_e593, _e591, (_e591 > _e593));
+                                            let _e639 = select(_e594, _e592, (_e592 > _e594));
+                                            let _e641 = select(_e637, _e633, (_e633 < _e637));
+                                            let _e643 = select(_e639, _e635, (_e635 < _e639));
+                                            let _e648 = -(_e609);
+                                            let _e649 = -(_e611);
+                                            let _e656 = (select(_e613, _e641, (_e641 < _e613)) + (select(_e648, _e613, (_e613 > _e648)) * 0.0000019073523f));
+                                            let _e657 = (select(_e615, _e643, (_e643 < _e615)) + (select(_e649, _e615, (_e615 > _e649)) * 0.0000019073523f));
+                                            let _e659 = select(_e472, _e629, (_e629 > _e472));
+                                            let _e661 = select(_e472, _e631, (_e631 > _e472));
+                                            let _e666 = (_e659 <= select(_e482.member, _e656, (_e656 < _e482.member)));
+                                            let _e667 = (_e661 <= select(_e482.member, _e657, (_e657 < _e482.member)));
+                                            let _e668 = (_e659 <= _e661);
+                                            if _e666 {
                                                 if _e667 {
-                                                    phi_2395_ = _e567.member_1;
+                                                    if _e668 {
+                                                        phi_2582_ = _e566.member_2;
+                                                    } else {
+                                                        phi_2582_ = _e566.member_1;
+                                                    }
+                                                    let _e672 = phi_2582_;
+                                                    let _e673 = (_e509 % 128u);
+                                                    let _e674 = (_e673 < 128u);
+                                                    if _e674 {
+                                                    } else {
+                                                        phi_2847_ = true;
+                                                        break;
+                                                    }
+                                                    local_1[_e673] = _e672;
+                                                    if _e674 {
+                                                    } else {
+                                                        phi_2847_ = true;
+                                                        break;
+                                                    }
+                                                    local[_e673] = select(_e661, _e659, (_e659 > _e661));
+                                                    if _e668 {
+                                                        phi_2609_ = _e566.member_1;
+                                                    } else {
+                                                        phi_2609_ = _e566.member_2;
+                                                    }
+                                                    let _e683 = phi_2609_;
+                                                    phi_2610_ = _e683;
+                                                    phi_2611_ = (_e509 + 1u);
                                                 } else {
-                                                    phi_2395_ = _e567.member_2;
+                                                    phi_2610_ = u32();
+                                                    phi_2611_ = u32();
                                                 }
-                                                let _e699 = phi_2395_;
-                                                phi_2400_ = _e699;
-                                                phi_2401_ = select(_e668, true, _e667);
+                                                let _e685 = phi_2610_;
+                                                let _e687 = phi_2611_;
+                                                phi_2613_ = _e685;
+                                                phi_2614_ = _e687;
+                                                phi_2615_ = select(true, false, _e667);
                                             } else {
-                                                phi_2400_ = _e691;
-                                                phi_2401_ = _e508;
+                                                phi_2613_ = u32();
+                                                phi_2614_ = u32();
+                                                phi_2615_ = true;
                                             }
-                                            let _e702 = phi_2400_;
-                                            let _e704 = phi_2401_;
-                                            phi_2610_ = _e481;
-                                            phi_2403_ = _e483;
-                                            phi_2404_ = _e702;
-                                            phi_2405_ = _e704;
-                                            phi_2406_ = select(_e693, _e510, _e695);
+                                            let _e690 = phi_2613_;
+                                            let _e692 = phi_2614_;
+                                            let _e694 = phi_2615_;
+                                            if _e694 {
+                                                if _e666 {
+                                                    phi_2624_ = _e566.member_1;
+                                                } else {
+                                                    phi_2624_ = _e566.member_2;
+                                                }
+                                                let _e698 = phi_2624_;
+                                                phi_2629_ = _e698;
+                                                phi_2630_ = select(_e667, true, _e666);
+                                            } else {
+                                                phi_2629_ = _e690;
+                                                phi_2630_ = _e507;
+                                            }
+                                            let _e701 = phi_2629_;
+                                            let _e703 = phi_2630_;
+                                            phi_2851_ = _e480;
+                                            phi_2632_ = _e482;
+                                            phi_2633_ = _e701;
+                                            phi_2634_ = _e703;
+                                            phi_2635_ = select(_e692, _e509, _e694);
                                         }
-                                        let _e1367 = phi_2610_;
-                                        let _e1369 = phi_2403_;
-                                        let _e1371 = phi_2404_;
-                                        let _e1373 = phi_2405_;
-                                        let _e1375 = phi_2406_;
-                                        phi_2609_ = _e1367;
-                                        phi_2407_ = _e1369;
-                                        phi_2408_ = _e1371;
-                                        phi_2409_ = (_e487 - 1u);
-                                        phi_2410_ = _e1373;
-                                        phi_2411_ = _e1375;
+                                        let _e1334 = phi_2851_;
+                                        let _e1336 = phi_2632_;
+                                        let _e1338 = phi_2633_;
+                                        let _e1340 = phi_2634_;
+                                        let _e1342 = phi_2635_;
+                                        phi_2850_ = _e1334;
+                                        phi_2636_ = _e1336;
+                                        phi_2637_ = _e1338;
+                                        phi_2638_ = (_e486 - 1u);
+                                        phi_2639_ = _e1340;
+                                        phi_2640_ = _e1342;
                                     } else {
-                                        phi_2609_ = _e481;
-                                        phi_2407_ = _e483;
-                                        phi_2408_ = _e506;
-                                        phi_2409_ = _e487;
-                                        phi_2410_ = _e508;
-                                        phi_2411_ = _e510;
+                                        phi_2850_ = _e480;
+                                        phi_2636_ = _e482;
+                                        phi_2637_ = _e505;
+                                        phi_2638_ = _e486;
+                                        phi_2639_ = _e507;
+                                        phi_2640_ = _e509;
                                     }
-                                    let _e1377 = phi_2609_;
-                                    let _e1379 = phi_2407_;
-                                    let _e1381 = phi_2408_;
-                                    let _e1383 = phi_2409_;
-                                    let _e1385 = phi_2410_;
-                                    let _e1387 = phi_2411_;
-                                    phi_2608_ = _e1377;
-                                    phi_2412_ = _e1379;
-                                    phi_2413_ = _e1381;
-                                    phi_2414_ = _e1383;
-                                    phi_2415_ = _e1385;
-                                    phi_2416_ = _e1387;
+                                    let _e1344 = phi_2850_;
+                                    let _e1346 = phi_2636_;
+                                    let _e1348 = phi_2637_;
+                                    let _e1350 = phi_2638_;
+                                    let _e1352 = phi_2639_;
+                                    let _e1354 = phi_2640_;
+                                    phi_2849_ = _e1344;
+                                    phi_2641_ = _e1346;
+                                    phi_2642_ = _e1348;
+                                    phi_2643_ = _e1350;
+                                    phi_2644_ = _e1352;
+                                    phi_2645_ = _e1354;
                                 } else {
-                                    phi_2608_ = _e481;
-                                    phi_2412_ = type_55();
-                                    phi_2413_ = u32();
-                                    phi_2414_ = u32();
-                                    phi_2415_ = bool();
-                                    phi_2416_ = u32();
+                                    phi_2849_ = _e480;
+                                    phi_2641_ = type_54();
+                                    phi_2642_ = u32();
+                                    phi_2643_ = u32();
+                                    phi_2644_ = bool();
+                                    phi_2645_ = u32();
                                 }
-                                let _e1389 = phi_2608_;
-                                let _e1391 = phi_2412_;
-                                let _e1393 = phi_2413_;
-                                let _e1395 = phi_2414_;
-                                let _e1397 = phi_2415_;
-                                let _e1399 = phi_2416_;
-                                phi_2607_ = _e1389;
-                                phi_798_ = _e1391;
-                                phi_801_ = _e1393;
-                                phi_803_ = _e1395;
-                                phi_805_ = _e1397;
-                                phi_807_ = _e1399;
-                                phi_2417_ = _e495;
+                                let _e1356 = phi_2849_;
+                                let _e1358 = phi_2641_;
+                                let _e1360 = phi_2642_;
+                                let _e1362 = phi_2643_;
+                                let _e1364 = phi_2644_;
+                                let _e1366 = phi_2645_;
+                                phi_2848_ = _e1356;
+                                phi_1063_ = _e1358;
+                                phi_1066_ = _e1360;
+                                phi_1068_ = _e1362;
+                                phi_1070_ = _e1364;
+                                phi_1072_ = _e1366;
+                                phi_2646_ = _e494;
                             } else {
-                                phi_2607_ = _e481;
-                                phi_798_ = type_55();
-                                phi_801_ = u32();
-                                phi_803_ = u32();
-                                phi_805_ = bool();
-                                phi_807_ = u32();
-                                phi_2417_ = false;
+                                phi_2848_ = _e480;
+                                phi_1063_ = type_54();
+                                phi_1066_ = u32();
+                                phi_1068_ = u32();
+                                phi_1070_ = bool();
+                                phi_1072_ = u32();
+                                phi_2646_ = false;
                             }
-                            let _e1401 = phi_2607_;
-                            let _e1403 = phi_798_;
-                            let _e1405 = phi_801_;
-                            let _e1407 = phi_803_;
-                            let _e1409 = phi_805_;
-                            let _e1411 = phi_807_;
-                            let _e1413 = phi_2417_;
+                            let _e1368 = phi_2848_;
+                            let _e1370 = phi_1063_;
+                            let _e1372 = phi_1066_;
+                            let _e1374 = phi_1068_;
+                            let _e1376 = phi_1070_;
+                            let _e1378 = phi_1072_;
+                            let _e1380 = phi_2646_;
                             continue;
                             continuing {
-                                phi_2486_ = _e1401;
-                                phi_797_ = _e1403;
-                                phi_800_ = _e1405;
-                                phi_802_ = _e1407;
-                                phi_804_ = _e1409;
-                                phi_806_ = _e1411;
-                                phi_2606_ = _e1401;
-                                break if !(_e1413);
+                                phi_2722_ = _e1368;
+                                phi_1062_ = _e1370;
+                                phi_1065_ = _e1372;
+                                phi_1067_ = _e1374;
+                                phi_1069_ = _e1376;
+                                phi_1071_ = _e1378;
+                                phi_2847_ = _e1368;
+                                break if !(_e1380);
                             }
                         }
-                        let _e1416 = phi_2606_;
-                        if _e1416 {
+                        let _e1383 = phi_2847_;
+                        if _e1383 {
                             break;
                         }
-                        let _e1418 = local_3;
-                        if _e1418.member_1 {
+                        let _e1385 = local_3;
+                        if _e1385.member_1 {
                         } else {
-                            if _e95 {
-                            } else {
-                                break;
-                            }
-                            let _e1422 = global_9.member[_e93];
                             if _e94 {
                             } else {
                                 break;
                             }
-                            let _e1426 = global_8.member[_e93].member_1;
-                            if _e95 {
+                            let _e1389 = global_9.member[_e92];
+                            if _e93 {
                             } else {
                                 break;
                             }
-                            global_9.member[_e93] = type_30(_e1422.member, _e1422.member_1, _e1422.member_2, array<f32, 3>((_e1422.member_3[0] + (_e1426[0] * _e1422.member_1[0])), (_e1422.member_3[1] + (_e1426[1] * _e1422.member_1[1])), (_e1422.member_3[2] + (_e1426[2] * _e1422.member_1[2]))), _e1422.member_4);
+                            let _e1393 = global_8.member[_e92].member_1;
+                            if _e94 {
+                            } else {
+                                break;
+                            }
+                            global_9.member[_e92] = type_30(_e1389.member, _e1389.member_1, _e1389.member_2, array<f32, 3>((_e1389.member_3[0] + (_e1393[0] * _e1389.member_1[0])), (_e1389.member_3[1] + (_e1393[1] * _e1389.member_1[1])), (_e1389.member_3[2] + (_e1393[2] * _e1389.member_1[2]))), _e1389.member_4);
                         }
                     }
                 }

@@ -189,6 +189,8 @@ impl Coded {
     }
 }
 
+// Functions of their own: one for all would be too large to be compiled well.
+#[inline(never)]
 fn lattice<const BITS: u32, const WORDS: usize>(
     coded: &Coded,
     plain: &[LeafTriangle],

@@ -40,7 +40,16 @@ pub const CODE_BITS: [CodeBits; 2] = [CodeBits::Bits30, CodeBits::Bits63];
 /// If the mesh is refused.
 #[must_use]
 pub fn build(mesh: &Mesh, code_bits: CodeBits) -> Bvh {
-    match Builder::new(BuildConfig { code_bits }).build(mesh) {
+    build_as(mesh, code_bits.into())
+}
+
+/// Builds from a mesh that must be sound, as configured.
+///
+/// # Panics
+/// If the mesh is refused.
+#[must_use]
+pub fn build_as(mesh: &Mesh, config: BuildConfig) -> Bvh {
+    match Builder::new(config).build(mesh) {
         Ok(bvh) => bvh,
         Err(error) => panic!("a sound mesh was refused: {error}"),
     }

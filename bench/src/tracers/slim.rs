@@ -22,7 +22,7 @@ impl<'a> Slim<'a> {
     /// Nothing is built yet.
     #[must_use]
     pub fn new(name: &'static str, code_bits: CodeBits, mesh: &'a Mesh) -> Self {
-        let config = BuildConfig { code_bits };
+        let config = BuildConfig::from(code_bits);
         Self {
             name,
             config,

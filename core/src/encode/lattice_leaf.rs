@@ -44,8 +44,8 @@ impl LeafWidth {
     #[inline(always)]
     #[must_use]
     pub fn of_frame(frame: &LatticeFrame, step: f32) -> Self {
-        let extent = |axis: usize| frame.max[axis] - frame.min[axis];
-        let largest = max(max(extent(0), extent(1)), extent(2));
+        let extent = frame.max - frame.min;
+        let largest = max(max(extent.x, extent.y), extent.z);
         if largest < 1024.0 * step {
             Self::Narrow
         } else if largest < 2_097_152.0 * step {
@@ -133,13 +133,13 @@ impl TriangleSource<LatticeFrame> for LatticeTriangles<'_> {
         let (begin, width) = self.begin(place);
         let size = width.vertex_words();
         let word = |i: u32| crate::load(self.words, begin.wrapping_add(i), 0);
+        let min = place.frame.min.to_array();
         let mut corners = [[0.0; 3]; 3];
         for (corner, to) in (0u32..).zip(&mut corners) {
             let at = corner * size;
             let (a, b) = (word(at), word(at + 1));
             for i in 0..3usize {
-                let axis = axes[i];
-                let min = place.frame.min[i];
+                let (axis, min) = (axes[i], min[i]);
                 to[i] = match width {
                     LeafWidth::Narrow => min + ((a >> (10 * axis)) & 0x3ff) as f32 * self.step,
                     LeafWidth::Middle => {

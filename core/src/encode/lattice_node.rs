@@ -27,18 +27,22 @@ use crate::lattice::LatticeBox;
 use crate::node::NodeRef;
 use crate::slab::PlanePair;
 use crate::trace::{Children, LeafRun, NodeSource};
+use glam::Vec4;
 
 /// Words of an axis.
+#[inline(always)]
 const fn axis_words(bits: u32) -> usize {
     if bits <= 15 { 1 } else { 2 }
 }
 
 /// Bits that an axis leaves free in its last word.
+#[inline(always)]
 const fn free_bits(bits: u32) -> u32 {
     32 - (bits + 1) * (2 / axis_words(bits) as u32)
 }
 
 /// Words before the axes.
+#[inline(always)]
 const fn link_words(bits: u32) -> usize {
     if free_bits(bits) >= 21 {
         0
@@ -131,6 +135,7 @@ pub fn links_of<const BITS: u32, const WORDS: usize>(words: &[u32; WORDS]) -> Li
 }
 
 /// An axis' last word.
+#[inline(always)]
 const fn last_word(bits: u32, axis: usize) -> usize {
     link_words(bits) + (axis + 1) * axis_words(bits) - 1
 }
@@ -232,20 +237,20 @@ const fn links<const BITS: u32>(before: [u32; 2], [x, y, z]: [u32; 3]) -> Links 
 }
 
 /// A box on the lattice as the traversal carries it: the same numbers in the scene's unit, which floats hold exactly, with
-/// coordinates in the order of the ray's axes. 24 bytes.
+/// coordinates in the order of the ray's axes. Last lanes are unused: what is stored as a vector can be loaded as one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LatticeFrame {
     /// Smallest coordinates.
-    pub min: [f32; 3],
+    pub min: Vec4,
     /// Largest coordinates.
-    pub max: [f32; 3],
+    pub max: Vec4,
 }
 
 impl LatticeFrame {
     /// Nothing but the origin; all bits zero.
     pub const ZERO: Self = Self {
-        min: [0.0; 3],
-        max: [0.0; 3],
+        min: Vec4::ZERO,
+        max: Vec4::ZERO,
     };
 
     /// A box whose steps have this length, for a ray whose axes are in this order.
@@ -256,13 +261,13 @@ impl LatticeFrame {
         let min = |axis: u32| bounds.min[axis as usize % 3] as f32 * step;
         let max = |axis: u32| bounds.max[axis as usize % 3] as f32 * step;
         Self {
-            min: [min(a), min(b), min(c)],
-            max: [max(a), max(b), max(c)],
+            min: Vec4::new(min(a), min(b), min(c), 0.0),
+            max: Vec4::new(max(a), max(b), max(c), 0.0),
         }
     }
 }
 
-/// A node or a leaf, and its box. 28 bytes.
+/// A node or a leaf, and its box.
 #[derive(Clone, Copy, Debug)]
 pub struct LatticeCursor {
     /// Which.
@@ -283,37 +288,70 @@ pub struct LatticeNodes<'a, const BITS: u32, const WORDS: usize, const MIXED: bo
     pub step: f32,
 }
 
-/// [`axis_planes`] in the scene's unit, in floats, of which none is ever rounded: each is a whole number of steps, of at most
-/// 24 bits.
+/// [`axis_planes`] of three axes in the scene's unit, in floats, of which none is ever rounded: each is a whole number of
+/// steps, of at most 24 bits. Lanes are axes, in the ray's order.
 #[inline(always)]
-fn frame_planes<const BITS: u32>(
-    [lower, upper]: [u32; 2],
-    low: f32,
-    high: f32,
+fn child_frames<const BITS: u32>(
+    lower: [u32; 4],
+    upper: [u32; 4],
+    frame: &LatticeFrame,
     step: f32,
-) -> PlanePair {
-    let mask = (1 << BITS) - 1;
-    let upper = if axis_words(BITS) == 1 {
-        upper >> ((BITS + 1) & 31)
-    } else {
-        upper
-    };
-    // The exponent of the extent tells how many bits it has.
-    let exponent = ((high - low).to_bits() >> 23) as i32 - (BITS as i32 - 1);
-    let least = (step.to_bits() >> 23) as i32;
-    let exponent = if exponent > least { exponent } else { least };
-    let cell = f32::from_bits((exponent as u32) << 23);
-    let from_low = ((lower & mask) as f32 * cell).to_bits();
-    let from_high = ((upper & mask) as f32 * -cell).to_bits();
-    let is_low_right = ((lower >> BITS) & 1).wrapping_neg();
-    let is_high_right = ((upper >> BITS) & 1).wrapping_neg();
-    PlanePair::new(low, low, high, high)
-        + PlanePair::new(
-            f32::from_bits(from_low & is_low_right),
-            f32::from_bits(from_low & !is_low_right),
-            f32::from_bits(from_high & is_high_right),
-            f32::from_bits(from_high & !is_high_right),
-        )
+) -> [LatticeFrame; 2] {
+    // The power of two in the extent tells how many bits it has.
+    let power = each((frame.max - frame.min).to_array(), |x| {
+        f32::from_bits(x.to_bits() & 0x7f80_0000)
+    });
+    let last = f32::from_bits((127 + 1 - BITS) << 23);
+    let cell = (power * last).max(Vec4::splat(step));
+    let (from_low, from_high) = (numbers::<BITS>(lower) * cell, numbers::<BITS>(upper) * cell);
+    let (low_left, low_right) = dealt::<BITS>(from_low, lower);
+    let (high_left, high_right) = dealt::<BITS>(from_high, upper);
+    [
+        LatticeFrame {
+            min: frame.min + low_left,
+            max: frame.max - high_left,
+        },
+        LatticeFrame {
+            min: frame.min + low_right,
+            max: frame.max - high_right,
+        },
+    ]
+}
+
+/// The numbers of sides.
+#[inline(always)]
+fn numbers<const BITS: u32>(sides: [u32; 4]) -> Vec4 {
+    let number = |side: u32| (side & ((1 << BITS) - 1)) as i32 as f32;
+    let [a, b, c, d] = sides;
+    Vec4::new(number(a), number(b), number(c), number(d))
+}
+
+/// Distances for the left child and for the right one: that of the other is 0.
+#[inline(always)]
+fn dealt<const BITS: u32>(distances: Vec4, sides: [u32; 4]) -> (Vec4, Vec4) {
+    let [a, b, c, d] = distances.to_array();
+    let is_left = |side: u32| (side << (31 - BITS)) as i32 >> 31;
+    let left = |x: f32, side: u32| f32::from_bits(x.to_bits() & is_left(side) as u32);
+    let right = |x: f32, side: u32| f32::from_bits(x.to_bits() & !is_left(side) as u32);
+    (
+        Vec4::new(
+            left(a, sides[0]),
+            left(b, sides[1]),
+            left(c, sides[2]),
+            left(d, sides[3]),
+        ),
+        Vec4::new(
+            right(a, sides[0]),
+            right(b, sides[1]),
+            right(c, sides[2]),
+            right(d, sides[3]),
+        ),
+    )
+}
+
+#[inline(always)]
+fn each([a, b, c, d]: [f32; 4], f: impl Fn(f32) -> f32) -> Vec4 {
+    Vec4::new(f(a), f(b), f(c), f(d))
 }
 
 impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
@@ -364,23 +402,26 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
         }
         // Words are read where they lie, by axis.
         let words = &self.nodes[index];
-        let bounds = &cursor.bounds;
-        let planes = |i: usize| {
-            let axis = axes[i] as usize;
-            let first = link_words(BITS) + axis * axis_words(BITS);
-            let sides = [words[first % WORDS], words[last_word(BITS, axis) % WORDS]];
-            frame_planes::<BITS>(sides, bounds.min[i], bounds.max[i], self.step)
+        let lower = |i: usize| {
+            let first = link_words(BITS) + axes[i] as usize * axis_words(BITS);
+            words[first % WORDS]
         };
-        let planes = [planes(0), planes(1), planes(2)];
-        let [a, b, c] = planes;
-        let left = LatticeFrame {
-            min: [a.x, b.x, c.x],
-            max: [a.z, b.z, c.z],
+        let upper = |i: usize| {
+            let word = words[last_word(BITS, axes[i] as usize) % WORDS];
+            if axis_words(BITS) == 1 {
+                word >> ((BITS + 1) & 31)
+            } else {
+                word
+            }
         };
-        let right = LatticeFrame {
-            min: [a.y, b.y, c.y],
-            max: [a.w, b.w, c.w],
-        };
+        let lower = [lower(0), lower(1), lower(2), 0];
+        let upper = [upper(0), upper(1), upper(2), 0];
+        let [left, right] = child_frames::<BITS>(lower, upper, &cursor.bounds, self.step);
+        let planes = [
+            PlanePair::new(left.min.x, right.min.x, left.max.x, right.max.x),
+            PlanePair::new(left.min.y, right.min.y, left.max.y, right.max.y),
+            PlanePair::new(left.min.z, right.min.z, left.max.z, right.max.z),
+        ];
         let [left_node, right_node] = links_of::<BITS, WORDS>(words).children(|| {
             if MIXED {
                 LeafWidth::of_frame(&left, self.step).words()

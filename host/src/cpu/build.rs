@@ -37,6 +37,16 @@ pub struct BuildConfig {
     pub mesh: MeshCodec,
 }
 
+impl From<CodeBits> for BuildConfig {
+    /// Codes of this length, and everything stored in full.
+    fn from(code_bits: CodeBits) -> Self {
+        Self {
+            code_bits,
+            ..Self::default()
+        }
+    }
+}
+
 /// Why a hierarchy cannot be moved to a mesh.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum RefitError {

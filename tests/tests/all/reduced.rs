@@ -101,7 +101,7 @@ fn subset(model: &Model, target: Target) -> Subset<'_> {
 
 /// A tree for each target.
 fn sets(model: &Model, code_bits: CodeBits) -> [Bvh; 3] {
-    let mut builder = Builder::new(BuildConfig { code_bits });
+    let mut builder = Builder::new(BuildConfig::from(code_bits));
     done(builder.sort(&model.mesh));
     targets().map(|target| {
         let mut bvh = Bvh::default();
@@ -162,7 +162,7 @@ fn a_set_is_the_same_sorted_alone() {
     for model in models() {
         for code_bits in CODE_BITS {
             for (target, expected) in targets().iter().zip(sets(&model, code_bits)) {
-                let mut builder = Builder::new(BuildConfig { code_bits });
+                let mut builder = Builder::new(BuildConfig::from(code_bits));
                 let mut bvh = Bvh::default();
                 done(builder.build_subset(&model.mesh, subset(&model, *target), &mut bvh));
                 assert!(bvh.nodes() == expected.nodes());
@@ -245,7 +245,7 @@ fn sets_are_the_same_on_both_backends() {
         for code_bits in CODE_BITS {
             let mesh = done(gpu::Mesh::upload(gpu, &model.mesh));
             let components = done(gpu::Components::upload(gpu, &model.components));
-            let mut builder = gpu::Builder::new(BuildConfig { code_bits });
+            let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
             // All in one frame, in buffers that are used again.
             let mut bvhs = [(); 3].map(|()| gpu::Bvh::new());
             let mut facing = gpu::Facing::new();

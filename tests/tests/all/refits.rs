@@ -31,7 +31,7 @@ proptest! {
         let moved = placement.apply(moved(&mesh, &offsets));
         prop_assume!(moved.validate().is_ok());
         for code_bits in CODE_BITS {
-            let mut builder = Builder::new(BuildConfig { code_bits });
+            let mut builder = Builder::new(BuildConfig::from(code_bits));
             let mut bvh = build(&mesh, code_bits);
             prop_assert!(builder.refit(&moved, &mut bvh).is_ok());
             let shape = validate_shape(bvh.nodes(), bvh.leaf_triangles(), bvh.depth_bound());
@@ -53,7 +53,7 @@ fn refitting_to_the_same_mesh_changes_no_bit() {
         for code_bits in CODE_BITS {
             let built = build(&mesh, code_bits);
             let mut refitted = built.clone();
-            let result = Builder::new(BuildConfig { code_bits }).refit(&mesh, &mut refitted);
+            let result = Builder::new(BuildConfig::from(code_bits)).refit(&mesh, &mut refitted);
             assert!(result.is_ok());
             assert_eq!(built.nodes(), refitted.nodes());
             assert_eq!(built.leaf_triangles(), refitted.leaf_triangles());

@@ -55,7 +55,7 @@ fn builder_buffers_are_reused() {
         soup(7000, 6),
     ];
     for code_bits in CODE_BITS {
-        let mut builder = Builder::new(BuildConfig { code_bits });
+        let mut builder = Builder::new(BuildConfig::from(code_bits));
         let mut bvh = Bvh::default();
         for mesh in &meshes {
             assert!(builder.build_into(mesh, &mut bvh).is_ok());
@@ -88,7 +88,7 @@ proptest! {
     #[test]
     fn building_again_changes_no_bit(a in any_mesh(), b in any_mesh()) {
         for code_bits in CODE_BITS {
-            let mut builder = Builder::new(BuildConfig { code_bits });
+            let mut builder = Builder::new(BuildConfig::from(code_bits));
             let first = builder.build(&a).map(|bvh| bytes(&bvh));
             prop_assert!(builder.build(&b).is_ok());
             prop_assert!(first == builder.build(&a).map(|bvh| bytes(&bvh)));

@@ -98,6 +98,20 @@ const STAGES: &[Stage] = &[
         gpu: &["build"],
     },
     Stage {
+        name: "encode",
+        what: "nodes and triangles in codecs, from the root down",
+        core: &[
+            "encode",
+            "encode/links",
+            "encode/lattice_node",
+            "encode/lattice_leaf",
+            "encode/printed",
+        ],
+        shaders: &[],
+        cpu: &["encode", "decode"],
+        gpu: &[],
+    },
+    Stage {
         name: "camera",
         what: "from samples to rays, and to pixels",
         core: &["camera", "sampling", "color"],

@@ -97,7 +97,7 @@ fn measured(
     let mut builds = Vec::new();
     let mut scratch_bytes = 0;
     for (code_bits, bits) in [(CodeBits::Bits63, 63), (CodeBits::Bits30, 30)] {
-        let mut builder = Builder::new(BuildConfig { code_bits });
+        let mut builder = Builder::new(BuildConfig::from(code_bits));
         builds.push(build(gpu, &mut builder, &uploaded, &mut bvh, bits, rounds)?);
         scratch_bytes = builder.scratch_bytes();
     }

@@ -12,7 +12,7 @@ use slimbvh_tests::{CODE_BITS, build, cases};
 
 /// Records builds of all meshes into one frame, waits for it, and copies the hierarchies.
 pub fn build_all(gpu: &gpu::Gpu, meshes: &[Mesh], code_bits: CodeBits) -> Vec<slimbvh::Bvh> {
-    let mut builder = gpu::Builder::new(BuildConfig { code_bits });
+    let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
     let mut frame = gpu.frame();
     let mut hierarchies = Vec::new();
     for mesh in meshes {
@@ -64,7 +64,7 @@ proptest! {
             *vertex = [0, 1, 2].map(|axis| vertex[axis] * factors[(axis + i) % 3]);
         }
         for code_bits in CODE_BITS {
-            let mut builder = gpu::Builder::new(BuildConfig { code_bits });
+            let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
             let mut bvh = gpu::Bvh::new();
             let mut frame = gpu.frame();
             let places = [&mesh, &moved].map(|mesh| done(gpu::Mesh::upload(gpu, mesh)));
@@ -72,7 +72,7 @@ proptest! {
             done(builder.refit(&mut frame, &places[1], &mut bvh));
             done(frame.submit());
             let mut expected = build(&mesh, code_bits);
-            done(slimbvh::Builder::new(BuildConfig { code_bits }).refit(&moved, &mut expected));
+            done(slimbvh::Builder::new(BuildConfig::from(code_bits)).refit(&moved, &mut expected));
             prop_assert_eq!(same_tree(&done(bvh.download(gpu)), &expected), Ok(()));
         }
     }
@@ -131,7 +131,7 @@ fn what_was_built_before_changes_no_bit() {
         Mesh::default(),
     ];
     for code_bits in CODE_BITS {
-        let mut builder = gpu::Builder::new(BuildConfig { code_bits });
+        let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
         let mut bvh = gpu::Bvh::new();
         for mesh in &meshes {
             // Each is built, built again, and refitted in one frame.

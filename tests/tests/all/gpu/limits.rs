@@ -38,7 +38,7 @@ fn meshes_too_large_for_the_device_are_refused_and_smaller_ones_are_built() {
     let refused = too_large(gpu::Mesh::upload(&gpu, &soup(30_000, 1)));
     assert_eq!(refused, ("the vertices", 30_000 * 36, BINDING, MIB));
     for code_bits in CODE_BITS {
-        let mut builder = gpu::Builder::new(BuildConfig { code_bits });
+        let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
         let mut bvh = gpu::Bvh::new();
         let large = done(gpu::Mesh::upload(&gpu, &soup(16_389, 1)));
         let mut frame = gpu.frame();

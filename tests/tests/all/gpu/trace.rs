@@ -31,7 +31,7 @@ impl Answers {
         let mesh = done(gpu::Mesh::upload(gpu, mesh));
         let mut bvh = gpu::Bvh::new();
         let mut frame = gpu.frame();
-        let mut builder = gpu::Builder::new(BuildConfig { code_bits });
+        let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
         done(builder.build(&mut frame, &mesh, &mut bvh));
         let ray_buffer = storage(gpu, rays);
         let queries = [Query::Closest, Query::Any, Query::Nearest, Query::Counted];

@@ -1,0 +1,245 @@
+//! Trees in codecs: boxes only grow, and answers are those of the plain tree.
+
+use proptest::prelude::*;
+use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, MeshCodec, NodeCodec};
+use slimbvh_core::{Aabb, Node, NodeRef};
+use slimbvh_tests::oracle::brute::{Answers, Parts};
+use slimbvh_tests::rays::some_rays;
+use slimbvh_tests::strategies::{any_mesh, large_mesh};
+use slimbvh_tests::{CODE_BITS, build, build_as, cases};
+
+/// All codecs of nodes but that in full.
+pub fn node_codecs() -> Vec<NodeCodec> {
+    let lattice = LatticeBits::ALL.into_iter().map(NodeCodec::Lattice);
+    [NodeCodec::Printed].into_iter().chain(lattice).collect()
+}
+
+fn config(nodes: NodeCodec, mesh: MeshCodec) -> BuildConfig {
+    BuildConfig {
+        nodes,
+        mesh,
+        ..BuildConfig::default()
+    }
+}
+
+/// All that can be asked of a tree in a codec.
+fn ask(bvh: &Bvh, ray: &slimbvh::Ray) -> Answers {
+    Answers {
+        closest: bvh.closest_hit(ray),
+        any: bvh.any_hit(ray),
+        nearest_1: bvh.nearest_hits(ray),
+        nearest_4: bvh.nearest_hits(ray),
+        nearest_8: bvh.nearest_hits(ray),
+    }
+}
+
+/// The first node that has other children or another run than in the plain tree, or a child whose box does not hold that of
+/// the plain tree, or does not lie in its parent's.
+fn fault(plain: &[Node], decoded: &[Node]) -> Option<usize> {
+    let parts = |node: &Node| [(node.left, node.left_box()), (node.right, node.right_box())];
+    let is_in_parent = |(child, outer): (NodeRef, Aabb)| {
+        let grandchildren = decoded
+            .get(child.index() as usize)
+            .filter(|_| !child.is_leaf());
+        let mut inner = grandchildren.into_iter().flat_map(parts);
+        inner.all(|(child, inner)| child == NodeRef::NOTHING || outer.contains(&inner))
+    };
+    let is_sound = |(a, b): (&Node, &Node)| {
+        let links = |node: &Node| (node.left, node.right, node.first, node.last);
+        let mut pairs = parts(a).into_iter().zip(parts(b));
+        let holds = pairs.all(|((child, a), (_, b))| child == NodeRef::NOTHING || b.contains(&a));
+        links(a) == links(b) && holds && parts(b).into_iter().all(is_in_parent)
+    };
+    if plain.len() != decoded.len() {
+        return Some(plain.len());
+    }
+    plain.iter().zip(decoded).position(|pair| !is_sound(pair))
+}
+
+/// A vertex of a leaf's triangle that is outside of the leaf's box.
+fn stray(bvh: &Bvh) -> Option<usize> {
+    let parts = |node: &Node| [(node.left, node.left_box()), (node.right, node.right_box())];
+    let mut leaves = bvh
+        .nodes()
+        .iter()
+        .flat_map(parts)
+        .filter(|(child, _)| child.is_leaf());
+    leaves.find_map(|(leaf, bounds)| {
+        let run = leaf.first() as usize..(leaf.first() + leaf.count()) as usize;
+        let is_stray = |i: &usize| !bounds.contains(&bvh.leaf_triangles()[*i].triangle().bounds());
+        run.clone().find(is_stray)
+    })
+}
+
+proptest! {
+    #![proptest_config(cases(100))]
+
+    #[test]
+    fn coded_nodes_answer_as_plain_ones_do(mesh in any_mesh(), recipes in some_rays(24)) {
+        for code_bits in CODE_BITS {
+            let plain = build(&mesh, code_bits);
+            for nodes in node_codecs() {
+                let config = BuildConfig { code_bits, ..config(nodes, MeshCodec::F32) };
+                let coded = build_as(&mesh, config);
+                prop_assert_eq!(coded.codecs(), (nodes, MeshCodec::F32));
+                let decoded = coded.decoded();
+                prop_assert_eq!(decoded.leaf_triangles(), plain.leaf_triangles());
+                prop_assert_eq!(fault(plain.nodes(), decoded.nodes()), None, "{:?}", nodes);
+                for recipe in &recipes {
+                    let ray = recipe.cook(&mesh);
+                    let (a, b) = (ask(&coded, &ray), Parts::from(&plain).ask_tree(&ray));
+                    prop_assert!(a.same_bits(&b), "{nodes:?} {ray:?} {a:#?} {b:#?}");
+                }
+            }
+        }
+    }
+
+    /// What is stored on the lattice is the snapped mesh itself: the same answers, from fewer bytes.
+    #[test]
+    fn a_mesh_on_the_lattice_is_stored_exactly(mesh in any_mesh(), recipes in some_rays(24), coarse in 0i32..24) {
+        let mut snapped = mesh.clone();
+        let step_exponent = mesh.finest_step() + coarse;
+        let moved = f64::from(snapped.snap(step_exponent));
+        let bound = 0.866_026 * 2f64.powi(step_exponent);
+        prop_assert!(moved <= bound, "{moved} {bound}");
+        let plain = build_as(&snapped, BuildConfig::default());
+        for bits in LatticeBits::ALL {
+            let config = config(NodeCodec::Lattice(bits), MeshCodec::Lattice { step_exponent });
+            let coded = build_as(&snapped, config);
+            let decoded = coded.decoded();
+            prop_assert_eq!(decoded.leaf_triangles(), plain.leaf_triangles());
+            prop_assert_eq!(fault(plain.nodes(), decoded.nodes()), None, "{:?}", bits);
+            prop_assert_eq!(coded.triangle_count(), plain.triangle_count());
+            for recipe in &recipes {
+                let ray = recipe.cook(&mesh);
+                let (a, b) = (ask(&coded, &ray), Parts::from(&plain).ask_tree(&ray));
+                prop_assert!(a.same_bits(&b), "{bits:?} {ray:?} {a:#?} {b:#?}");
+            }
+        }
+    }
+
+    /// The printed codec moves vertices leaf by leaf. What comes out is a mesh like any other: its tree is that of all of it.
+    #[test]
+    fn printed_leaves_answer_as_the_decoded_mesh_does(mesh in any_mesh(), recipes in some_rays(24)) {
+        let plain = build_as(&mesh, BuildConfig::default());
+        let coded = build_as(&mesh, config(NodeCodec::Printed, MeshCodec::Leaf10));
+        let decoded = coded.decoded();
+        prop_assert_eq!(fault(plain.nodes(), decoded.nodes()), None);
+        prop_assert_eq!(stray(&decoded), None);
+        for recipe in &recipes {
+            let ray = recipe.cook(&mesh);
+            let (a, b) = (ask(&coded, &ray), Parts::from(&decoded).ask_all(&ray));
+            prop_assert!(a.same_bits(&b), "{ray:?} {a:#?} {b:#?}");
+        }
+    }
+
+    /// A refit keeps the order of the triangles, as a plain one does, and loses nothing.
+    #[test]
+    fn refitted_coded_trees_answer_as_plain_ones_do(
+        mesh in any_mesh(),
+        offsets in proptest::collection::vec(proptest::array::uniform3(-2f32..2.0), 7),
+        recipes in some_rays(12),
+    ) {
+        let mut moved = mesh.clone();
+        for (vertex, offset) in moved.vertices.iter_mut().zip(offsets.iter().cycle()) {
+            *vertex = [0, 1, 2].map(|axis| vertex[axis] + vertex[axis] * offset[axis]);
+        }
+        prop_assume!(moved.validate().is_ok());
+        let step_exponent = mesh.finest_step().max(moved.finest_step()) + 3;
+        let (mut mesh, mut moved) = (mesh, moved);
+        mesh.snap(step_exponent);
+        moved.snap(step_exponent);
+        let mut builder = Builder::new(BuildConfig::default());
+        let mut plain = build_as(&mesh, BuildConfig::default());
+        prop_assert!(builder.refit(&moved, &mut plain).is_ok());
+        let lattice = MeshCodec::Lattice { step_exponent };
+        let q10 = NodeCodec::Lattice(LatticeBits::Q10);
+        for config in [config(NodeCodec::Printed, MeshCodec::F32), config(q10, MeshCodec::F32), config(q10, lattice)] {
+            let mut builder = Builder::new(config);
+            let mut coded = build_as(&mesh, config);
+            prop_assert!(builder.refit(&moved, &mut coded).is_ok());
+            let decoded = coded.decoded();
+            prop_assert_eq!(decoded.leaf_triangles(), plain.leaf_triangles());
+            prop_assert_eq!(fault(plain.nodes(), decoded.nodes()), None);
+            for recipe in &recipes {
+                let ray = recipe.cook(&moved);
+                let (a, b) = (ask(&coded, &ray), Parts::from(&plain).ask_tree(&ray));
+                prop_assert!(a.same_bits(&b), "{ray:?} {a:#?} {b:#?}");
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(8))]
+
+    /// Enough triangles that several threads code them.
+    #[test]
+    fn large_trees_are_coded_like_small_ones(mesh in large_mesh()) {
+        let mut snapped = mesh.clone();
+        let step_exponent = mesh.finest_step() + 9;
+        snapped.snap(step_exponent);
+        for (mesh, codec) in [(&mesh, MeshCodec::F32), (&snapped, MeshCodec::Lattice { step_exponent })] {
+            let plain = build_as(mesh, BuildConfig::default());
+            let q10 = NodeCodec::Lattice(LatticeBits::Q10);
+            let decoded = build_as(mesh, config(q10, codec)).decoded();
+            prop_assert_eq!(decoded.leaf_triangles(), plain.leaf_triangles());
+            prop_assert_eq!(fault(plain.nodes(), decoded.nodes()), None);
+        }
+    }
+}
+
+/// The controls: the check of boxes finds a plane that is moved inward by one bit, and a child that leaves its parent.
+#[test]
+fn a_box_that_is_too_small_is_found() {
+    let mesh = slimbvh::generate::soup(500, 3);
+    let plain = build_as(&mesh, BuildConfig::default());
+    let q10 = NodeCodec::Lattice(LatticeBits::Q10);
+    let decoded = build_as(&mesh, config(q10, MeshCodec::F32)).decoded();
+    assert_eq!(fault(plain.nodes(), decoded.nodes()), None);
+    let mut found = 0;
+    for node in 0..decoded.node_count() {
+        let mut nodes = decoded.nodes().to_vec();
+        nodes[node].planes[0][2] = f32::from_bits(plain.nodes()[node].planes[0][2].to_bits() - 1);
+        found += usize::from(fault(plain.nodes(), &nodes).is_some());
+        nodes[node].planes[0][2] = decoded.nodes()[node].planes[0][2] * 4.0;
+        let is_inner_root = node > 0;
+        found += usize::from(is_inner_root && fault(plain.nodes(), &nodes).is_some());
+    }
+    assert_eq!(found, 2 * decoded.node_count() - 1);
+}
+
+/// A mesh that is not on the lattice is refused, with the vertex.
+#[test]
+fn what_is_off_the_lattice_is_refused() {
+    let mut mesh = slimbvh::generate::icosphere(glam::Vec3::ONE, 2.0, 2);
+    let step_exponent = -8;
+    mesh.snap(step_exponent);
+    let q10 = NodeCodec::Lattice(LatticeBits::Q10);
+    let mut builder = Builder::new(config(q10, MeshCodec::Lattice { step_exponent }));
+    assert!(builder.build(&mesh).is_ok());
+    mesh.vertices[7][1] += 1e-4;
+    let error = builder
+        .build(&mesh)
+        .map(|_| ())
+        .map_err(|error| error.to_string());
+    let error = error.err().unwrap_or_default();
+    assert!(
+        error.contains("vertex 7 at") && error.ends_with("snap the mesh first"),
+        "{error}"
+    );
+}
+
+/// Vertices that were together stay together, so that nothing cracks; tolerances bound how far they move.
+#[test]
+fn corners_that_are_shared_stay_shared() {
+    let mesh = slimbvh::generate::icosphere(glam::Vec3::new(3.0, -2.0, 9.0), 2.0, 4);
+    let mut snapped = mesh.clone();
+    snapped.snap(-12);
+    for (a, b) in mesh.vertices.iter().zip(&snapped.vertices) {
+        for axis in 0..3 {
+            assert!((f64::from(a[axis]) - f64::from(b[axis])).abs() <= 2f64.powi(-13));
+            assert_eq!(b[axis] * 4096.0, (b[axis] * 4096.0).round());
+        }
+    }
+}
