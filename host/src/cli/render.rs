@@ -12,7 +12,8 @@ use anyhow::{Result, bail};
 use clap::Args;
 use job::{Job, Outcome};
 use serde::Serialize;
-use slimbvh::{BuildConfig, Picture, Scene, Stages, View};
+use slimbvh::reduce::Reduce;
+use slimbvh::{Picture, Scene, Stages, View};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -91,6 +92,8 @@ struct Summary {
 
 pub fn run(arguments: &RenderArguments) -> Result<()> {
     arguments.reduce.check()?;
+    arguments.storage.check()?;
+    arguments.storage.check_reduction(&arguments.reduce)?;
     check_places(arguments)?;
     let chosen = choose(&arguments.backend)?;
     let mut scene = arguments.scene.load()?;
@@ -137,12 +140,11 @@ fn render(
     let settings = arguments.picture.settings();
     arguments.picture.prepare(scene, &arguments.scene.name())?;
     let storage = arguments.storage.apply(scene, &settings)?;
-    let config = BuildConfig {
-        nodes: storage.nodes,
-        mesh: storage.mesh,
-        ..arguments.picture.build_config()
-    };
-    let asked = arguments.reduce.asked(scene, &settings);
+    let config = storage.config(arguments.picture.build_config().code_bits);
+    let mut asked = arguments.reduce.asked(scene, &settings);
+    if arguments.storage.forbids_reduction() {
+        asked.switches.reduce = Reduce::Off;
+    }
     let mut room = None;
     let (plan, survey) = reduce::plan(&asked, config, &mut room)?;
     let job = Job {

@@ -1,8 +1,11 @@
 //! In how many bytes hierarchies are stored.
 
+use super::reduce::ReduceArguments;
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
-use slimbvh::{LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene, Tolerance};
+use slimbvh::{
+    BuildConfig, CodeBits, LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene, Tolerance,
+};
 
 #[derive(Debug, Args)]
 pub struct StorageArguments {
@@ -56,18 +59,36 @@ enum MeshKind {
     Lattice,
 }
 
-/// Codecs, and what became of the mesh for them.
+/// The codecs of a picture's trees.
 #[derive(Clone, Copy, Debug)]
 pub struct Storage {
     pub nodes: NodeCodec,
     pub mesh: MeshCodec,
-    /// How far a vertex moved at most, and how far it might have.
-    pub moved: Option<(f32, f32)>,
 }
 
 impl StorageArguments {
-    /// Decides, and moves the scene's vertices onto the lattice, if there is one.
-    pub fn apply(&self, scene: &mut Scene, settings: &RenderSettings) -> Result<Storage> {
+    /// Refuses what cannot be had together.
+    pub fn check(&self) -> Result<()> {
+        self.kinds().map(|_| ())
+    }
+
+    /// Refuses reduction where triangles are not those that it was decided for.
+    pub fn check_reduction(&self, reduce: &ReduceArguments) -> Result<()> {
+        let (_, kind) = self.kinds()?;
+        if kind == MeshKind::Leaf10 && reduce.is_asked_for() {
+            bail!(
+                "--mesh leaf10 moves triangles after it was decided which may be left out; leave --reduce on and --cull on out"
+            );
+        }
+        Ok(())
+    }
+
+    /// Whether nothing may be left out, nor passed over.
+    pub fn forbids_reduction(&self) -> bool {
+        self.mesh == Some(MeshKind::Leaf10)
+    }
+
+    fn kinds(&self) -> Result<(NodeCodec, MeshKind)> {
         let kind = match (self.mesh, self.tolerance) {
             (Some(MeshKind::F32 | MeshKind::Leaf10), Some(_)) => {
                 bail!("--tolerance moves vertices onto a lattice; it goes with --mesh lattice")
@@ -89,31 +110,75 @@ impl StorageArguments {
             MeshKind::Lattice if !matches!(nodes, NodeCodec::Lattice(_)) => {
                 bail!("--mesh lattice goes with --nodes q4 to q21")
             }
-            _ => {}
+            _ => Ok((nodes, kind)),
         }
-        let mut storage = Storage {
-            nodes,
-            mesh: MeshCodec::F32,
-            moved: None,
-        };
-        match kind {
-            MeshKind::F32 => {}
-            MeshKind::Leaf10 => storage.mesh = MeshCodec::Leaf10,
-            MeshKind::Lattice => {
-                let asked = |tolerance: Tolerance| tolerance.step_exponent(scene, settings);
-                let step_exponent = match self.tolerance {
-                    Some(tolerance) => asked(tolerance),
-                    None => Some(scene.mesh.finest_step()),
-                };
-                // Finer than floats: nothing moves, and nothing is gained.
-                if let Some(step_exponent) = step_exponent {
-                    let most = 0.866_026 * 2f32.powi(step_exponent);
-                    storage.mesh = MeshCodec::Lattice { step_exponent };
-                    storage.moved = Some((scene.mesh.snap(step_exponent), most));
-                }
-            }
-        }
+    }
+
+    /// Decides, and moves the scene's vertices onto the lattice, if there is one.
+    pub fn apply(&self, scene: &mut Scene, settings: &RenderSettings) -> Result<Storage> {
+        let step_exponent = self.step_exponent(scene, settings);
+        let storage = self.on_lattice(step_exponent)?;
+        storage.snap(scene);
         Ok(storage)
+    }
+
+    /// As [`Self::apply`] for a scene that is posed in turn, whose vertices may move: one lattice for all poses, which each of
+    /// them must be moved onto.
+    pub fn for_all(
+        &self,
+        settings: &RenderSettings,
+        times: impl Iterator<Item = f64>,
+        mut pose: impl FnMut(f64, &mut Scene),
+        scene: &mut Scene,
+    ) -> Result<Storage> {
+        if self.kinds()?.1 != MeshKind::Lattice {
+            return self.on_lattice(None);
+        }
+        let (mut finest, mut wanted) = (i32::MIN, Some(i32::MAX));
+        for time in times {
+            pose(time, scene);
+            finest = finest.max(scene.mesh.finest_step());
+            let here = self.step_exponent(scene, settings);
+            wanted = here.zip(wanted).map(|(here, wanted)| wanted.min(here));
+        }
+        self.on_lattice(Some(wanted.map_or(finest, |wanted| wanted.max(finest))))
+    }
+
+    /// The lattice's step for the scene as it is; none where it would be finer than floats.
+    fn step_exponent(&self, scene: &Scene, settings: &RenderSettings) -> Option<i32> {
+        match self.tolerance {
+            Some(tolerance) => tolerance.step_exponent(scene, settings),
+            None => Some(scene.mesh.finest_step()),
+        }
+    }
+
+    /// With a lattice of this step; without one nothing moves, and nothing is gained.
+    fn on_lattice(&self, step_exponent: Option<i32>) -> Result<Storage> {
+        let (nodes, kind) = self.kinds()?;
+        let mesh = match (kind, step_exponent) {
+            (MeshKind::F32, _) | (MeshKind::Lattice, None) => MeshCodec::F32,
+            (MeshKind::Leaf10, _) => MeshCodec::Leaf10,
+            (MeshKind::Lattice, Some(step_exponent)) => MeshCodec::Lattice { step_exponent },
+        };
+        Ok(Storage { nodes, mesh })
+    }
+}
+
+impl Storage {
+    /// Moves a scene's vertices onto the lattice, if there is one.
+    pub fn snap(&self, scene: &mut Scene) {
+        if let MeshCodec::Lattice { step_exponent } = self.mesh {
+            scene.mesh.snap(step_exponent);
+        }
+    }
+
+    /// How to build.
+    pub fn config(&self, code_bits: CodeBits) -> BuildConfig {
+        BuildConfig {
+            code_bits,
+            nodes: self.nodes,
+            mesh: self.mesh,
+        }
     }
 }
 
