@@ -7,8 +7,9 @@ use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::float::scale_by_power_of_two;
 use slimbvh_core::lattice::to_lattice;
 
-/// Coordinates are at most this many steps of the lattice: what floats count without gaps.
-const MOST_STEPS: i32 = 1 << 24;
+/// Coordinates are at most this many steps of the lattice: what floats count without gaps, and differences have the right
+/// exponent.
+const MOST_STEPS: i32 = (1 << 24) - 1;
 
 impl Mesh {
     /// The finest lattice that vertices can be moved to: its step is 2 to this power, a 2^24th of the scene's size or less.
