@@ -114,6 +114,18 @@ impl From<&Node> for Connection {
     }
 }
 
+impl From<&Connection> for Node {
+    fn from(connection: &Connection) -> Self {
+        Self {
+            left: connection.left,
+            right: connection.right,
+            first: connection.first,
+            last: connection.last,
+            ..Self::EMPTY
+        }
+    }
+}
+
 impl Node {
     /// A node without triangles.
     pub const EMPTY: Self = Self {

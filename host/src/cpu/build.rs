@@ -7,14 +7,13 @@ use super::refit::{fill_boxes, fill_pyramid};
 use super::topology::Connections;
 use crate::codec::{MeshCodec, NodeCodec};
 use crate::{Bvh, Mesh, MeshError, Stages};
+use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::Reach;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
-use slimbvh_core::node::Connection;
-use slimbvh_core::refit::{PyramidBox, split_of};
+use slimbvh_core::refit::PyramidBox;
 use slimbvh_core::topology::{Codes30, Codes63, depth_bound};
-use slimbvh_core::{Aabb, Node, NodeRef};
 use thiserror::Error;
 
 /// How finely triangles are told apart along the space-filling curve.
@@ -250,14 +249,14 @@ impl Builder {
             }
         }
         let count = bvh.triangles.len() as u32;
-        let is_plain = self.config.nodes == NodeCodec::F32;
-        stages.time("topology", || {
-            if is_plain {
-                self.connect(count, &mut bvh.nodes, Node::clone);
-            } else {
-                let mut nodes = std::mem::take(&mut self.encoder.nodes);
-                self.connect(count, &mut nodes, |node| node.into());
-                self.encoder.nodes = nodes;
+        stages.time("topology", || match self.config.code_bits {
+            CodeBits::Bits30 => {
+                let codes = bytemuck::cast_slice(&self.order_30.codes);
+                self.connections.connect(&Codes30 { codes, count });
+            }
+            CodeBits::Bits63 => {
+                let codes = &self.order_63.codes;
+                self.connections.connect(&Codes63 { codes, count });
             }
         });
         bvh.depth_bound = match self.config.code_bits {
@@ -266,27 +265,6 @@ impl Builder {
         };
         self.fit(&mut stages, bvh);
         stages
-    }
-
-    /// Stage `topology`, of so many sorted codes.
-    fn connect<N: Clone + Default + Send>(
-        &mut self,
-        count: u32,
-        nodes: &mut Vec<N>,
-        stored: impl Fn(&Node) -> N + Sync,
-    ) {
-        match self.config.code_bits {
-            CodeBits::Bits30 => {
-                let codes = bytemuck::cast_slice(&self.order_30.codes);
-                let codes = Codes30 { codes, count };
-                self.connections.connect(&codes, nodes, stored);
-            }
-            CodeBits::Bits63 => {
-                let codes = &self.order_63.codes;
-                let codes = Codes63 { codes, count };
-                self.connections.connect(&codes, nodes, stored);
-            }
-        }
     }
 
     /// Moves a hierarchy's boxes to where the mesh's vertices are now; the triangles must be those that it was built over.
@@ -311,13 +289,6 @@ impl Builder {
             let decoded = stages.time("decode", || decode(coded, &bvh.triangles));
             (bvh.nodes, bvh.triangles) = decoded;
         }
-        if self.config.nodes != NodeCodec::F32 {
-            let nodes = std::mem::take(&mut bvh.nodes);
-            self.encoder.nodes.clear();
-            self.encoder
-                .nodes
-                .extend(nodes.iter().map(Connection::from));
-        }
         let triangles = mesh.triangles();
         let bounds = stages.time("bounds", || scene_bounds(&triangles));
         bvh.set_bounds(bounds);
@@ -325,16 +296,7 @@ impl Builder {
         stages.time("snap", || {
             gather_again(&triangles, &scale, &mut bvh.triangles);
         });
-        stages.time("refit", || {
-            let last_of =
-                |child: NodeRef| bvh.nodes.get(child.index() as usize).map_or(0, |n| n.last);
-            self.connections.splits.clear();
-            self.connections.splits.extend(
-                bvh.nodes
-                    .iter()
-                    .map(|node| split_of(node, last_of(node.left))),
-            );
-        });
+        stages.time("refit", || self.connections.follow(&bvh.nodes));
         self.fit(&mut stages, bvh);
         Ok(stages)
     }
@@ -344,20 +306,21 @@ impl Builder {
         stages.time("refit", || fill_pyramid(&bvh.triangles, &mut self.pyramid));
         if self.config.nodes != NodeCodec::F32 {
             let codecs = (self.config.nodes, self.config.mesh);
-            stages.time("encode", || self.encoder.encode(codecs, bvh, &self.pyramid));
+            stages.time("encode", || {
+                let nodes = &self.connections.nodes;
+                self.encoder.encode(codecs, bvh, (nodes, &self.pyramid));
+            });
             return;
         }
         bvh.coded = None;
-        if !bvh.triangles.is_empty() {
-            stages.time("refit", || {
-                fill_boxes(
-                    &bvh.triangles,
-                    &self.pyramid,
-                    &self.connections.splits,
-                    &mut bvh.nodes,
-                );
-            });
-        }
+        stages.time("refit", || {
+            fill_boxes(
+                &bvh.triangles,
+                &self.pyramid,
+                &self.connections,
+                &mut bvh.nodes,
+            );
+        });
     }
 
     /// Bytes of the buffers that the last build used; they are kept for the next.

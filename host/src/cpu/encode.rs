@@ -24,8 +24,6 @@ const FINEST_STEP: i32 = -24;
 /// Codes hierarchies, and keeps what was plain of them for the next.
 #[derive(Debug, Default)]
 pub struct Encoder {
-    /// The nodes of the hierarchy that is coded next.
-    pub nodes: Vec<Connection>,
     triangles: Vec<LeafTriangle>,
     sizes: Vec<u32>,
     /// Whether the last hierarchy had leaves of more than the narrowest triangles.
@@ -40,17 +38,17 @@ impl Encoder {
         }
     }
 
-    /// Codes a hierarchy over the nodes that are here, and takes back its triangles where they are coded. Its vertices must lie
+    /// Codes a hierarchy over these nodes, and takes back its triangles where they are coded. Its vertices must lie
     /// on the mesh's lattice.
     pub fn encode(
         &mut self,
         (nodes, mesh): (NodeCodec, MeshCodec),
         bvh: &mut Bvh,
-        pyramid: &[PyramidBox],
+        (connections, pyramid): (&[Connection], &[PyramidBox]),
     ) {
         let leaves = bvh.triangles.as_slice();
         let tree = Tree {
-            nodes: &self.nodes,
+            nodes: connections,
             leaves,
             pyramid,
         };
@@ -104,9 +102,7 @@ impl Encoder {
 
     /// Bytes of what is kept.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.nodes.as_slice())
-            + size_of_val(self.triangles.as_slice())
-            + size_of_val(self.sizes.as_slice())
+        size_of_val(self.triangles.as_slice()) + size_of_val(self.sizes.as_slice())
     }
 }
 

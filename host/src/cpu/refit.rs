@@ -1,6 +1,7 @@
 //! Stage `refit` on the CPU.
 
 use super::BLOCK;
+use super::topology::Connections;
 use rayon::prelude::*;
 use slimbvh_core::refit::{PyramidBox, group_bounds, group_count, parent_bounds, refit_node};
 use slimbvh_core::{LeafTriangle, Node};
@@ -31,17 +32,20 @@ fn pyramid_size(level_count: usize) -> usize {
     size
 }
 
-/// The boxes of each node's children. `splits` holds the last triangle of each node's left child.
+/// Nodes with the boxes of their children.
 pub fn fill_boxes(
     triangles: &[LeafTriangle],
     pyramid: &[PyramidBox],
-    splits: &[u32],
-    nodes: &mut [Node],
+    connections: &Connections,
+    nodes: &mut Vec<Node>,
 ) {
-    let blocks = nodes.par_chunks_mut(BLOCK).zip(splits.par_chunks(BLOCK));
-    blocks.for_each(|(nodes, splits)| {
-        for (node, &split) in nodes.iter_mut().zip(splits) {
-            *node = refit_node(*node, split, triangles, pyramid);
+    nodes.resize(connections.nodes.len(), Node::EMPTY);
+    let bare = connections.nodes.par_chunks(BLOCK);
+    let bare = bare.zip(connections.splits.par_chunks(BLOCK));
+    let blocks = nodes.par_chunks_mut(BLOCK).zip(bare);
+    blocks.for_each(|(nodes, (bare, splits))| {
+        for (node, (bare, &split)) in nodes.iter_mut().zip(bare.iter().zip(splits)) {
+            *node = refit_node(bare.into(), split, triangles, pyramid);
         }
     });
 }
