@@ -34,7 +34,7 @@ fn extensions_that_nobody_reads() {
     let folder = folder();
     folder.write("scene.fbx", "");
     folder.write("scene", "");
-    let readable = "gltf, glb, obj, ply, stl and off";
+    let readable = "gltf, glb, obj, ply, stl, off and slim";
     refuses_scene(
         &folder,
         &["scene.fbx"],
