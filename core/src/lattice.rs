@@ -1,6 +1,7 @@
 //! Floats to integers by their bits, so that every device finds the same integer; boxes of such integers.
 
 use crate::aabb::Aabb;
+use crate::float::power_of_two;
 use bytemuck::{Pod, Zeroable};
 
 /// The multiple of `2^step_exponent` nearest to `x`, ties away from zero, as a count of steps.
@@ -36,45 +37,30 @@ pub const fn to_lattice(x: f32, step_exponent: i32) -> i32 {
 
 /// The largest multiple of `2^step_exponent` that is not above `x`, as a count of steps.
 ///
-/// Monotone, and without float arithmetic. `x` must be finite with `|x| < 2^(step_exponent + 30)`.
+/// Monotone. No operation is ever rounded: a product with a power of two, a cut toward zero, a comparison. `x` must be finite
+/// with `|x| < 2^(step_exponent + 30)`, and the exponent from −126 to 0, or `x` 0.
 #[inline(always)]
 #[must_use]
 pub const fn lattice_floor(x: f32, step_exponent: i32) -> i32 {
-    let (magnitude, has_rest) = magnitude_in_steps(x, step_exponent);
-    let sign = x.to_bits() as i32 >> 31;
-    // Below zero, what is cut off counts as a whole step.
-    let away = magnitude as i32 + (has_rest & (sign != 0)) as i32;
-    (away ^ sign) - sign
+    let steps = x * power_of_two(-step_exponent);
+    let whole = steps as i32;
+    whole - (whole as f32 > steps) as i32
 }
 
-/// The smallest multiple of `2^step_exponent` that is not below `x`, as a count of steps.
-///
-/// Monotone, and without float arithmetic. `x` must be finite with `|x| < 2^(step_exponent + 30)`.
+/// The smallest multiple of `2^step_exponent` that is not below `x`, as a count of steps; as [`lattice_floor`].
 #[inline(always)]
 #[must_use]
 pub const fn lattice_ceil(x: f32, step_exponent: i32) -> i32 {
-    -lattice_floor(-x, step_exponent)
+    let steps = x * power_of_two(-step_exponent);
+    let whole = steps as i32;
+    whole + ((whole as f32) < steps) as i32
 }
 
-/// How many whole steps a magnitude holds, and whether anything is left of it.
+/// How many steps a coordinate has that lies on the lattice; as [`lattice_floor`].
 #[inline(always)]
-const fn magnitude_in_steps(x: f32, step_exponent: i32) -> (u32, bool) {
-    let bits = x.to_bits();
-    let biased = (bits >> 23) & 0xff;
-    let is_normal = (biased != 0) as u32;
-    let significand = (bits & 0x007f_ffff) | (is_normal << 23);
-    let shift = step_exponent - (biased as i32 - is_normal as i32 + 1 - 150);
-    let left = if shift < 0 { -shift } else { 0 };
-    let right = if shift < 0 {
-        0
-    } else if shift > 31 {
-        31
-    } else {
-        shift
-    };
-    let whole = significand.wrapping_shl(left as u32) >> right;
-    let rest = significand & ((1u32 << right) - 1);
-    (whole, rest != 0)
+#[must_use]
+pub const fn lattice_steps(x: f32, step_exponent: i32) -> i32 {
+    (x * power_of_two(-step_exponent)) as i32
 }
 
 /// A box on the lattice, in steps.
@@ -167,10 +153,12 @@ mod tests {
         }
 
         #[test]
-        fn nothing_comes_between_a_number_and_its_floor_and_ceiling(x in prop_oneof![-1.0f32..1.0, -1e-6f32..1e-6], e in -24i32..0) {
+        fn nothing_comes_between_a_number_and_its_floor_and_ceiling(x in prop_oneof![-1.0f32..1.0, -1e-6f32..1e-6], e in -24i32..=0) {
             let exact = f64::from(x) * 2f64.powi(-e);
             prop_assert_eq!(f64::from(lattice_floor(x, e)), exact.floor());
             prop_assert_eq!(f64::from(lattice_ceil(x, e)), exact.ceil());
+            let on = lattice_floor(x, e);
+            prop_assert_eq!(lattice_steps(on as f32 * 2f32.powi(e), e), on);
         }
 
         #[test]

@@ -6,6 +6,7 @@ pub(crate) mod view;
 
 pub use error::TreeError;
 
+use crate::animate::sah_cost;
 use crate::codec::{MeshCodec, NodeCodec};
 use crate::coded::{Coded, Shared, Stacks, with_stacks};
 use crate::cpu::decode;
@@ -168,6 +169,15 @@ impl Bvh {
             triangles,
             coded: None,
             ..*self
+        }
+    }
+
+    /// What tracing it costs: [`crate::animate::sah_cost`] of its nodes, as they are decoded.
+    #[must_use]
+    pub fn sah_cost(&self) -> f64 {
+        match &self.coded {
+            None => sah_cost(&self.nodes),
+            Some(coded) => sah_cost(&decode(coded, &self.triangles).0),
         }
     }
 

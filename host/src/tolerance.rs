@@ -68,3 +68,65 @@ fn pixel(scene: &Scene, settings: &RenderSettings) -> f32 {
 fn distance_to(bounds: &Aabb, p: Vec3) -> f32 {
     p.distance(p.clamp(bounds.min, bounds.max))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Camera, Mesh};
+
+    /// A square 8 wide at z = 0, seen from `eye` along −z.
+    fn scene(eye: f32, projection: Projection) -> Scene {
+        Scene {
+            mesh: Mesh {
+                vertices: vec![[-4.0, -4.0, 0.0], [4.0, -4.0, 0.0], [4.0, 4.0, 0.0]],
+                indices: vec![[0, 1, 2]],
+                ..Mesh::default()
+            },
+            cameras: vec![Camera {
+                eye: [1.0, 0.5, eye],
+                target: [1.0, 0.5, 0.0],
+                up: [0.0, 1.0, 0.0],
+                projection,
+            }],
+            ..Scene::default()
+        }
+    }
+
+    const SETTINGS: RenderSettings = RenderSettings {
+        size: [400, 200],
+        sample_count: 1,
+        view: crate::View::Color,
+        mirror_depth: 0,
+        dark_rays: false,
+    };
+
+    #[test]
+    fn a_pixel_is_as_large_as_it_is_at_the_nearest_point() {
+        let wide = Projection::Perspective { vertical_fov: 90.0 };
+        let length = |scene: &Scene| Tolerance::Pixels(0.5).length(scene, &SETTINGS);
+        // 2 tan(45°) · 3 / 200, half of it.
+        assert!((length(&scene(3.0, wide)) - 0.015).abs() < 1e-6);
+        let parallel = Projection::Orthographic { height: 10.0 };
+        assert!((length(&scene(3.0, parallel)) - 0.025).abs() < 1e-6);
+        // No nearer than a hundredth of the diagonal.
+        let near = 0.5 * 2.0 * 0.01 * 128f32.sqrt() / 200.0;
+        assert!((length(&scene(1e-5, wide)) - near).abs() < 1e-6);
+    }
+
+    #[test]
+    fn steps_keep_to_the_tolerance_and_are_hardly_finer() {
+        let scene = scene(3.0, Projection::Perspective { vertical_fov: 90.0 });
+        for length in [1e-6f32, 1e-3, 0.0137, 0.866_025, 0.866_026, 3.0] {
+            let step = Tolerance::Length(length).step_exponent(&scene, &SETTINGS);
+            let most = 0.75f64.sqrt() * 2f64.powi(step.expect("floats are finer"));
+            assert!(
+                most <= f64::from(length) && 2.0 * most > f64::from(length),
+                "{length}"
+            );
+        }
+        for length in [1e-9, 0.0, f32::NAN] {
+            let step = Tolerance::Length(length).step_exponent(&scene, &SETTINGS);
+            assert_eq!(step, None, "{length}");
+        }
+    }
+}

@@ -1,10 +1,11 @@
 //! The lattice codec's triangle: its vertices, counted from the leaf's decoded box, exactly.
 
 use super::lattice_node::LatticeFrame;
-use crate::float::max;
-use crate::lattice::LatticeBox;
+use crate::float::{exponent, max};
+use crate::lattice::{LatticeBox, lattice_steps};
 use crate::ray::NO_PRIMITIVE;
 use crate::trace::{Place, TriangleSource};
+use crate::triangle::LeafTriangle;
 
 /// How many bits a coordinate takes, by the extent of the leaf's box. All triangles of a leaf have the same.
 ///
@@ -73,36 +74,45 @@ impl LeafWidth {
     }
 }
 
-/// One thread per triangle. Reads its vertices in steps, its index and its leaf's box, decoded, in which it lies. Returns its
-/// words, of which the box tells how many count.
+/// One thread per triangle. Reads it, its leaf's box, decoded, in which it lies, and the lattice's step, a power of two; its
+/// vertices are on the lattice. Returns its words, of which the box tells how many count.
 #[inline]
 #[must_use]
-pub fn encode_triangle(vertices: &[[i32; 3]; 3], primitive: u32, bounds: &LatticeBox) -> [u32; 10] {
+pub fn encode_triangle(triangle: &LeafTriangle, bounds: &LatticeBox, step: f32) -> [u32; 10] {
     let width = LeafWidth::of(bounds);
     let size = width.vertex_words() as usize;
+    let inverse = 1.0 / step;
+    let low = [
+        bounds.min[0] as f32 * step,
+        bounds.min[1] as f32 * step,
+        bounds.min[2] as f32 * step,
+    ];
+    // Below 2^21 steps, a sum with 2^23 holds them in its last bits. No operation is ever rounded.
+    let from_low = |i: usize| {
+        let steps = (triangle.vertices[i] - low[i % 3]) * inverse;
+        (steps + 8_388_608.0).to_bits() & 0x003f_ffff
+    };
+    let whole = |i: usize| lattice_steps(triangle.vertices[i], exponent(step)) as u32;
     let mut words = [0; 10];
-    for (corner, &[x, y, z]) in vertices.iter().enumerate() {
-        let from = |v: i32, min: i32| v.wrapping_sub(min) as u32;
-        let (a, b, c) = (
-            from(x, bounds.min[0]),
-            from(y, bounds.min[1]),
-            from(z, bounds.min[2]),
-        );
+    for corner in 0..3usize {
+        let (x, y, z) = (3 * corner, 3 * corner + 1, 3 * corner + 2);
         let to = corner * size;
         match width {
-            LeafWidth::Narrow => words[to % 10] = a | b << 10 | c << 20,
+            LeafWidth::Narrow => {
+                words[to % 10] = from_low(x) | from_low(y) << 10 | from_low(z) << 20;
+            }
             LeafWidth::Middle => {
-                words[to % 10] = a | b << 21;
-                words[(to + 1) % 10] = b >> 11 | c << 10;
+                words[to % 10] = from_low(x) | from_low(y) << 21;
+                words[(to + 1) % 10] = from_low(y) >> 11 | from_low(z) << 10;
             }
             LeafWidth::Wide => {
-                words[to % 10] = x as u32;
-                words[(to + 1) % 10] = y as u32;
-                words[(to + 2) % 10] = z as u32;
+                words[to % 10] = whole(x);
+                words[(to + 1) % 10] = whole(y);
+                words[(to + 2) % 10] = whole(z);
             }
         }
     }
-    words[(3 * size) % 10] = primitive;
+    words[(3 * size) % 10] = triangle.primitive;
     words
 }
 
@@ -200,7 +210,11 @@ mod tests {
             }
             let width = LeafWidth::of(&bounds);
             let mut words = std::vec![7; first as usize + 2 * width.words() as usize];
-            let own = encode_triangle(&vertices, primitive, &bounds);
+            let mut triangle = LeafTriangle { primitive, ..LeafTriangle::default() };
+            for (to, x) in triangle.vertices.iter_mut().zip(vertices.as_flattened()) {
+                *to = *x as f32 * 0.5;
+            }
+            let own = encode_triangle(&triangle, &bounds, 0.5);
             let at = (first + width.words()) as usize;
             words[at..].copy_from_slice(&own[..width.words() as usize]);
             let triangles = LatticeTriangles { words: &words, step: 0.5 };

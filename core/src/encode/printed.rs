@@ -74,17 +74,12 @@ fn number_below(x: f32, low: f32, high: f32, zero: u32) -> u32 {
     } else {
         0.0
     };
-    // Off by one, or by two where the division is rounded otherwise.
+    // Off by one at most: three roundings, or the three units that a GPU's division may have, are far less than a number.
     let mut number = max(min(guess, LAST as f32), 0.0) as u32;
-    for _ in 0..3u32 {
-        if number > 0 && decode(number, low, high, zero) > x {
-            number -= 1;
-        }
-    }
-    for _ in 0..3u32 {
-        if number < LAST && decode(number + 1, low, high, zero) <= x {
-            number += 1;
-        }
+    if number > 0 && decode(number, low, high, zero) > x {
+        number -= 1;
+    } else if number < LAST && decode(number + 1, low, high, zero) <= x {
+        number += 1;
     }
     // Whatever was rounded how: never inside.
     if decode(number, low, high, zero) > x {

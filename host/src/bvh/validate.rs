@@ -223,7 +223,7 @@ impl<V: TreeView> Walk<'_, V> {
         depth: u32,
     ) -> Result<Aabb, TreeError> {
         let stored = self.view.aabb(bounds);
-        if !is_in_scene(&stored) || !self.view.is_exact(bounds) {
+        if !is_in_scene(&stored) {
             return Err(TreeError::BadBox { node: parent });
         }
         let exact = if child.is_leaf() {

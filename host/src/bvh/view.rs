@@ -8,7 +8,7 @@ use slimbvh_core::encode::{
     LatticeFrame, LatticeTriangles, LeafWidth, PrintedBox, PrintedNode, PrintedTriangles,
     decode_node, decode_printed_node, encode_printed_triangle, links_of,
 };
-use slimbvh_core::float::{exponent, power_of_two};
+use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::trace::{Place, TriangleSource};
 use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef, Vec3};
@@ -38,9 +38,6 @@ pub trait TreeView {
 
     /// The box at the scene's magnitude.
     fn aabb(&self, bounds: &Self::Box) -> Aabb;
-
-    /// Whether the traversal decodes what is in this box to the same bits.
-    fn is_exact(&self, bounds: &Self::Box) -> bool;
 
     /// Places that a triangle takes in a leaf with this box.
     fn stride(&self, bounds: &Self::Box) -> u32;
@@ -122,8 +119,8 @@ fn show_lattice<const BITS: u32, const WORDS: usize>(
 const SMALLEST_STEP: i32 = -126;
 const LARGEST_STEP: i32 = 127;
 
-/// Floats hold all whole numbers up to this one.
-const MOST_STEPS: u32 = 1 << 24;
+/// The largest number of steps for which floats hold all planes, and the extents between them have the right exponent.
+const MOST_STEPS: u32 = (1 << 24) - 1;
 
 fn full_triangle(full: &[LeafTriangle], (first, number): (u32, u32)) -> LeafTriangle {
     let triangle = full.get((first + number) as usize);
@@ -194,10 +191,6 @@ impl TreeView for PlainView<'_> {
         *bounds
     }
 
-    fn is_exact(&self, _: &Aabb) -> bool {
-        true
-    }
-
     fn stride(&self, _: &Aabb) -> u32 {
         1
     }
@@ -262,10 +255,6 @@ impl TreeView for PrintedView<'_> {
         }
     }
 
-    fn is_exact(&self, _: &PrintedBox) -> bool {
-        true
-    }
-
     fn stride(&self, _: &PrintedBox) -> u32 {
         1
     }
@@ -323,7 +312,7 @@ impl<const BITS: u32, const WORDS: usize> TreeView for LatticeView<'_, BITS, WOR
         }
         let mut planes = self.root.min.iter().chain(&self.root.max);
         let is_counted = planes.all(|plane| plane.unsigned_abs() <= MOST_STEPS);
-        if is_counted && is_in_scene(&self.aabb(&self.root)) && self.is_exact(&self.root) {
+        if is_counted && is_in_scene(&self.aabb(&self.root)) {
             Ok(())
         } else {
             Err(TreeError::RootBox)
@@ -347,14 +336,6 @@ impl<const BITS: u32, const WORDS: usize> TreeView for LatticeView<'_, BITS, WOR
             min: point(bounds.min),
             max: point(bounds.max),
         }
-    }
-
-    /// The traversal subtracts floats, and takes the power of two in what comes out: it must be that of the extent.
-    fn is_exact(&self, bounds: &LatticeBox) -> bool {
-        (0..3).all(|axis| {
-            let extent = bounds.max[axis].wrapping_sub(bounds.min[axis]) as u32;
-            extent <= MOST_STEPS || exponent(extent as f32) == extent.ilog2() as i32
-        })
     }
 
     fn stride(&self, bounds: &LatticeBox) -> u32 {

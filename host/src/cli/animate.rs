@@ -9,6 +9,7 @@ mod report;
 use super::backend::{BackendArguments, Chosen, choose};
 use super::picture::PictureArguments;
 use super::reduce::ReduceArguments;
+use super::storage::{Storage, StorageArguments};
 use super::{SceneArguments, ThreadArguments, options, output};
 use anyhow::{Result, bail};
 use clap::Args;
@@ -86,6 +87,9 @@ pub struct AnimateArguments {
     picture: PictureArguments,
 
     #[command(flatten)]
+    storage: StorageArguments,
+
+    #[command(flatten)]
     reduce: ReduceArguments,
 
     #[command(flatten)]
@@ -110,6 +114,8 @@ impl AnimateArguments {
 
 pub fn run(arguments: &AnimateArguments) -> Result<()> {
     arguments.reduce.check()?;
+    arguments.storage.check()?;
+    arguments.storage.check_reduction(&arguments.reduce)?;
     let place = Place::check(arguments)?;
     let chosen = choose(&arguments.backend)?;
     let mut scene = arguments.scene.load()?;
@@ -142,7 +148,16 @@ fn animate(
     let animation = Animation::new(scene, motion);
     let times = (0..arguments.frames).flat_map(|frame| arguments.shutter().times(frame));
     animation.check_at(times, &arguments.picture.settings())?;
-    let config = arguments.picture.build_config();
+    let times = (0..arguments.frames).flat_map(|frame| arguments.shutter().times(frame));
+    let pose = |time: f64, scene: &mut Scene| {
+        animation.pose_at(time, scene);
+    };
+    let settings = arguments.picture.settings();
+    let storage = arguments.storage.for_all(&settings, times, pose, scene)?;
+    if motion.deform.is_none() {
+        storage.snap(scene);
+    }
+    let config = storage.config(arguments.picture.codes.bits());
     let still = Still {
         vertices: motion.deform.is_none(),
         lights: !motion.orbit_light,
@@ -156,6 +171,7 @@ fn animate(
     let work = Work {
         arguments,
         animation: &animation,
+        storage,
         place,
     };
     let mut planner = planner;
@@ -185,6 +201,7 @@ fn animate(
 struct Work<'a> {
     arguments: &'a AnimateArguments,
     animation: &'a Animation,
+    storage: Storage,
     place: &'a Place,
 }
 
@@ -199,6 +216,7 @@ impl Work<'_> {
         let Self {
             arguments,
             animation,
+            storage,
             place,
         } = *self;
         let mut first = None;
@@ -214,6 +232,9 @@ impl Work<'_> {
             for time in arguments.shutter().times(frame) {
                 let begin = Instant::now();
                 let vertices_moved = animation.pose_at(time, scene);
+                if vertices_moved {
+                    storage.snap(scene);
+                }
                 let pose = begin.elapsed();
                 let action = upkeep.next(vertices_moved);
                 let planning = Instant::now();

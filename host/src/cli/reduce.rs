@@ -46,6 +46,11 @@ impl ReduceArguments {
         Ok(())
     }
 
+    /// Whether anything is to be left out, or passed over, in any case.
+    pub fn is_asked_for(&self) -> bool {
+        self.reduce == Reduce::On || self.cull == Some(Cull::On)
+    }
+
     fn switches(&self) -> Switches {
         Switches {
             cull: self.cull,

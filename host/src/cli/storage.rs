@@ -1,8 +1,13 @@
 //! In how many bytes hierarchies are stored.
 
+use super::output::bytes;
+use super::reduce::ReduceArguments;
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
-use slimbvh::{LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene, Tolerance};
+use slimbvh::{
+    BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, RenderSettings, Scene,
+    Tolerance,
+};
 
 #[derive(Debug, Args)]
 pub struct StorageArguments {
@@ -56,18 +61,62 @@ enum MeshKind {
     Lattice,
 }
 
-/// Codecs, and what became of the mesh for them.
+/// The codecs of a picture's trees.
 #[derive(Clone, Copy, Debug)]
 pub struct Storage {
     pub nodes: NodeCodec,
     pub mesh: MeshCodec,
-    /// How far a vertex moved at most, and how far it might have.
-    pub moved: Option<(f32, f32)>,
 }
 
 impl StorageArguments {
-    /// Decides, and moves the scene's vertices onto the lattice, if there is one.
-    pub fn apply(&self, scene: &mut Scene, settings: &RenderSettings) -> Result<Storage> {
+    /// Refuses what cannot be had together.
+    pub fn check(&self) -> Result<()> {
+        self.kinds().map(|_| ())
+    }
+
+    /// Refuses reduction where triangles are not those that it was decided for.
+    pub fn check_reduction(&self, reduce: &ReduceArguments) -> Result<()> {
+        let (_, kind) = self.kinds()?;
+        if kind == MeshKind::Leaf10 && reduce.is_asked_for() {
+            bail!(
+                "--mesh leaf10 moves triangles after it was decided which may be left out; leave --reduce on and --cull on out"
+            );
+        }
+        Ok(())
+    }
+
+    /// Refuses to ask for another tree than a file has, whose codecs these are.
+    pub fn check_saved(&self, codecs: (NodeCodec, MeshCodec), name: &str) -> Result<()> {
+        if self.tolerance.is_some() {
+            bail!(
+                "--tolerance moves vertices before a build; \"{name}\" is built already, leave it out"
+            );
+        }
+        let [nodes, mesh] = names(codecs);
+        if self.nodes.codec().is_some_and(|asked| asked != codecs.0) {
+            bail!(
+                "\"{name}\" has nodes of {nodes}, --nodes asks for others; leave it out, or build the scene again"
+            );
+        }
+        let asked = self.mesh.map(|kind| match kind {
+            MeshKind::F32 => "f32",
+            MeshKind::Leaf10 => "leaf10",
+            MeshKind::Lattice => "lattice",
+        });
+        if asked.is_some_and(|asked| asked != mesh) {
+            bail!(
+                "\"{name}\" has triangles of {mesh}, --mesh asks for others; leave it out, or build the scene again"
+            );
+        }
+        Ok(())
+    }
+
+    /// Whether nothing may be left out, nor passed over.
+    pub fn forbids_reduction(&self) -> bool {
+        self.mesh == Some(MeshKind::Leaf10)
+    }
+
+    fn kinds(&self) -> Result<(NodeCodec, MeshKind)> {
         let kind = match (self.mesh, self.tolerance) {
             (Some(MeshKind::F32 | MeshKind::Leaf10), Some(_)) => {
                 bail!("--tolerance moves vertices onto a lattice; it goes with --mesh lattice")
@@ -89,32 +138,141 @@ impl StorageArguments {
             MeshKind::Lattice if !matches!(nodes, NodeCodec::Lattice(_)) => {
                 bail!("--mesh lattice goes with --nodes q4 to q21")
             }
-            _ => {}
+            _ => Ok((nodes, kind)),
         }
-        let mut storage = Storage {
-            nodes,
-            mesh: MeshCodec::F32,
-            moved: None,
-        };
-        match kind {
-            MeshKind::F32 => {}
-            MeshKind::Leaf10 => storage.mesh = MeshCodec::Leaf10,
-            MeshKind::Lattice => {
-                let asked = |tolerance: Tolerance| tolerance.step_exponent(scene, settings);
-                let step_exponent = match self.tolerance {
-                    Some(tolerance) => asked(tolerance),
-                    None => Some(scene.mesh.finest_step()),
-                };
-                // Finer than floats: nothing moves, and nothing is gained.
-                if let Some(step_exponent) = step_exponent {
-                    let most = 0.866_026 * 2f32.powi(step_exponent);
-                    storage.mesh = MeshCodec::Lattice { step_exponent };
-                    storage.moved = Some((scene.mesh.snap(step_exponent), most));
-                }
-            }
-        }
+    }
+
+    /// Decides, and moves the scene's vertices onto the lattice, if there is one.
+    pub fn apply(&self, scene: &mut Scene, settings: &RenderSettings) -> Result<Storage> {
+        let step_exponent = self.step_exponent(scene, settings);
+        let storage = self.on_lattice(step_exponent)?;
+        storage.snap(scene);
         Ok(storage)
     }
+
+    /// As [`Self::apply`] for a scene that is posed in turn, whose vertices may move: one lattice for all poses, which each of
+    /// them must be moved onto.
+    pub fn for_all(
+        &self,
+        settings: &RenderSettings,
+        times: impl Iterator<Item = f64>,
+        mut pose: impl FnMut(f64, &mut Scene),
+        scene: &mut Scene,
+    ) -> Result<Storage> {
+        if self.kinds()?.1 != MeshKind::Lattice {
+            return self.on_lattice(None);
+        }
+        let (mut finest, mut wanted) = (i32::MIN, Some(i32::MAX));
+        for time in times {
+            pose(time, scene);
+            finest = finest.max(scene.mesh.finest_step());
+            let here = self.step_exponent(scene, settings);
+            wanted = here.zip(wanted).map(|(here, wanted)| wanted.min(here));
+        }
+        self.on_lattice(Some(wanted.map_or(finest, |wanted| wanted.max(finest))))
+    }
+
+    /// The lattice's step for the scene as it is; none where it would be finer than floats.
+    fn step_exponent(&self, scene: &Scene, settings: &RenderSettings) -> Option<i32> {
+        match self.tolerance {
+            Some(tolerance) => tolerance.step_exponent(scene, settings),
+            None => Some(scene.mesh.finest_step()),
+        }
+    }
+
+    /// With a lattice of this step; without one nothing moves, and nothing is gained.
+    fn on_lattice(&self, step_exponent: Option<i32>) -> Result<Storage> {
+        let (nodes, kind) = self.kinds()?;
+        let mesh = match (kind, step_exponent) {
+            (MeshKind::F32, _) | (MeshKind::Lattice, None) => MeshCodec::F32,
+            (MeshKind::Leaf10, _) => MeshCodec::Leaf10,
+            (MeshKind::Lattice, Some(step_exponent)) => MeshCodec::Lattice { step_exponent },
+        };
+        Ok(Storage { nodes, mesh })
+    }
+}
+
+impl Storage {
+    /// Moves a scene's vertices onto the lattice, if there is one.
+    pub fn snap(&self, scene: &mut Scene) {
+        if let MeshCodec::Lattice { step_exponent } = self.mesh {
+            scene.mesh.snap(step_exponent);
+        }
+    }
+
+    /// How to build.
+    pub fn config(&self, code_bits: CodeBits) -> BuildConfig {
+        BuildConfig {
+            code_bits,
+            nodes: self.nodes,
+            mesh: self.mesh,
+        }
+    }
+}
+
+/// How long the lists of a hierarchy and its mesh are.
+#[derive(Clone, Copy, Debug)]
+pub struct Sizes {
+    pub triangle_count: usize,
+    pub node_bytes: usize,
+    pub triangle_bytes: usize,
+    pub mesh_bytes: usize,
+    pub scratch_bytes: usize,
+}
+
+impl Sizes {
+    /// For people.
+    pub fn describe(&self) -> String {
+        let per_triangle = |bytes: usize| bytes as f64 / self.triangle_count.max(1) as f64;
+        format!(
+            "{} nodes ({:.1} a triangle), {} leaf triangles ({:.1}), {} mesh, {} scratch",
+            bytes(self.node_bytes),
+            per_triangle(self.node_bytes),
+            bytes(self.triangle_bytes),
+            per_triangle(self.triangle_bytes),
+            bytes(self.mesh_bytes),
+            bytes(self.scratch_bytes)
+        )
+    }
+}
+
+/// Bytes of a mesh's lists.
+pub fn mesh_bytes(mesh: &Mesh) -> usize {
+    size_of_val(mesh.vertices.as_slice())
+        + size_of_val(mesh.indices.as_slice())
+        + size_of_val(mesh.normals.as_slice())
+        + size_of_val(mesh.materials.as_slice())
+}
+
+/// Codecs as the options name them.
+pub fn names((nodes, mesh): (NodeCodec, MeshCodec)) -> [&'static str; 2] {
+    let nodes = match nodes {
+        NodeCodec::F32 => "f32",
+        NodeCodec::Printed => "printed",
+        NodeCodec::Lattice(LatticeBits::Q4) => "q4",
+        NodeCodec::Lattice(LatticeBits::Q6) => "q6",
+        NodeCodec::Lattice(LatticeBits::Q8) => "q8",
+        NodeCodec::Lattice(LatticeBits::Q10) => "q10",
+        NodeCodec::Lattice(LatticeBits::Q12) => "q12",
+        NodeCodec::Lattice(LatticeBits::Q16) => "q16",
+        NodeCodec::Lattice(LatticeBits::Q21) => "q21",
+    };
+    let mesh = match mesh {
+        MeshCodec::F32 => "f32",
+        MeshCodec::Leaf10 => "leaf10",
+        MeshCodec::Lattice { .. } => "lattice",
+    };
+    [nodes, mesh]
+}
+
+/// Codecs for people.
+pub fn describe(codecs: (NodeCodec, MeshCodec)) -> String {
+    let [nodes, mesh] = names(codecs);
+    let step = match codecs.1 {
+        MeshCodec::Lattice { step_exponent } => format!(" of step 2^{step_exponent}"),
+        MeshCodec::F32 | MeshCodec::Leaf10 => String::new(),
+    };
+    format!("nodes {nodes}, triangles {mesh}{step}")
 }
 
 impl Nodes {

@@ -58,7 +58,7 @@ impl Division {
 mod tests {
     use super::*;
     use crate::generate::icosphere;
-    use crate::{Builder, Bvh, CodeBits, Subset};
+    use crate::{BuildConfig, Builder, Bvh, CodeBits, Subset};
     use glam::Vec3;
     use slimbvh_core::classify::Sides;
     use slimbvh_core::frustum::Frustum;
@@ -96,7 +96,7 @@ mod tests {
 
             // The two ways to build over it sort otherwise, with the same outcome.
             for code_bits in [CodeBits::Bits30, CodeBits::Bits63] {
-                let mut builder = Builder::new(code_bits.into());
+                let mut builder = Builder::new(BuildConfig::from(code_bits));
                 let (mut alone, mut shared) = (Bvh::default(), Bvh::default());
                 let subset = Subset::Of(reach);
                 builder.build_subset(&mesh, subset, &mut alone).unwrap();

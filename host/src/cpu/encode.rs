@@ -10,9 +10,11 @@ use slimbvh_core::encode::{
     LeafWidth, Links, PrintedBox, PrintedNode, PrintedTriangle, decode_node, encode_node,
     encode_printed_node, encode_printed_triangle, encode_triangle, with_links,
 };
-use slimbvh_core::lattice::{LatticeBox, to_lattice};
+use slimbvh_core::float::power_of_two;
+use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::scan::run_scan;
 use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// The finest lattice that holds all of a scene of magnitude 1 in floats, as a power of two.
 const FINEST_STEP: i32 = -24;
@@ -23,6 +25,8 @@ pub struct Encoder {
     nodes: Vec<Node>,
     triangles: Vec<LeafTriangle>,
     sizes: Vec<u32>,
+    /// Whether the last hierarchy had leaves of more than the narrowest triangles.
+    has_wide: bool,
 }
 
 impl Encoder {
@@ -70,7 +74,9 @@ impl Encoder {
                 // Where all vertices are the origin, any step will do.
                 let step_exponent = (step_exponent + bvh.scene_exponent).clamp(-126, 127);
                 let to = (&mut coded.nodes, &mut words);
-                encode_lattice_mesh(plain, leaves, bits, step_exponent, &mut self.sizes, to);
+                let shape = (bits, step_exponent);
+                let scratch = (&mut self.sizes, &mut self.has_wide);
+                encode_lattice_mesh(plain, leaves, shape, scratch, to);
                 coded.triangles = CodedTriangles::Lattice(words);
             }
             (NodeCodec::Lattice(bits), _) => {
@@ -143,6 +149,8 @@ struct Part<'a, N, T, B> {
     first_node: usize,
     triangles: &'a mut [T],
     first_triangle: usize,
+    /// How much of the list each triangle takes, where that is the same for all.
+    per_triangle: usize,
 }
 
 impl<'a, N, T, B> Part<'a, N, T, B> {
@@ -162,7 +170,7 @@ impl<'a, N, T, B> Part<'a, N, T, B> {
         } else {
             place_of(triangle)
         };
-        let triangles = self.triangles;
+        let (triangles, per_triangle) = (self.triangles, self.per_triangle);
         let (left_triangles, right_triangles) =
             triangles.split_at_mut(middle_triangle - self.first_triangle);
         let part = |child: NodeRef, bounds, nodes, first_node, triangles, first_triangle| Self {
@@ -172,6 +180,7 @@ impl<'a, N, T, B> Part<'a, N, T, B> {
             first_node,
             triangles,
             first_triangle,
+            per_triangle,
         };
         [
             part(
@@ -195,8 +204,8 @@ impl<'a, N, T, B> Part<'a, N, T, B> {
 }
 
 /// Codes both children, at once where that pays.
-fn both<P: Send>(triangle_count: u32, [left, right]: [P; 2], code: impl Fn(P) + Sync) {
-    if triangle_count < TASK {
+fn both<P: Send>(node: &Node, [left, right]: [P; 2], code: impl Fn(P) + Sync) {
+    if node.last - node.first < TASK {
         code(left);
         code(right);
     } else {
@@ -222,12 +231,20 @@ fn encode_lattice(plain: &[Node], bits: LatticeBits, to: &mut CodedNodes) {
             first_node: 0,
             triangles: &mut [] as &mut [()],
             first_triangle: 0,
+            per_triangle: 0,
         };
-        let link = |node: &Node, words| {
-            let links = Links::new(node.left, node.right, |triangle| triangle);
-            with_links::<BITS, WORDS>(words, links)
-        };
-        encode_nodes::<BITS, WORDS, ()>(plain, FINEST_STEP, part, &link, &|_, _| {});
+        let link = linked_to::<BITS, WORDS>(|triangle| triangle);
+        encode_nodes::<BITS, WORDS, ()>(plain, FINEST_STEP, part, &link, &|_, _, _| {});
+    }
+}
+
+/// Puts links into a node's words, to triangles that are where a function tells.
+fn linked_to<const BITS: u32, const WORDS: usize>(
+    place_of: impl Fn(u32) -> u32 + Sync,
+) -> impl Fn(&Node, [u32; WORDS]) -> [u32; WORDS] + Sync {
+    move |node, words| {
+        let links = Links::new(node.left, node.right, &place_of);
+        with_links::<BITS, WORDS>(words, links)
     }
 }
 
@@ -263,119 +280,174 @@ fn lattice_words<'a>(
     }
 }
 
-/// Codes a node and all below it, and shows each leaf's box with its part of the triangles.
+/// Codes a node and all below it, and shows each leaf with its box and its part of the triangles.
 fn encode_nodes<const BITS: u32, const WORDS: usize, T: Send>(
     plain: &[Node],
     step_exponent: i32,
     part: Part<[u32; WORDS], T, LatticeBox>,
     link: &(impl Fn(&Node, [u32; WORDS]) -> [u32; WORDS] + Sync),
-    leaf: &(impl Fn(&LatticeBox, &mut [T]) + Sync),
+    leaf: &(impl Fn(NodeRef, &LatticeBox, &mut [T]) + Sync),
 ) {
-    let reference = NodeRef(part.node);
-    if reference.is_leaf() {
-        leaf(&part.bounds, part.triangles);
-        return;
-    }
     let node = &plain[part.node as usize];
     let [left, right] = child_boxes(node).map(|bounds| LatticeBox::around(&bounds, step_exponent));
     let coded = encode_node::<BITS, WORDS>(&part.bounds, &left, &right);
     part.nodes[part.node as usize - part.first_node] = link(node, coded.words);
-    let triangle_count = node.last - node.first;
-    let place_of = |triangle: u32| triangle as usize;
+    let per_triangle = part.per_triangle;
+    let place_of = |triangle: u32| per_triangle * triangle as usize;
     let parts = part.split(plain, [coded.left, coded.right], place_of);
-    both(triangle_count, parts, |part| {
-        encode_nodes::<BITS, WORDS, T>(plain, step_exponent, part, link, leaf);
+    both(node, parts, |part| {
+        let child = NodeRef(part.node);
+        if child.is_leaf() {
+            leaf(child, &part.bounds, part.triangles);
+        } else {
+            encode_nodes::<BITS, WORDS, T>(plain, step_exponent, part, link, leaf);
+        }
     });
 }
 
-/// Codes a plain tree's nodes and triangles on the lattice with this step, on which all vertices lie. `sizes` is scratch.
+/// Codes a plain tree's nodes and triangles on the lattice with this step, on which all vertices lie.
 fn encode_lattice_mesh(
     plain: &[Node],
     leaves: &[LeafTriangle],
-    bits: LatticeBits,
-    step_exponent: i32,
-    sizes: &mut Vec<u32>,
+    (bits, step_exponent): (LatticeBits, i32),
+    (sizes, has_wide): (&mut Vec<u32>, &mut bool),
     (nodes, triangles): (&mut CodedNodes, &mut Vec<u32>),
 ) {
     let root = LatticeBox::around(&root_box(plain), step_exponent);
     let words = lattice_words(plain, bits, root, step_exponent, nodes);
-    by_bits!(
-        bits,
-        fill(plain, leaves, root, step_exponent, sizes, words, triangles)
-    );
-
-    #[allow(clippy::too_many_arguments)]
-    fn fill<const BITS: u32, const WORDS: usize>(
-        plain: &[Node],
-        leaves: &[LeafTriangle],
-        root: LatticeBox,
-        step_exponent: i32,
-        sizes: &mut Vec<u32>,
-        words: &mut [u32],
-        triangles: &mut Vec<u32>,
-    ) {
-        // How many words each triangle takes follows from its leaf's box; where it begins, from all before it.
-        sizes.clear();
-        sizes.resize(leaves.len(), 0);
-        let part = Part {
-            node: 0,
-            bounds: root,
-            nodes: bytemuck::cast_slice_mut::<u32, [u32; WORDS]>(words),
-            first_node: 0,
-            triangles: sizes.as_mut_slice(),
-            first_triangle: 0,
-        };
-        let unlinked = |_: &Node, words| words;
-        let size = |bounds: &LatticeBox, sizes: &mut [u32]| {
-            sizes.fill(LeafWidth::of(bounds).words());
-        };
-        encode_nodes::<BITS, WORDS, u32>(plain, step_exponent, part, &unlinked, &size);
-        let count = sizes.len() as u32;
-        let total = run_scan(sizes, 0, count, 0);
-        triangles.resize(total as usize, 0);
-        let begins = sizes.as_slice();
-        let begin_of = |triangle: u32| begins.get(triangle as usize).map_or(total, |&b| b);
-        let part = Part {
-            node: 0,
-            bounds: root,
-            nodes: bytemuck::cast_slice_mut::<u32, [u32; WORDS]>(words),
-            first_node: 0,
-            triangles: triangles.as_mut_slice(),
-            first_triangle: 0,
-        };
-        place_triangles::<BITS, WORDS>(plain, leaves, step_exponent, part, &begin_of);
+    let tree = Tree {
+        plain,
+        leaves,
+        root,
+        step_exponent,
+    };
+    // Most often all triangles are narrow, and it is known where each is: one way down does it. Else it takes another.
+    if !*has_wide {
+        by_bits!(bits, fill_narrow(&tree, words, triangles, has_wide));
     }
+    if *has_wide {
+        by_bits!(bits, fill_mixed(&tree, words, triangles, sizes, has_wide));
+    }
+}
+
+/// A plain tree on its way onto a lattice.
+struct Tree<'a> {
+    plain: &'a [Node],
+    leaves: &'a [LeafTriangle],
+    root: LatticeBox,
+    step_exponent: i32,
+}
+
+impl Tree<'_> {
+    fn part<'a, const WORDS: usize, T>(
+        &self,
+        words: &'a mut [u32],
+        triangles: &'a mut [T],
+        per_triangle: usize,
+    ) -> Part<'a, [u32; WORDS], T, LatticeBox> {
+        Part {
+            node: 0,
+            bounds: self.root,
+            nodes: bytemuck::cast_slice_mut(words),
+            first_node: 0,
+            triangles,
+            first_triangle: 0,
+            per_triangle,
+        }
+    }
+
+    /// Puts a leaf's triangles in place, of so many words each.
+    fn put<const SIZE: usize>(&self, leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]) {
+        let first = leaf.first() as usize;
+        let leaves = &self.leaves[first..first + leaf.count() as usize];
+        for (to, leaf) in words.chunks_exact_mut(SIZE).zip(leaves) {
+            let words = encode_triangle(leaf, bounds, power_of_two(self.step_exponent));
+            to.copy_from_slice(&words[..SIZE]);
+        }
+    }
+}
+
+const NARROW: usize = LeafWidth::Narrow.words() as usize;
+const MIDDLE: usize = LeafWidth::Middle.words() as usize;
+const WIDE: usize = LeafWidth::Wide.words() as usize;
+
+/// Where all triangles are narrow; else says so, and leaves the lists in disorder.
+fn fill_narrow<const BITS: u32, const WORDS: usize>(
+    tree: &Tree,
+    words: &mut [u32],
+    triangles: &mut Vec<u32>,
+    has_wide: &mut bool,
+) {
+    triangles.resize(NARROW * tree.leaves.len(), 0);
+    let is_wide = AtomicBool::new(false);
+    let put = |leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]| {
+        if LeafWidth::of(bounds) == LeafWidth::Narrow {
+            tree.put::<NARROW>(leaf, bounds, words);
+        } else {
+            is_wide.store(true, Relaxed);
+        }
+    };
+    let link = linked_to::<BITS, WORDS>(|triangle| NARROW as u32 * triangle);
+    let part = tree.part(words, triangles, NARROW);
+    encode_nodes::<BITS, WORDS, u32>(tree.plain, tree.step_exponent, part, &link, &put);
+    *has_wide = is_wide.into_inner();
+}
+
+/// Where triangles take more or less room, as their leaf's box tells: where one begins follows from all before it.
+fn fill_mixed<const BITS: u32, const WORDS: usize>(
+    tree: &Tree,
+    words: &mut [u32],
+    triangles: &mut Vec<u32>,
+    sizes: &mut Vec<u32>,
+    has_wide: &mut bool,
+) {
+    sizes.clear();
+    sizes.resize(tree.leaves.len(), 0);
+    let is_wide = AtomicBool::new(false);
+    let size = |_: NodeRef, bounds: &LatticeBox, sizes: &mut [u32]| {
+        let width = LeafWidth::of(bounds);
+        sizes.fill(width.words());
+        if width != LeafWidth::Narrow {
+            is_wide.store(true, Relaxed);
+        }
+    };
+    let unlinked = |_: &Node, words| words;
+    let part = tree.part(words, sizes.as_mut_slice(), 1);
+    encode_nodes::<BITS, WORDS, u32>(tree.plain, tree.step_exponent, part, &unlinked, &size);
+    *has_wide = is_wide.into_inner();
+
+    let count = sizes.len() as u32;
+    let total = run_scan(sizes, 0, count, 0);
+    triangles.resize(total as usize, 0);
+    let begins = sizes.as_slice();
+    let begin_of = |triangle: u32| begins.get(triangle as usize).map_or(total, |&b| b);
+    let part = tree.part(words, triangles, 1);
+    place_triangles::<BITS, WORDS>(tree, part, &begin_of);
 }
 
 /// Puts triangles where they belong, and links to them into the nodes.
 fn place_triangles<const BITS: u32, const WORDS: usize>(
-    plain: &[Node],
-    leaves: &[LeafTriangle],
-    step_exponent: i32,
+    tree: &Tree,
     part: Part<[u32; WORDS], u32, LatticeBox>,
     begin_of: &(impl Fn(u32) -> u32 + Sync),
 ) {
-    let reference = NodeRef(part.node);
-    if reference.is_leaf() {
-        let size = LeafWidth::of(&part.bounds).words() as usize;
-        let leaves = leaves.iter().skip(reference.first() as usize);
-        for (to, leaf) in part.triangles.chunks_exact_mut(size).zip(leaves) {
-            let [a, b, c, d, e, f, g, h, i] = leaf.vertices.map(|x| to_lattice(x, step_exponent));
-            let vertices = [[a, b, c], [d, e, f], [g, h, i]];
-            let words = encode_triangle(&vertices, leaf.primitive, &part.bounds);
-            to.copy_from_slice(&words[..size]);
-        }
-        return;
-    }
-    let node = &plain[part.node as usize];
+    let node = &tree.plain[part.node as usize];
     let words = &mut part.nodes[part.node as usize - part.first_node];
     let boxes = decode_node::<BITS, WORDS>(words, &part.bounds);
     let links = Links::new(node.left, node.right, begin_of);
     *words = with_links::<BITS, WORDS>(*words, links);
-    let triangle_count = node.last - node.first;
-    let parts = part.split(plain, boxes, |triangle| begin_of(triangle) as usize);
-    both(triangle_count, parts, |part| {
-        place_triangles::<BITS, WORDS>(plain, leaves, step_exponent, part, begin_of);
+    let parts = part.split(tree.plain, boxes, |triangle| begin_of(triangle) as usize);
+    both(node, parts, |part| {
+        let child = NodeRef(part.node);
+        if !child.is_leaf() {
+            place_triangles::<BITS, WORDS>(tree, part, begin_of);
+            return;
+        }
+        match LeafWidth::of(&part.bounds) {
+            LeafWidth::Narrow => tree.put::<NARROW>(child, &part.bounds, part.triangles),
+            LeafWidth::Middle => tree.put::<MIDDLE>(child, &part.bounds, part.triangles),
+            LeafWidth::Wide => tree.put::<WIDE>(child, &part.bounds, part.triangles),
+        }
     });
 }
 
@@ -395,6 +467,7 @@ fn encode_printed(
         first_node: 0,
         triangles,
         first_triangle: 0,
+        per_triangle: 1,
     };
     printed(plain, leaves, part);
     root
@@ -412,20 +485,21 @@ fn printed(
     leaves: &[LeafTriangle],
     part: Part<PrintedNode, PrintedTriangle, PrintedBox>,
 ) {
-    let reference = NodeRef(part.node);
-    if reference.is_leaf() {
-        let leaves = leaves.iter().skip(reference.first() as usize);
-        for (to, leaf) in part.triangles.iter_mut().zip(leaves) {
-            *to = encode_printed_triangle(leaf, &part.bounds, 0);
-        }
-        return;
-    }
     let node = &plain[part.node as usize];
     let [left, right] = child_boxes(node).map(|bounds| printed_box(&bounds));
     let children = [(left, node.left), (right, node.right)];
     let (coded, boxes) = encode_printed_node(&part.bounds, children, 0);
     part.nodes[part.node as usize - part.first_node] = coded;
-    let triangle_count = node.last - node.first;
     let parts = part.split(plain, boxes, |triangle| triangle as usize);
-    both(triangle_count, parts, |part| printed(plain, leaves, part));
+    both(node, parts, |part| {
+        let child = NodeRef(part.node);
+        if !child.is_leaf() {
+            printed(plain, leaves, part);
+            return;
+        }
+        let leaves = leaves.iter().skip(child.first() as usize);
+        for (to, leaf) in part.triangles.iter_mut().zip(leaves) {
+            *to = encode_printed_triangle(leaf, &part.bounds, 0);
+        }
+    });
 }

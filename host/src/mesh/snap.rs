@@ -1,13 +1,15 @@
 //! Vertices on a lattice of the scene.
 
 use super::{Mesh, MeshError};
+use rayon::prelude::*;
 use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::float::scale_by_power_of_two;
 use slimbvh_core::lattice::to_lattice;
 
-/// Coordinates are at most this many steps of the lattice: what floats count without gaps.
-const MOST_STEPS: i32 = 1 << 24;
+/// Coordinates are at most this many steps of the lattice: what floats count without gaps, and differences have the right
+/// exponent.
+const MOST_STEPS: i32 = (1 << 24) - 1;
 
 impl Mesh {
     /// The finest lattice that vertices can be moved to: its step is 2 to this power, a 2^24th of the scene's size or less.
@@ -40,10 +42,15 @@ impl Mesh {
 
     /// Whether all corners lie on the lattice whose step is 2 to this power.
     pub(crate) fn check_lattice(&self, step_exponent: i32) -> Result<(), MeshError> {
+        let is_on = |vertex: &[f32; 3]| vertex.iter().all(|&x| is_on_lattice(x, step_exponent));
+        if self.vertices.par_iter().all(is_on) {
+            return Ok(());
+        }
+        // Vertices that no face uses may be anything.
         for (face, corners) in self.indices.iter().enumerate() {
             for &corner in corners {
                 let vertex = self.vertices[corner as usize];
-                if vertex.iter().any(|&x| !is_on_lattice(x, step_exponent)) {
+                if !is_on(&vertex) {
                     let [x, y, z] = vertex;
                     return Err(MeshError::OffLattice {
                         face,
@@ -76,4 +83,66 @@ fn snapped(x: f32, step_exponent: i32) -> f32 {
 fn is_on_lattice(x: f32, step_exponent: i32) -> bool {
     let is_far = x.abs() > scale_by_power_of_two(MOST_STEPS as f32, step_exponent);
     !is_far && snapped(x, step_exponent) == x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mesh(vertices: &[[f32; 3]]) -> Mesh {
+        Mesh {
+            vertices: vertices.to_vec(),
+            indices: vec![[0, 1, 2]],
+            ..Mesh::default()
+        }
+    }
+
+    #[test]
+    fn vertices_go_to_the_nearest_point() {
+        let mut mesh = mesh(&[
+            [0.3, -0.3, 5.0],
+            [1.13, 0.12, -2.38],
+            [0.0, 0.125, 7.9],
+            [f32::NAN; 3],
+        ]);
+        let moved = mesh.snap(-2);
+        assert_eq!(
+            mesh.vertices[..3],
+            [[0.25, -0.25, 5.0], [1.25, 0.0, -2.5], [0.0, 0.25, 8.0]]
+        );
+        let largest = (0.125f32.powi(2) + 0.1f32.powi(2)).sqrt();
+        assert!((moved - largest.max(0.2088)).abs() < 2e-3, "{moved}");
+        assert!(mesh.check_lattice(-2).is_ok() && mesh.check_lattice(-1).is_err());
+    }
+
+    #[test]
+    fn the_finest_lattice_moves_what_floats_hardly_tell() {
+        let corners = [[1.0, 2.0, 3.0], [1.5, 1e-9, 0.1], [3.999, 0.7, 0.3]];
+        let mut snapped = mesh(&corners);
+        let finest = snapped.finest_step();
+        assert_eq!(finest, -22);
+        let moved = snapped.snap(-200);
+        assert!(moved <= 0.87 * 2f32.powi(-22), "{moved}");
+        assert!(snapped.check_lattice(finest).is_ok());
+        assert_eq!(snapped.vertices[0], corners[0]);
+    }
+
+    #[test]
+    fn the_largest_numbers_stay_finite() {
+        let mut largest = mesh(&[[f32::MAX, 0.0, 0.0], [0.0, -f32::MAX, 0.0], [0.0; 3]]);
+        let step_exponent = largest.finest_step() + 5;
+        largest.snap(step_exponent);
+        assert!(largest.validate().is_ok());
+        assert!(largest.check_lattice(step_exponent).is_ok());
+        let mut smallest = mesh(&[
+            [f32::from_bits(5), 0.0, 0.0],
+            [0.0, f32::from_bits(3), 0.0],
+            [0.0; 3],
+        ]);
+        let finest = smallest.finest_step();
+        let before = smallest.clone();
+        smallest.snap(finest);
+        assert_eq!(smallest, before);
+        assert!(smallest.check_lattice(finest).is_ok());
+    }
 }

@@ -23,7 +23,8 @@ pub fn survey(mesh: &Mesh, config: BuildConfig, seams: Seams) -> Result<Survey, 
     let mut topology = stages.time("components", || Topology::new(mesh));
     if seams == Seams::Find {
         let mut bvh = Bvh::default();
-        let mut builder = Builder::new(config);
+        // Seams are looked for in boxes and triangles as they are.
+        let mut builder = Builder::new(config.code_bits.into());
         stages.time("whole tree", || builder.build_into(mesh, &mut bvh))?;
         stages.time("seams", || topology.find_seams(mesh, &bvh));
     }

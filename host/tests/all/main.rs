@@ -10,4 +10,5 @@ mod gpu;
 mod process;
 mod reduce;
 mod shading_is_right;
+mod storage;
 mod wide;

@@ -1,7 +1,7 @@
 //! What makes a frame.
 
 use anyhow::Result;
-use slimbvh::animate::{Action, sah_cost};
+use slimbvh::animate::Action;
 use slimbvh::reduce::{Hierarchies, Plan};
 use slimbvh::{
     BuildConfig, Builder, Bvh, Picture, RenderReport, RenderSettings, Renderer, Scene, Stages,
@@ -102,7 +102,7 @@ impl Machine for Cpu {
             Action::Kept => Stages::default(),
         };
         if action != Action::Kept {
-            self.cost = Some(build.time("quality", || sah_cost(bvh.nodes())));
+            self.cost = Some(build.time("quality", || bvh.sah_cost()));
         }
         let report = self
             .renderer

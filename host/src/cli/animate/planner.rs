@@ -3,7 +3,7 @@
 use crate::cli::reduce::ReduceArguments;
 use anyhow::Result;
 use slimbvh::reduce::{Asked, Plan, Reduce, Saving, Seams, Survey, survey};
-use slimbvh::{BuildConfig, RenderSettings, Scene};
+use slimbvh::{BuildConfig, MeshCodec, RenderSettings, Scene};
 use std::time::Duration;
 
 /// What stays as it is from frame to frame.
@@ -20,6 +20,8 @@ pub struct Planner<'a> {
     still: Still,
     picture_count: u32,
     survey: Option<Survey>,
+    /// Whether triangles are not those that a set would be decided for.
+    moves_triangles: bool,
 }
 
 impl<'a> Planner<'a> {
@@ -37,6 +39,7 @@ impl<'a> Planner<'a> {
             still,
             picture_count,
             survey: None,
+            moves_triangles: config.mesh == MeshCodec::Leaf10,
         };
         let asked = planner.asked(scene);
         if planner.plain(scene)?.is_none() {
@@ -81,6 +84,9 @@ impl<'a> Planner<'a> {
     fn asked<'b>(&'b self, scene: &'b Scene) -> Asked<'b> {
         let mut asked = self.reduce.asked(scene, &self.settings);
         asked.frame_count = self.picture_count;
+        if self.moves_triangles {
+            asked.switches.reduce = Reduce::Off;
+        }
         // What is to be kept for the next frame needs a place of its own, and an order of all triangles.
         let savings = &mut asked.switches.savings;
         if self.still.vertices {

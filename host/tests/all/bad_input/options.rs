@@ -250,3 +250,50 @@ fn adapters_of_a_scene() {
     let arguments = ["info", "sound.obj", "--adapters"];
     refuses_usage(&folder, &arguments, &["--adapters", "cannot be used with"]);
 }
+
+#[test]
+fn codecs_that_do_not_go_together() {
+    let folder = folder();
+    for (options, expected) in [
+        (
+            &["--mesh=leaf10", "--nodes=q10"][..],
+            &["--mesh leaf10", "--nodes printed"][..],
+        ),
+        (
+            &["--mesh=leaf10", "--nodes=f32"],
+            &["--mesh leaf10", "--nodes printed"],
+        ),
+        (
+            &["--mesh=lattice", "--nodes=f32"],
+            &["--mesh lattice", "q4 to q21"],
+        ),
+        (
+            &["--tolerance=1", "--nodes=printed"],
+            &["--mesh lattice", "q4 to q21"],
+        ),
+        (
+            &["--tolerance=1", "--mesh=f32"],
+            &["--tolerance", "--mesh lattice"],
+        ),
+        (
+            &["--mesh=leaf10", "--reduce=on"],
+            &["--mesh leaf10", "--reduce on"],
+        ),
+        (
+            &["--mesh=leaf10", "--cull=on"],
+            &["--mesh leaf10", "--cull on"],
+        ),
+    ] {
+        for output in OUTPUTS {
+            let arguments = [&["render", "sound.obj", "-o", output], options].concat();
+            refuses(&folder, &arguments, expected);
+        }
+        let animate = [&["animate", "sound.obj", "--frames=2"], options].concat();
+        refuses(&folder, &animate, expected);
+    }
+    for tolerance in ["0", "-1", "px", "1pt", "nan", "inf", ""] {
+        let option = format!("--tolerance={tolerance}");
+        let arguments = ["render", "sound.obj", "-o", "new.png", &option];
+        refuses_usage(&folder, &arguments, &["--tolerance", "0.5px"]);
+    }
+}
