@@ -138,18 +138,18 @@ pub enum TreeError {
         node: u32,
     },
     /// A triangle in a leaf has a corner that is NaN or infinite.
-    #[error("triangle {triangle} in leaf order has a corner that is not finite")]
+    #[error("the triangle at place {place} has a corner that is not finite")]
     NotFinite {
-        /// Which, in leaf order.
-        triangle: u32,
+        /// Where, in leaf order; on the lattice in words.
+        place: u32,
     },
     /// A leaf's triangle is not one of the mesh, or is there twice.
     #[error(
-        "triangle {triangle} in leaf order is the mesh's number {primitive}, which is not there or there twice"
+        "the triangle at place {place} is the mesh's number {primitive}, which is not there or there twice"
     )]
     BadPrimitive {
-        /// Which, in leaf order.
-        triangle: u32,
+        /// Where, in leaf order; on the lattice in words.
+        place: u32,
         /// Its number in the mesh.
         primitive: u32,
     },
@@ -165,12 +165,10 @@ pub enum TreeError {
     #[error("the mesh has other bounds than the hierarchy")]
     OtherBounds,
     /// A leaf's triangle is not the mesh's.
-    #[error(
-        "triangle {triangle} in leaf order has other corners than the mesh's number {primitive}"
-    )]
+    #[error("the triangle at place {place} has other corners than the mesh's number {primitive}")]
     OtherCorners {
-        /// Which, in leaf order.
-        triangle: u32,
+        /// Where, in leaf order; on the lattice in words.
+        place: u32,
         /// Its number in the mesh.
         primitive: u32,
     },

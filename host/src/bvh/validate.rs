@@ -10,6 +10,8 @@ use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::trace::STACK_SIZE;
 use slimbvh_core::{Aabb, IndexedTriangles, MAX_TRIANGLES, NodeRef};
 use std::ops::Range;
+use std::sync::atomic::AtomicU64;
+use std::sync::atomic::Ordering::Relaxed;
 
 impl Bvh {
     /// Checks that each node and each place has one parent, in the order in which builds put them; that leaves hold triangles
@@ -101,19 +103,21 @@ struct Check<'a> {
 
 impl Visit for Check<'_> {
     fn visit<V: TreeView>(&mut self, view: &V) {
-        let mut walk = Walk {
+        let word_count = self.bvh.mesh_triangle_count.div_ceil(64);
+        let walk = Walk {
             view,
             depth_bound: self.bvh.depth_bound,
             mesh: self.mesh,
             scale: PowerOfTwo::new(self.bvh.scene_exponent),
             mesh_triangle_count: self.bvh.mesh_triangle_count,
-            is_there: vec![0; self.bvh.mesh_triangle_count.div_ceil(64)],
-            found: 0,
-            end: 0,
+            is_there: (0..word_count).map(|_| AtomicU64::new(0)).collect(),
         };
         self.outcome = walk.whole(self.bvh.triangle_count());
     }
 }
+
+/// Nodes with fewer below them are not divided among threads.
+const TASK: u32 = 1024;
 
 struct Walk<'a, V> {
     view: &'a V,
@@ -122,15 +126,32 @@ struct Walk<'a, V> {
     scale: PowerOfTwo,
     mesh_triangle_count: usize,
     /// A bit for each of the mesh's triangles.
-    is_there: Vec<u64>,
-    /// Triangles in leaves so far.
-    found: u32,
-    /// Where the last leaf so far ends.
-    end: u32,
+    is_there: Vec<AtomicU64>,
+}
+
+/// What was found below a node.
+struct Found {
+    /// The box around the triangles.
+    bounds: Aabb,
+    /// Their places.
+    places: Range<u32>,
+    /// How many they are.
+    count: u32,
+}
+
+/// A child to be checked.
+struct Child<B> {
+    parent: u32,
+    child: NodeRef,
+    bounds: B,
+    /// Nodes that must be below it.
+    below: Range<u32>,
+    /// Its parent's.
+    depth: u32,
 }
 
 impl<V: TreeView> Walk<'_, V> {
-    fn whole(&mut self, triangle_count: usize) -> Result<(), TreeError> {
+    fn whole(&self, triangle_count: usize) -> Result<(), TreeError> {
         let node_count = self.view.node_count();
         if node_count == 0 {
             return Err(TreeError::NoRoot);
@@ -139,17 +160,24 @@ impl<V: TreeView> Walk<'_, V> {
         let node_count = node_count.min(1 << 31) as u32;
         self.view.check_root()?;
         let root = self.view.root();
-        if triangle_count <= LEAF_SIZE as usize {
-            self.single(&root, triangle_count as u32, node_count)?;
+        let found = if triangle_count <= LEAF_SIZE as usize {
+            self.single(&root, triangle_count as u32, node_count)?
         } else {
-            self.node(0, &root, 1..node_count, 1)?;
+            self.node(0, &root, 1..node_count, 1)?
+        };
+        if found.places.start != 0 {
+            return Err(TreeError::LeafOutOfPlace {
+                node: 0,
+                first: found.places.start,
+                expected: 0,
+            });
         }
-        if self.end as usize != self.view.place_count() {
-            return Err(self.place_count(self.end.into()));
+        if found.places.end as usize != self.view.place_count() {
+            return Err(self.place_count(found.places.end.into()));
         }
-        if self.found as usize != triangle_count {
+        if found.count as usize != triangle_count {
             return Err(TreeError::LeafCount {
-                found: self.found,
+                found: found.count,
                 expected: triangle_count,
             });
         }
@@ -157,102 +185,130 @@ impl<V: TreeView> Walk<'_, V> {
     }
 
     /// A tree of one leaf: all on the root's left.
-    fn single(&mut self, root: &V::Box, count: u32, node_count: u32) -> Result<(), TreeError> {
+    fn single(&self, root: &V::Box, count: u32, node_count: u32) -> Result<Found, TreeError> {
         if node_count > 1 {
             return Err(TreeError::NoParent { node: 1 });
         }
         let ([left, right], [left_box, _]) = self.view.open(0, root);
         if left != NodeRef::leaf(0, count) || right != NodeRef::NOTHING {
-            let count = left.count();
             return Err(TreeError::LeafSize {
                 node: 0,
-                count,
+                count: left.count(),
                 limit: LEAF_SIZE,
             });
         }
-        if count > 0 {
-            self.child(0, left, &left_box, 0..0, 1)?;
-        }
-        self.check_run(0, 0)
+        let found = if count == 0 {
+            Found {
+                bounds: Aabb::EMPTY,
+                places: 0..0,
+                count,
+            }
+        } else {
+            self.child(Child {
+                parent: 0,
+                child: left,
+                bounds: left_box,
+                below: 0..0,
+                depth: 1,
+            })?
+        };
+        self.check_run(0, &found)?;
+        Ok(found)
     }
 
-    /// Checks a node whose descendants must be these nodes. Returns the box around the triangles below.
+    /// Checks a node whose descendants must be these nodes.
     fn node(
-        &mut self,
+        &self,
         node: u32,
         bounds: &V::Box,
         below: Range<u32>,
         depth: u32,
-    ) -> Result<Aabb, TreeError> {
+    ) -> Result<Found, TreeError> {
         if depth > self.depth_bound {
             return Err(TreeError::TooDeep {
                 node,
                 bound: self.depth_bound,
             });
         }
-        let first = self.found;
+        let is_task = below.end - below.start >= TASK;
         let ([left, right], [left_box, right_box]) = self.view.open(node, bounds);
         let [left_below, right_below] = places(node, [left, right], below)?;
-        let left = self.child(node, left, &left_box, left_below, depth)?;
-        let right = self.child(node, right, &right_box, right_below, depth)?;
-        let count = self.found - first;
-        if count <= LEAF_SIZE {
-            return Err(TreeError::NodeSize { node, count });
+        let child = |child, bounds, below| Child {
+            parent: node,
+            child,
+            bounds,
+            below,
+            depth,
+        };
+        let left = child(left, left_box, left_below);
+        let right = child(right, right_box, right_below);
+        let (left, right) = if is_task {
+            let (left, right) = rayon::join(|| self.child(left), || self.child(right));
+            (left?, right?)
+        } else {
+            (self.child(left)?, self.child(right)?)
+        };
+        if right.places.start != left.places.end {
+            return Err(TreeError::LeafOutOfPlace {
+                node,
+                first: right.places.start,
+                expected: left.places.end,
+            });
         }
-        self.check_run(node, first)?;
-        Ok(left.union(right))
+        let found = Found {
+            bounds: left.bounds.union(right.bounds),
+            places: left.places.start..right.places.end,
+            count: left.count + right.count,
+        };
+        if found.count <= LEAF_SIZE {
+            return Err(TreeError::NodeSize {
+                node,
+                count: found.count,
+            });
+        }
+        self.check_run(node, &found)?;
+        Ok(found)
     }
 
     /// What a node says of its triangles, where it does.
-    fn check_run(&self, node: u32, expected: u32) -> Result<(), TreeError> {
+    fn check_run(&self, node: u32, found: &Found) -> Result<(), TreeError> {
+        let expected = [found.places.start, found.places.end.saturating_sub(1)];
         match self.view.run(node) {
-            Some([first, last]) if first != expected || last != self.found.saturating_sub(1) => {
-                Err(TreeError::WrongRun { node, first, last })
-            }
+            Some(run) if run != expected => Err(TreeError::WrongRun {
+                node,
+                first: run[0],
+                last: run[1],
+            }),
             _ => Ok(()),
         }
     }
 
     /// Checks a child that is there, and that its box holds what is below it.
-    fn child(
-        &mut self,
-        parent: u32,
-        child: NodeRef,
-        bounds: &V::Box,
-        below: Range<u32>,
-        depth: u32,
-    ) -> Result<Aabb, TreeError> {
-        let stored = self.view.aabb(bounds);
+    fn child(&self, it: Child<V::Box>) -> Result<Found, TreeError> {
+        let node = it.parent;
+        let stored = self.view.aabb(&it.bounds);
         if !is_in_scene(&stored) {
-            return Err(TreeError::BadBox { node: parent });
+            return Err(TreeError::BadBox { node });
         }
-        let exact = if child.is_leaf() {
-            self.leaf(parent, child, bounds)?
+        let found = if it.child.is_leaf() {
+            self.leaf(node, it.child, &it.bounds)?
         } else {
-            self.node(child.index(), bounds, below, depth + 1)?
+            self.node(it.child.index(), &it.bounds, it.below, it.depth + 1)?
         };
-        if stored.contains(&exact) {
-            Ok(exact)
+        if stored.contains(&found.bounds) {
+            Ok(found)
         } else {
-            Err(TreeError::BoxTooSmall { node: parent })
+            Err(TreeError::BoxTooSmall { node })
         }
     }
 
-    /// Checks a leaf. Returns the box around its triangles.
-    fn leaf(&mut self, node: u32, leaf: NodeRef, bounds: &V::Box) -> Result<Aabb, TreeError> {
+    fn leaf(&self, node: u32, leaf: NodeRef, bounds: &V::Box) -> Result<Found, TreeError> {
         let (first, count) = (leaf.first(), leaf.count());
         if !(1..=LEAF_SIZE).contains(&count) {
             return Err(TreeError::LeafSize {
                 node,
                 count,
                 limit: LEAF_SIZE,
-            });
-        }
-        if first != self.end {
-            return Err(TreeError::LeafOutOfPlace {
-                node,
-                first,
-                expected: self.end,
             });
         }
         let end = u64::from(first) + u64::from(count) * u64::from(self.view.stride(bounds));
@@ -263,40 +319,35 @@ impl<V: TreeView> Walk<'_, V> {
         for number in 0..count {
             exact = exact.union(self.triangle((first, number), bounds)?);
         }
-        self.end = end as u32;
-        Ok(exact)
+        Ok(Found {
+            bounds: exact,
+            places: first..end as u32,
+            count,
+        })
     }
 
     /// Checks a leaf's triangle. Returns the box around it.
-    fn triangle(&mut self, place: (u32, u32), bounds: &V::Box) -> Result<Aabb, TreeError> {
-        let triangle = self.found;
+    fn triangle(&self, place: (u32, u32), bounds: &V::Box) -> Result<Aabb, TreeError> {
+        let at = || place.0 + place.1 * self.view.stride(bounds);
         let stored = self.view.triangle(place, bounds);
         if !stored.vertices.iter().all(|x| x.is_finite()) {
-            return Err(TreeError::NotFinite { triangle });
+            return Err(TreeError::NotFinite { place: at() });
         }
         let primitive = stored.primitive;
         let (word, bit) = (primitive as usize / 64, 1 << (primitive % 64));
-        match self.is_there.get_mut(word) {
-            Some(bits) if *bits & bit == 0 && (primitive as usize) < self.mesh_triangle_count => {
-                *bits |= bit;
-            }
-            _ => {
-                return Err(TreeError::BadPrimitive {
-                    triangle,
-                    primitive,
-                });
-            }
+        let is_new = (primitive as usize) < self.mesh_triangle_count
+            && self.is_there[word].fetch_or(bit, Relaxed) & bit == 0;
+        if !is_new {
+            let place = at();
+            return Err(TreeError::BadPrimitive { place, primitive });
         }
         if let Some(mesh) = &self.mesh {
             let exact = leaf_triangle(primitive, mesh, &self.scale);
             if !self.view.stores(place, bounds, &exact) {
-                return Err(TreeError::OtherCorners {
-                    triangle,
-                    primitive,
-                });
+                let place = at();
+                return Err(TreeError::OtherCorners { place, primitive });
             }
         }
-        self.found += 1;
         Ok(stored.triangle().bounds())
     }
 

@@ -14,9 +14,9 @@ use slimbvh_core::trace::{Place, TriangleSource};
 use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef, Vec3};
 
 /// A hierarchy as it is stored. Whatever is in it, no question panics as long as nodes and places are in range.
-pub trait TreeView {
+pub trait TreeView: Sync {
     /// A box as it is decoded.
-    type Box: Copy;
+    type Box: Copy + Send;
 
     /// How many nodes there are.
     fn node_count(&self) -> usize;

@@ -136,15 +136,32 @@ fn faults_of_leaves_are_found() {
     ] {
         match with_left(leaf) {
             TreeError::LeafSize { .. } => assert!(is_size),
-            TreeError::LeafOutOfPlace { .. } => assert!(!is_size),
+            TreeError::BoxTooSmall { .. } | TreeError::PlaceCount { .. } => assert!(!is_size),
             other => panic!("{other}"),
         }
     }
-    let short = with_left(NodeRef::leaf(first, count - 1));
-    assert!(matches!(
-        short,
-        TreeError::LeafSize { .. } | TreeError::LeafOutOfPlace { .. } | TreeError::NodeSize { .. }
-    ));
+    let node_with_two = (bvh.nodes.iter())
+        .position(|node| node.left.is_leaf() && node.left.count() > 1 && !node.right.is_leaf());
+    let node_with_two = node_with_two.expect("there is one");
+    let short = found(|bvh| {
+        let left = &mut bvh.nodes[node_with_two].left;
+        *left = NodeRef::leaf(left.first(), left.count() - 1);
+    });
+    assert!(matches!(short, TreeError::LeafOutOfPlace { .. }), "{short}");
+    let late = found(|bvh| {
+        // All boxes hold all.
+        for node in &mut bvh.nodes {
+            node.planes = [[-1.0, -1.0, 1.0, 1.0]; 3];
+        }
+        bvh.nodes[node].left = NodeRef::leaf(first + 1, count);
+    });
+    assert!(
+        matches!(
+            late,
+            TreeError::LeafOutOfPlace { .. } | TreeError::BadPrimitive { .. }
+        ),
+        "{late}"
+    );
     let fewer = found(|bvh| bvh.triangles.truncate(bvh.triangles.len() - 1));
     assert!(matches!(fewer, TreeError::PlaceCount { .. }));
     let more = found(|bvh| {
@@ -168,14 +185,14 @@ fn faults_of_triangles_are_found() {
         assert_eq!(
             beyond,
             TreeError::BadPrimitive {
-                triangle: 7,
+                place: 7,
                 primitive
             }
         );
     }
     for x in [f32::NAN, f32::INFINITY, -f32::INFINITY] {
         let error = found(|bvh| bvh.triangles[9].vertices[4] = x);
-        assert_eq!(error, TreeError::NotFinite { triangle: 9 });
+        assert_eq!(error, TreeError::NotFinite { place: 9 });
     }
     // Inside of the box, but elsewhere: only the mesh tells.
     let mut bvh = plain();
@@ -184,7 +201,7 @@ fn faults_of_triangles_are_found() {
     assert_eq!(bvh.validate(), Ok(()));
     let primitive = bvh.triangles[9].primitive;
     let error = TreeError::OtherCorners {
-        triangle: 9,
+        place: 9,
         primitive,
     };
     assert_eq!(bvh.validate_over(&mesh()), Err(error));
