@@ -176,13 +176,13 @@ impl<'a> Sections<'a> {
     }
 
     /// What a section's records stand for, each of which must be as it would be written.
-    fn records<R: Pod, T>(
+    fn records<R, T>(
         &self,
         section: Section,
         parse: impl Fn(&R) -> Option<T>,
     ) -> Result<Vec<T>, FileError>
     where
-        R: for<'r> From<&'r T>,
+        R: Pod + for<'r> From<&'r T>,
     {
         let records = self.items::<R>(section)?;
         let item = |(item, record)| {

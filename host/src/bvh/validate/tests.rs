@@ -235,10 +235,9 @@ fn faults_of_boxes_are_found() {
                 *plane = change(*plane);
                 bvh.validate()
             };
-            let (inward, outward): (fn(f32) -> f32, fn(f32) -> f32) = match lane < 2 {
-                true => (f32::next_up, f32::next_down),
-                false => (f32::next_down, f32::next_up),
-            };
+            let is_min = lane < 2;
+            let inward = |x: f32| if is_min { x.next_up() } else { x.next_down() };
+            let outward = |x: f32| if is_min { x.next_down() } else { x.next_up() };
             let node = node as u32;
             let small = with(&inward);
             assert!(
