@@ -108,28 +108,64 @@ pub fn word_of_set(word: u32, mesh: &IndexedTriangles, scale: &PowerOfTwo, reach
     let indices = mesh.indices.get(first..).unwrap_or(&[]);
     let components = reach.sides.components.get(first..).unwrap_or(&[]);
     let count = indices.len().min(TOGETHER);
+    let corners = match indices.first_chunk() {
+        Some(indices) => corners_in_rows(indices, mesh.vertices),
+        None => {
+            let mut padded = [[0; 3]; TOGETHER];
+            for (to, from) in padded.iter_mut().zip(indices) {
+                *to = *from;
+            }
+            corners_in_rows(&padded, mesh.vertices)
+        }
+    };
     let mut sides = [0; TOGETHER];
-    let mut corners = [[0.0; TOGETHER]; 9];
-    for (lane, own) in indices.iter().take(count).enumerate() {
-        let [a, b, c] = own.map(|vertex| crate::load(mesh.vertices, vertex, [0.0; 3]));
-        let lane = lane % TOGETHER;
-        for axis in 0..3 {
-            corners[axis][lane] = a[axis];
-            corners[3 + axis][lane] = b[axis];
-            corners[6 + axis][lane] = c[axis];
+    let component = components.first().copied().unwrap_or(u32::MAX);
+    let is_one = |own: &[u32; TOGETHER]| own.iter().fold(true, |all, &c| all & (c == component));
+    if components.first_chunk().is_some_and(is_one) {
+        sides = [crate::load(reach.sides.sides, component, 0); TOGETHER];
+    } else {
+        for (side, &component) in sides.iter_mut().zip(components) {
+            *side = crate::load(reach.sides.sides, component, 0);
         }
     }
-    for (side, &component) in sides.iter_mut().zip(components) {
-        *side = crate::load(reach.sides.sides, component, 0);
+    // Whether zeros are negative tells nobody who only compares, and one factor is one product less.
+    let bits = match scale.single() {
+        Some(factor) => bits_of_set(&corners, &sides, reach, |x| x * factor),
+        None => bits_of_set(&corners, &sides, reach, |x| scale.times(x)),
+    };
+    bits & u32::MAX.checked_shr((TOGETHER - count) as u32).unwrap_or(0)
+}
+
+/// Each of nine coordinates of all triangles in a row.
+#[inline(always)]
+fn corners_in_rows(indices: &[[u32; 3]; TOGETHER], vertices: &[[f32; 3]]) -> [[f32; TOGETHER]; 9] {
+    let mut rows = [[0.0; TOGETHER]; 9];
+    for (lane, own) in indices.iter().enumerate() {
+        let [a, b, c] = own.map(|vertex| crate::load(vertices, vertex, [0.0; 3]));
+        for axis in 0..3 {
+            rows[axis][lane] = a[axis];
+            rows[3 + axis][lane] = b[axis];
+            rows[6 + axis][lane] = c[axis];
+        }
     }
+    rows
+}
+
+/// A bit for each triangle that is in the set, by corners and sides in rows.
+#[inline(always)]
+fn bits_of_set(
+    corners: &[[f32; TOGETHER]; 9],
+    sides: &[i32; TOGETHER],
+    reach: &Reach,
+    scaled: impl Fn(f32) -> f32,
+) -> u32 {
     let triangle = |lane: usize| {
-        let c = |i: usize| corners[i][lane];
-        let triangle = Triangle {
+        let c = |i: usize| scaled(corners[i][lane % TOGETHER]);
+        Triangle {
             v0: Vec3::new(c(0), c(1), c(2)),
             v1: Vec3::new(c(3), c(4), c(5)),
             v2: Vec3::new(c(6), c(7), c(8)),
-        };
-        snap_triangle(&triangle, scale)
+        }
     };
     let target = Target {
         padding: [0; 3],
@@ -137,18 +173,16 @@ pub fn word_of_set(word: u32, mesh: &IndexedTriangles, scale: &PowerOfTwo, reach
     };
     let mut bits = 0;
     for (lane, (&side, &bit)) in sides.iter().zip(&BITS).enumerate() {
-        let is_in_set = faces(&triangle(lane % TOGETHER), side, &target);
+        let is_in_set = faces(&triangle(lane), side, &target);
         bits |= u32::from(is_in_set).wrapping_neg() & bit;
     }
     if reach.frustum.is_bounded == 1 {
         for (lane, &bit) in BITS.iter().enumerate() {
-            let is_outside = reach
-                .frustum
-                .is_certainly_outside(&triangle(lane % TOGETHER));
+            let is_outside = reach.frustum.is_certainly_outside(&triangle(lane));
             bits &= !(u32::from(is_outside).wrapping_neg() & bit);
         }
     }
-    bits & u32::MAX.checked_shr((TOGETHER - count) as u32).unwrap_or(0)
+    bits
 }
 
 /// The rule for rays from or to a target, traced through a whole tree: what [`faces`] rejects does not count.

@@ -70,14 +70,31 @@ pub struct PowerOfTwo {
 }
 
 impl PowerOfTwo {
-    /// Multiplication by `2^exponent`, for exponents from −252 to 252.
+    /// Multiplication by `2^exponent`, for exponents from −252 to 254.
     #[inline(always)]
     #[must_use]
     pub const fn new(exponent: i32) -> Self {
-        let half = exponent / 2;
+        let first = if exponent < -126 {
+            -126
+        } else if exponent > 127 {
+            127
+        } else {
+            exponent
+        };
         Self {
-            first: power_of_two(half),
-            second: power_of_two(exponent - half),
+            first: power_of_two(first),
+            second: power_of_two(exponent - first),
+        }
+    }
+
+    /// The one factor, where one does: from 2^-126 to 2^127.
+    #[inline(always)]
+    #[must_use]
+    pub const fn single(&self) -> Option<f32> {
+        if self.second == 1.0 {
+            Some(self.first)
+        } else {
+            None
         }
     }
 

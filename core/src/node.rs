@@ -87,6 +87,33 @@ pub struct Node {
 
 const _: () = assert!(size_of::<Node>() == 64);
 
+/// A node without boxes. 16 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Connection {
+    /// Bytes 0–3: left child.
+    pub left: NodeRef,
+    /// Bytes 4–7: right child.
+    pub right: NodeRef,
+    /// Bytes 8–11: first triangle below this node, in leaf order.
+    pub first: u32,
+    /// Bytes 12–15: last triangle below this node.
+    pub last: u32,
+}
+
+const _: () = assert!(size_of::<Connection>() == 16);
+
+impl From<&Node> for Connection {
+    fn from(node: &Node) -> Self {
+        Self {
+            left: node.left,
+            right: node.right,
+            first: node.first,
+            last: node.last,
+        }
+    }
+}
+
 impl Node {
     /// A node without triangles.
     pub const EMPTY: Self = Self {

@@ -11,9 +11,10 @@ use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::Reach;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
+use slimbvh_core::node::Connection;
 use slimbvh_core::refit::{PyramidBox, split_of};
 use slimbvh_core::topology::{Codes30, Codes63, depth_bound};
-use slimbvh_core::{Aabb, NodeRef};
+use slimbvh_core::{Aabb, Node, NodeRef};
 use thiserror::Error;
 
 /// How finely triangles are told apart along the space-filling curve.
@@ -249,35 +250,42 @@ impl Builder {
             }
         }
         let count = bvh.triangles.len() as u32;
+        let is_plain = self.config.nodes == NodeCodec::F32;
         stages.time("topology", || {
-            let (connections, nodes) = (&mut self.connections, &mut bvh.nodes);
-            match self.config.code_bits {
-                CodeBits::Bits30 => {
-                    let codes = bytemuck::cast_slice(&self.order_30.codes);
-                    connections.connect(&Codes30 { codes, count }, nodes);
-                }
-                CodeBits::Bits63 => {
-                    let codes = &self.order_63.codes;
-                    connections.connect(&Codes63 { codes, count }, nodes);
-                }
+            if is_plain {
+                self.connect(count, &mut bvh.nodes, Node::clone);
+            } else {
+                let mut nodes = std::mem::take(&mut self.encoder.nodes);
+                self.connect(count, &mut nodes, |node| node.into());
+                self.encoder.nodes = nodes;
             }
         });
         bvh.depth_bound = match self.config.code_bits {
             CodeBits::Bits30 => depth_bound(30, count),
             CodeBits::Bits63 => depth_bound(63, count),
         };
-        stages.time("refit", || self.fit(bvh));
-        self.encode(&mut stages, bvh);
+        self.fit(&mut stages, bvh);
         stages
     }
 
-    /// Stage `encode`, where a codec is asked for.
-    fn encode(&mut self, stages: &mut Stages, bvh: &mut Bvh) {
-        let codecs = (self.config.nodes, self.config.mesh);
-        if codecs.0 == NodeCodec::F32 {
-            bvh.coded = None;
-        } else {
-            stages.time("encode", || self.encoder.encode(codecs, bvh));
+    /// Stage `topology`, of so many sorted codes.
+    fn connect<N: Clone + Default + Send>(
+        &mut self,
+        count: u32,
+        nodes: &mut Vec<N>,
+        stored: impl Fn(&Node) -> N + Sync,
+    ) {
+        match self.config.code_bits {
+            CodeBits::Bits30 => {
+                let codes = bytemuck::cast_slice(&self.order_30.codes);
+                let codes = Codes30 { codes, count };
+                self.connections.connect(&codes, nodes, stored);
+            }
+            CodeBits::Bits63 => {
+                let codes = &self.order_63.codes;
+                let codes = Codes63 { codes, count };
+                self.connections.connect(&codes, nodes, stored);
+            }
         }
     }
 
@@ -303,6 +311,13 @@ impl Builder {
             let decoded = stages.time("decode", || decode(coded, &bvh.triangles));
             (bvh.nodes, bvh.triangles) = decoded;
         }
+        if self.config.nodes != NodeCodec::F32 {
+            let nodes = std::mem::take(&mut bvh.nodes);
+            self.encoder.nodes.clear();
+            self.encoder
+                .nodes
+                .extend(nodes.iter().map(Connection::from));
+        }
         let triangles = mesh.triangles();
         let bounds = stages.time("bounds", || scene_bounds(&triangles));
         bvh.set_bounds(bounds);
@@ -319,22 +334,29 @@ impl Builder {
                     .iter()
                     .map(|node| split_of(node, last_of(node.left))),
             );
-            self.fit(bvh);
         });
-        self.encode(&mut stages, bvh);
+        self.fit(&mut stages, bvh);
         Ok(stages)
     }
 
-    /// Stage `refit`: all boxes.
-    fn fit(&mut self, bvh: &mut Bvh) {
-        fill_pyramid(&bvh.triangles, &mut self.pyramid);
+    /// Stage `refit`: all boxes; or where a codec is asked for stage `encode`, which finds them on its way.
+    fn fit(&mut self, stages: &mut Stages, bvh: &mut Bvh) {
+        stages.time("refit", || fill_pyramid(&bvh.triangles, &mut self.pyramid));
+        if self.config.nodes != NodeCodec::F32 {
+            let codecs = (self.config.nodes, self.config.mesh);
+            stages.time("encode", || self.encoder.encode(codecs, bvh, &self.pyramid));
+            return;
+        }
+        bvh.coded = None;
         if !bvh.triangles.is_empty() {
-            fill_boxes(
-                &bvh.triangles,
-                &self.pyramid,
-                &self.connections.splits,
-                &mut bvh.nodes,
-            );
+            stages.time("refit", || {
+                fill_boxes(
+                    &bvh.triangles,
+                    &self.pyramid,
+                    &self.connections.splits,
+                    &mut bvh.nodes,
+                );
+            });
         }
     }
 

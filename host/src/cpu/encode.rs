@@ -12,8 +12,10 @@ use slimbvh_core::encode::{
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
+use slimbvh_core::node::Connection;
+use slimbvh_core::refit::{PyramidBox, range_bounds};
 use slimbvh_core::scan::run_scan;
-use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef};
+use slimbvh_core::{Aabb, LeafTriangle, NodeRef};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// The finest lattice that holds all of a scene of magnitude 1 in floats, as a power of two.
@@ -22,7 +24,8 @@ const FINEST_STEP: i32 = -24;
 /// Codes hierarchies, and keeps what was plain of them for the next.
 #[derive(Debug, Default)]
 pub struct Encoder {
-    nodes: Vec<Node>,
+    /// The nodes of the hierarchy that is coded next.
+    pub nodes: Vec<Connection>,
     triangles: Vec<LeafTriangle>,
     sizes: Vec<u32>,
     /// Whether the last hierarchy had leaves of more than the narrowest triangles.
@@ -30,19 +33,27 @@ pub struct Encoder {
 }
 
 impl Encoder {
-    /// Gives a hierarchy room for plain nodes and triangles, where the last one left any.
+    /// Gives a hierarchy room for triangles, where the last one left any.
     pub fn lend(&mut self, bvh: &mut Bvh) {
-        if bvh.nodes.capacity() == 0 {
-            std::mem::swap(&mut bvh.nodes, &mut self.nodes);
-        }
         if bvh.triangles.capacity() == 0 {
             std::mem::swap(&mut bvh.triangles, &mut self.triangles);
         }
     }
 
-    /// Codes a plain hierarchy, and takes back what is plain of it. Its vertices must lie on the mesh's lattice.
-    pub fn encode(&mut self, (nodes, mesh): (NodeCodec, MeshCodec), bvh: &mut Bvh) {
-        let (plain, leaves) = (bvh.nodes.as_slice(), bvh.triangles.as_slice());
+    /// Codes a hierarchy over the nodes that are here, and takes back its triangles where they are coded. Its vertices must lie
+    /// on the mesh's lattice.
+    pub fn encode(
+        &mut self,
+        (nodes, mesh): (NodeCodec, MeshCodec),
+        bvh: &mut Bvh,
+        pyramid: &[PyramidBox],
+    ) {
+        let leaves = bvh.triangles.as_slice();
+        let tree = Tree {
+            nodes: &self.nodes,
+            leaves,
+            pyramid,
+        };
         let mut coded = bvh.coded.take().unwrap_or_else(Coded::nothing);
         coded.triangle_count = leaves.len();
         match (nodes, mesh) {
@@ -59,7 +70,7 @@ impl Encoder {
                 let is_leaf_10 = mesh == MeshCodec::Leaf10;
                 let count = if is_leaf_10 { leaves.len() } else { 0 };
                 triangles.resize(count, PrintedTriangle::default());
-                let root = encode_printed(plain, leaves, &mut nodes, &mut triangles);
+                let root = encode_printed(&tree, &mut nodes, &mut triangles);
                 coded.nodes = CodedNodes::Printed { root, nodes };
                 coded.triangles = match mesh {
                     MeshCodec::Leaf10 => CodedTriangles::Leaf10(triangles),
@@ -76,15 +87,15 @@ impl Encoder {
                 let to = (&mut coded.nodes, &mut words);
                 let shape = (bits, step_exponent);
                 let scratch = (&mut self.sizes, &mut self.has_wide);
-                encode_lattice_mesh(plain, leaves, shape, scratch, to);
+                encode_lattice_mesh(&tree, shape, scratch, to);
                 coded.triangles = CodedTriangles::Lattice(words);
             }
             (NodeCodec::Lattice(bits), _) => {
-                encode_lattice(plain, bits, &mut coded.nodes);
+                encode_lattice(&tree, bits, &mut coded.nodes);
                 coded.triangles = CodedTriangles::F32;
             }
         }
-        self.nodes = std::mem::take(&mut bvh.nodes);
+        bvh.nodes = Vec::new();
         if !matches!(coded.triangles, CodedTriangles::F32) {
             self.triangles = std::mem::take(&mut bvh.triangles);
         }
@@ -102,43 +113,47 @@ impl Encoder {
 /// Nodes with fewer triangles are not divided among threads.
 const TASK: u32 = 8192;
 
-/// A plain node's children, a box for the one that is not there as well.
-fn child_boxes(node: &Node) -> [Aabb; 2] {
-    let left = node.left_box();
-    if node.right == NodeRef::NOTHING {
-        [left, left]
-    } else {
-        [left, node.right_box()]
-    }
+/// A tree on its way into a codec: its nodes have no boxes, which are found from the pyramid when their turn comes.
+struct Tree<'a> {
+    nodes: &'a [Connection],
+    leaves: &'a [LeafTriangle],
+    pyramid: &'a [PyramidBox],
 }
 
-/// The box of a plain tree.
-fn root_box(nodes: &[Node]) -> Aabb {
-    match nodes.first() {
-        Some(node) => {
-            let [left, right] = child_boxes(node);
-            left.union(right)
+impl Tree<'_> {
+    /// The last triangle of a node's left child.
+    fn split(&self, node: &Connection) -> u32 {
+        if node.left.is_leaf() {
+            (node.left.first() + node.left.count()).saturating_sub(1)
+        } else {
+            self.nodes[node.left.index() as usize].last
         }
-        None => Aabb {
-            min: glam::Vec3::ZERO,
-            max: glam::Vec3::ZERO,
-        },
     }
-}
 
-/// Where a node's right child's descendants begin, and its right child's triangles.
-fn split(nodes: &[Node], node: &Node, nodes_end: usize) -> (usize, u32) {
-    let place = if node.right.is_leaf() {
-        nodes_end
-    } else {
-        node.right.index() as usize
-    };
-    let triangle = if node.left.is_leaf() {
-        node.left.first() + node.left.count()
-    } else {
-        nodes[node.left.index() as usize].last + 1
-    };
-    (place, triangle)
+    /// The boxes of a node's children, a box for the one that is not there as well.
+    fn child_boxes(&self, node: &Connection) -> [Aabb; 2] {
+        let bounds = |first, last| range_bounds(first, last, self.leaves, self.pyramid);
+        if self.leaves.is_empty() {
+            let nothing = Aabb {
+                min: glam::Vec3::ZERO,
+                max: glam::Vec3::ZERO,
+            };
+            return [nothing; 2];
+        }
+        let split = self.split(node);
+        let left = bounds(node.first, split);
+        if node.right == NodeRef::NOTHING {
+            [left, left]
+        } else {
+            [left, bounds(split + 1, node.last)]
+        }
+    }
+
+    /// The box of all.
+    fn root_box(&self) -> Aabb {
+        let [left, right] = self.child_boxes(&self.nodes[0]);
+        left.union(right)
+    }
 }
 
 /// A node to be coded, and the parts of the lists that it and its descendants fill.
@@ -157,13 +172,18 @@ impl<'a, N, T, B> Part<'a, N, T, B> {
     /// What its children fill. `place_of` tells where a triangle's part of the list begins.
     fn split(
         self,
-        plain: &[Node],
+        tree: &Tree,
         [left, right]: [B; 2],
         place_of: impl Fn(u32) -> usize,
     ) -> [Self; 2] {
-        let node = &plain[self.node as usize];
-        let end = self.first_node + self.nodes.len();
-        let (middle, triangle) = split(plain, node, end);
+        let node = &tree.nodes[self.node as usize];
+        // The right child's descendants begin with itself.
+        let middle = if node.right.is_leaf() {
+            self.first_node + self.nodes.len()
+        } else {
+            node.right.index() as usize
+        };
+        let triangle = tree.split(node) + 1;
         let (left_nodes, right_nodes) = self.nodes.split_at_mut(middle - self.first_node);
         let middle_triangle = if self.triangles.is_empty() {
             self.first_triangle
@@ -204,7 +224,7 @@ impl<'a, N, T, B> Part<'a, N, T, B> {
 }
 
 /// Codes both children, at once where that pays.
-fn both<P: Send>(node: &Node, [left, right]: [P; 2], code: impl Fn(P) + Sync) {
+fn both<P: Send>(node: &Connection, [left, right]: [P; 2], code: impl Fn(P) + Sync) {
     if node.last - node.first < TASK {
         code(left);
         code(right);
@@ -213,49 +233,41 @@ fn both<P: Send>(node: &Node, [left, right]: [P; 2], code: impl Fn(P) + Sync) {
     }
 }
 
-/// Codes a plain tree's nodes on the lattice, with links to triangles that are stored in full.
-fn encode_lattice(plain: &[Node], bits: LatticeBits, to: &mut CodedNodes) {
-    let root = LatticeBox::around(&root_box(plain), FINEST_STEP);
-    let words = lattice_words(plain, bits, root, FINEST_STEP, to);
-    by_bits!(bits, fill_nodes(plain, root, words));
+/// Codes a tree's nodes on the lattice, with links to triangles that are stored in full.
+fn encode_lattice(tree: &Tree, bits: LatticeBits, to: &mut CodedNodes) {
+    let (root, words) = lattice_words(tree, bits, FINEST_STEP, to);
+    let tree = OnLattice {
+        tree,
+        root,
+        step_exponent: FINEST_STEP,
+    };
+    by_bits!(bits, fill_nodes(&tree, words));
 
-    fn fill_nodes<const BITS: u32, const WORDS: usize>(
-        plain: &[Node],
-        root: LatticeBox,
-        words: &mut [u32],
-    ) {
-        let part = Part {
-            node: 0,
-            bounds: root,
-            nodes: bytemuck::cast_slice_mut::<u32, [u32; WORDS]>(words),
-            first_node: 0,
-            triangles: &mut [] as &mut [()],
-            first_triangle: 0,
-            per_triangle: 0,
-        };
+    fn fill_nodes<const BITS: u32, const WORDS: usize>(tree: &OnLattice, words: &mut [u32]) {
+        let part = tree.part(words, &mut [] as &mut [()], 0);
         let link = linked_to::<BITS, WORDS>(|triangle| triangle);
-        encode_nodes::<BITS, WORDS, ()>(plain, FINEST_STEP, part, &link, &|_, _, _| {});
+        encode_nodes::<BITS, WORDS, ()>(tree, part, &link, &|_, _, _| {});
     }
 }
 
 /// Puts links into a node's words, to triangles that are where a function tells.
 fn linked_to<const BITS: u32, const WORDS: usize>(
     place_of: impl Fn(u32) -> u32 + Sync,
-) -> impl Fn(&Node, [u32; WORDS]) -> [u32; WORDS] + Sync {
+) -> impl Fn(&Connection, [u32; WORDS]) -> [u32; WORDS] + Sync {
     move |node, words| {
         let links = Links::new(node.left, node.right, &place_of);
         with_links::<BITS, WORDS>(words, links)
     }
 }
 
-/// Room for the words of as many nodes as there are.
+/// The root's box, and room for the words of as many nodes as there are.
 fn lattice_words<'a>(
-    plain: &[Node],
+    tree: &Tree,
     bits: LatticeBits,
-    root: LatticeBox,
     step_exponent: i32,
     to: &'a mut CodedNodes,
-) -> &'a mut [u32] {
+) -> (LatticeBox, &'a mut [u32]) {
+    let root = LatticeBox::around(&tree.root_box(), step_exponent);
     let old = std::mem::replace(
         to,
         CodedNodes::Printed {
@@ -267,7 +279,7 @@ fn lattice_words<'a>(
         CodedNodes::Lattice { words, .. } => words,
         CodedNodes::Printed { .. } => Vec::new(),
     };
-    words.resize(plain.len() * bits.words(), 0);
+    words.resize(tree.nodes.len() * bits.words(), 0);
     *to = CodedNodes::Lattice {
         bits,
         root,
@@ -275,70 +287,20 @@ fn lattice_words<'a>(
         words,
     };
     match to {
-        CodedNodes::Lattice { words, .. } => words,
-        CodedNodes::Printed { .. } => &mut [],
+        CodedNodes::Lattice { words, .. } => (root, words),
+        CodedNodes::Printed { .. } => (root, &mut []),
     }
 }
 
-/// Codes a node and all below it, and shows each leaf with its box and its part of the triangles.
-fn encode_nodes<const BITS: u32, const WORDS: usize, T: Send>(
-    plain: &[Node],
-    step_exponent: i32,
-    part: Part<[u32; WORDS], T, LatticeBox>,
-    link: &(impl Fn(&Node, [u32; WORDS]) -> [u32; WORDS] + Sync),
-    leaf: &(impl Fn(NodeRef, &LatticeBox, &mut [T]) + Sync),
-) {
-    let node = &plain[part.node as usize];
-    let [left, right] = child_boxes(node).map(|bounds| LatticeBox::around(&bounds, step_exponent));
-    let coded = encode_node::<BITS, WORDS>(&part.bounds, &left, &right);
-    part.nodes[part.node as usize - part.first_node] = link(node, coded.words);
-    let per_triangle = part.per_triangle;
-    let place_of = |triangle: u32| per_triangle * triangle as usize;
-    let parts = part.split(plain, [coded.left, coded.right], place_of);
-    both(node, parts, |part| {
-        let child = NodeRef(part.node);
-        if child.is_leaf() {
-            leaf(child, &part.bounds, part.triangles);
-        } else {
-            encode_nodes::<BITS, WORDS, T>(plain, step_exponent, part, link, leaf);
-        }
-    });
-}
-
-/// Codes a plain tree's nodes and triangles on the lattice with this step, on which all vertices lie.
-fn encode_lattice_mesh(
-    plain: &[Node],
-    leaves: &[LeafTriangle],
-    (bits, step_exponent): (LatticeBits, i32),
-    (sizes, has_wide): (&mut Vec<u32>, &mut bool),
-    (nodes, triangles): (&mut CodedNodes, &mut Vec<u32>),
-) {
-    let root = LatticeBox::around(&root_box(plain), step_exponent);
-    let words = lattice_words(plain, bits, root, step_exponent, nodes);
-    let tree = Tree {
-        plain,
-        leaves,
-        root,
-        step_exponent,
-    };
-    // Most often all triangles are narrow, and it is known where each is: one way down does it. Else it takes another.
-    if !*has_wide {
-        by_bits!(bits, fill_narrow(&tree, words, triangles, has_wide));
-    }
-    if *has_wide {
-        by_bits!(bits, fill_mixed(&tree, words, triangles, sizes, has_wide));
-    }
-}
-
-/// A plain tree on its way onto a lattice.
-struct Tree<'a> {
-    plain: &'a [Node],
-    leaves: &'a [LeafTriangle],
+/// A tree on its way onto a lattice.
+struct OnLattice<'a> {
+    tree: &'a Tree<'a>,
     root: LatticeBox,
     step_exponent: i32,
 }
 
-impl Tree<'_> {
+impl OnLattice<'_> {
+    /// All of it.
     fn part<'a, const WORDS: usize, T>(
         &self,
         words: &'a mut [u32],
@@ -359,11 +321,59 @@ impl Tree<'_> {
     /// Puts a leaf's triangles in place, of so many words each.
     fn put<const SIZE: usize>(&self, leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]) {
         let first = leaf.first() as usize;
-        let leaves = &self.leaves[first..first + leaf.count() as usize];
+        let leaves = &self.tree.leaves[first..first + leaf.count() as usize];
         for (to, leaf) in words.chunks_exact_mut(SIZE).zip(leaves) {
             let words = encode_triangle(leaf, bounds, power_of_two(self.step_exponent));
             to.copy_from_slice(&words[..SIZE]);
         }
+    }
+}
+
+/// Codes a node and all below it, and shows each leaf with its box and its part of the triangles.
+fn encode_nodes<const BITS: u32, const WORDS: usize, T: Send>(
+    lattice: &OnLattice,
+    part: Part<[u32; WORDS], T, LatticeBox>,
+    link: &(impl Fn(&Connection, [u32; WORDS]) -> [u32; WORDS] + Sync),
+    leaf: &(impl Fn(NodeRef, &LatticeBox, &mut [T]) + Sync),
+) {
+    let tree = lattice.tree;
+    let node = &tree.nodes[part.node as usize];
+    let around = |bounds| LatticeBox::around(&bounds, lattice.step_exponent);
+    let [left, right] = tree.child_boxes(node).map(around);
+    let coded = encode_node::<BITS, WORDS>(&part.bounds, &left, &right);
+    part.nodes[part.node as usize - part.first_node] = link(node, coded.words);
+    let per_triangle = part.per_triangle;
+    let place_of = |triangle: u32| per_triangle * triangle as usize;
+    let parts = part.split(tree, [coded.left, coded.right], place_of);
+    both(node, parts, |part| {
+        let child = NodeRef(part.node);
+        if child.is_leaf() {
+            leaf(child, &part.bounds, part.triangles);
+        } else {
+            encode_nodes::<BITS, WORDS, T>(lattice, part, link, leaf);
+        }
+    });
+}
+
+/// Codes a tree's nodes and triangles on the lattice with this step, on which all vertices lie.
+fn encode_lattice_mesh(
+    tree: &Tree,
+    (bits, step_exponent): (LatticeBits, i32),
+    (sizes, has_wide): (&mut Vec<u32>, &mut bool),
+    (nodes, triangles): (&mut CodedNodes, &mut Vec<u32>),
+) {
+    let (root, words) = lattice_words(tree, bits, step_exponent, nodes);
+    let tree = OnLattice {
+        tree,
+        root,
+        step_exponent,
+    };
+    // Most often all triangles are narrow, and it is known where each is: one way down does it. Else it takes another.
+    if !*has_wide {
+        by_bits!(bits, fill_narrow(&tree, words, triangles, has_wide));
+    }
+    if *has_wide {
+        by_bits!(bits, fill_mixed(&tree, words, triangles, sizes, has_wide));
     }
 }
 
@@ -373,36 +383,36 @@ const WIDE: usize = LeafWidth::Wide.words() as usize;
 
 /// Where all triangles are narrow; else says so, and leaves the lists in disorder.
 fn fill_narrow<const BITS: u32, const WORDS: usize>(
-    tree: &Tree,
+    lattice: &OnLattice,
     words: &mut [u32],
     triangles: &mut Vec<u32>,
     has_wide: &mut bool,
 ) {
-    triangles.resize(NARROW * tree.leaves.len(), 0);
+    triangles.resize(NARROW * lattice.tree.leaves.len(), 0);
     let is_wide = AtomicBool::new(false);
     let put = |leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]| {
         if LeafWidth::of(bounds) == LeafWidth::Narrow {
-            tree.put::<NARROW>(leaf, bounds, words);
+            lattice.put::<NARROW>(leaf, bounds, words);
         } else {
             is_wide.store(true, Relaxed);
         }
     };
     let link = linked_to::<BITS, WORDS>(|triangle| NARROW as u32 * triangle);
-    let part = tree.part(words, triangles, NARROW);
-    encode_nodes::<BITS, WORDS, u32>(tree.plain, tree.step_exponent, part, &link, &put);
+    let part = lattice.part(words, triangles, NARROW);
+    encode_nodes::<BITS, WORDS, u32>(lattice, part, &link, &put);
     *has_wide = is_wide.into_inner();
 }
 
 /// Where triangles take more or less room, as their leaf's box tells: where one begins follows from all before it.
 fn fill_mixed<const BITS: u32, const WORDS: usize>(
-    tree: &Tree,
+    lattice: &OnLattice,
     words: &mut [u32],
     triangles: &mut Vec<u32>,
     sizes: &mut Vec<u32>,
     has_wide: &mut bool,
 ) {
     sizes.clear();
-    sizes.resize(tree.leaves.len(), 0);
+    sizes.resize(lattice.tree.leaves.len(), 0);
     let is_wide = AtomicBool::new(false);
     let size = |_: NodeRef, bounds: &LatticeBox, sizes: &mut [u32]| {
         let width = LeafWidth::of(bounds);
@@ -411,9 +421,9 @@ fn fill_mixed<const BITS: u32, const WORDS: usize>(
             is_wide.store(true, Relaxed);
         }
     };
-    let unlinked = |_: &Node, words| words;
-    let part = tree.part(words, sizes.as_mut_slice(), 1);
-    encode_nodes::<BITS, WORDS, u32>(tree.plain, tree.step_exponent, part, &unlinked, &size);
+    let unlinked = |_: &Connection, words| words;
+    let part = lattice.part(words, sizes.as_mut_slice(), 1);
+    encode_nodes::<BITS, WORDS, u32>(lattice, part, &unlinked, &size);
     *has_wide = is_wide.into_inner();
 
     let count = sizes.len() as u32;
@@ -421,45 +431,45 @@ fn fill_mixed<const BITS: u32, const WORDS: usize>(
     triangles.resize(total as usize, 0);
     let begins = sizes.as_slice();
     let begin_of = |triangle: u32| begins.get(triangle as usize).map_or(total, |&b| b);
-    let part = tree.part(words, triangles, 1);
-    place_triangles::<BITS, WORDS>(tree, part, &begin_of);
+    let part = lattice.part(words, triangles, 1);
+    place_triangles::<BITS, WORDS>(lattice, part, &begin_of);
 }
 
 /// Puts triangles where they belong, and links to them into the nodes.
 fn place_triangles<const BITS: u32, const WORDS: usize>(
-    tree: &Tree,
+    lattice: &OnLattice,
     part: Part<[u32; WORDS], u32, LatticeBox>,
     begin_of: &(impl Fn(u32) -> u32 + Sync),
 ) {
-    let node = &tree.plain[part.node as usize];
+    let tree = lattice.tree;
+    let node = &tree.nodes[part.node as usize];
     let words = &mut part.nodes[part.node as usize - part.first_node];
     let boxes = decode_node::<BITS, WORDS>(words, &part.bounds);
     let links = Links::new(node.left, node.right, begin_of);
     *words = with_links::<BITS, WORDS>(*words, links);
-    let parts = part.split(tree.plain, boxes, |triangle| begin_of(triangle) as usize);
+    let parts = part.split(tree, boxes, |triangle| begin_of(triangle) as usize);
     both(node, parts, |part| {
         let child = NodeRef(part.node);
         if !child.is_leaf() {
-            place_triangles::<BITS, WORDS>(tree, part, begin_of);
+            place_triangles::<BITS, WORDS>(lattice, part, begin_of);
             return;
         }
         match LeafWidth::of(&part.bounds) {
-            LeafWidth::Narrow => tree.put::<NARROW>(child, &part.bounds, part.triangles),
-            LeafWidth::Middle => tree.put::<MIDDLE>(child, &part.bounds, part.triangles),
-            LeafWidth::Wide => tree.put::<WIDE>(child, &part.bounds, part.triangles),
+            LeafWidth::Narrow => lattice.put::<NARROW>(child, &part.bounds, part.triangles),
+            LeafWidth::Middle => lattice.put::<MIDDLE>(child, &part.bounds, part.triangles),
+            LeafWidth::Wide => lattice.put::<WIDE>(child, &part.bounds, part.triangles),
         }
     });
 }
 
-/// Codes a plain tree's nodes as printed, and its triangles, where there is room for them.
+/// Codes a tree's nodes as printed, and its triangles, where there is room for them.
 fn encode_printed(
-    plain: &[Node],
-    leaves: &[LeafTriangle],
+    tree: &Tree,
     nodes: &mut Vec<PrintedNode>,
     triangles: &mut [PrintedTriangle],
 ) -> PrintedBox {
-    nodes.resize(plain.len(), PrintedNode::default());
-    let root = printed_box(&root_box(plain));
+    nodes.resize(tree.nodes.len(), PrintedNode::default());
+    let root = printed_box(&tree.root_box());
     let part = Part {
         node: 0,
         bounds: root,
@@ -469,7 +479,7 @@ fn encode_printed(
         first_triangle: 0,
         per_triangle: 1,
     };
-    printed(plain, leaves, part);
+    printed(tree, part);
     root
 }
 
@@ -480,24 +490,20 @@ fn printed_box(bounds: &Aabb) -> PrintedBox {
     }
 }
 
-fn printed(
-    plain: &[Node],
-    leaves: &[LeafTriangle],
-    part: Part<PrintedNode, PrintedTriangle, PrintedBox>,
-) {
-    let node = &plain[part.node as usize];
-    let [left, right] = child_boxes(node).map(|bounds| printed_box(&bounds));
+fn printed(tree: &Tree, part: Part<PrintedNode, PrintedTriangle, PrintedBox>) {
+    let node = &tree.nodes[part.node as usize];
+    let [left, right] = tree.child_boxes(node).map(|bounds| printed_box(&bounds));
     let children = [(left, node.left), (right, node.right)];
     let (coded, boxes) = encode_printed_node(&part.bounds, children, 0);
     part.nodes[part.node as usize - part.first_node] = coded;
-    let parts = part.split(plain, boxes, |triangle| triangle as usize);
+    let parts = part.split(tree, boxes, |triangle| triangle as usize);
     both(node, parts, |part| {
         let child = NodeRef(part.node);
         if !child.is_leaf() {
-            printed(plain, leaves, part);
+            printed(tree, part);
             return;
         }
-        let leaves = leaves.iter().skip(child.first() as usize);
+        let leaves = tree.leaves.iter().skip(child.first() as usize);
         for (to, leaf) in part.triangles.iter_mut().zip(leaves) {
             *to = encode_printed_triangle(leaf, &part.bounds, 0);
         }

@@ -13,17 +13,23 @@ pub struct Connections {
 }
 
 impl Connections {
-    /// Replaces the nodes by those over sorted codes, without boxes.
-    pub fn connect<C: SortedCodes + Sync>(&mut self, codes: &C, nodes: &mut Vec<Node>) {
+    /// Replaces the nodes by those over sorted codes, of which a function takes what is to be stored.
+    pub fn connect<C: SortedCodes + Sync, N: Clone + Default + Send>(
+        &mut self,
+        codes: &C,
+        nodes: &mut Vec<N>,
+        stored: impl Fn(&Node) -> N + Sync,
+    ) {
         let word_count = codes.count().saturating_sub(1).div_ceil(32).max(1);
         let node_count = self
             .kept
             .fill(word_count as usize, |word| kept_nodes(word, codes));
-        nodes.resize(node_count, Node::EMPTY);
+        nodes.resize(node_count, N::default());
         self.splits.resize(node_count, 0);
         let kept = &self.kept;
         kept.for_each(nodes, &mut self.splits, |i, node, split| {
-            (*node, *split) = internal_node(i as u32, codes, &kept.bits, &kept.before);
+            let (found, last) = internal_node(i as u32, codes, &kept.bits, &kept.before);
+            (*node, *split) = (stored(&found), last);
         });
     }
 

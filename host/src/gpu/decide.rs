@@ -42,8 +42,8 @@ pub struct Decider {
 }
 
 impl Facing {
-    /// Records that later commands of the frame find this target, in the mesh's unit, and which sides of the components face
-    /// out for it, by what was measured last: see [`Decisions::measure`].
+    /// Records that later commands of the frame find this target and frustum, in the mesh's unit, and which sides of the
+    /// components face out for the target, by what was measured last: see [`Decisions::measure`].
     ///
     /// # Errors
     /// If nothing was measured, for an eye that was not set, or for other components, and if memory is exhausted.
@@ -51,7 +51,7 @@ impl Facing {
         &mut self,
         frame: &mut Frame,
         decisions: &Decisions,
-        target: &Target,
+        (target, frustum): (&Target, &Frustum),
         answer: Answer,
     ) -> Result<(), GpuError> {
         let gpu = frame.gpu();
@@ -65,7 +65,7 @@ impl Facing {
             Answer::Smaller { eye } => Some(eye_sides(eye, side_count)?),
         };
         gpu.checked(|| {
-            let ranges = self.reserve(frame, side_count as usize, &Frustum::EVERYWHERE);
+            let ranges = self.reserve(frame, side_count as usize, frustum);
             Self::put(frame, bytemuck::bytes_of(target), &ranges.target);
             let key = Key {
                 ranges: ranges.clone(),

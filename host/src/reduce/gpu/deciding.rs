@@ -44,7 +44,7 @@ impl Hierarchies {
                 (LightSets::Smaller, Some(eye)) => Answer::Smaller { eye },
                 _ => Answer::Facing,
             };
-            facing.decide(frame, decisions, &aim.target, answer)
+            facing.decide(frame, decisions, (&aim.target, &aim.frustum), answer)
         });
         // The plan's sides are of no account, so nothing is known of what these sets are.
         self.forget();

@@ -45,12 +45,22 @@ fn decide(
     for (i, target) in targets.iter().enumerate() {
         let mut facing = Facing::new();
         let answer = if i == 0 {
-            done(eye.decide(&mut frame, &decisions, target, Answer::Facing));
+            done(eye.decide(
+                &mut frame,
+                &decisions,
+                (target, &Frustum::EVERYWHERE),
+                Answer::Facing,
+            ));
             Answer::Facing
         } else {
             Answer::Smaller { eye: &eye }
         };
-        done(facing.decide(&mut frame, &decisions, target, answer));
+        done(facing.decide(
+            &mut frame,
+            &decisions,
+            (target, &Frustum::EVERYWHERE),
+            answer,
+        ));
         downloads.push(done(facing.read_later(&mut frame)));
     }
     let measures = done(decisions.read_later(&mut frame));
@@ -155,7 +165,12 @@ fn nothing_is_decided_of_nothing() {
     let other = done(gpu::Mesh::upload(gpu, &dome(9)));
     let mut frame = gpu.frame();
     let mut facing = Facing::new();
-    let early = facing.decide(&mut frame, &decisions, &place, Answer::Facing);
+    let early = facing.decide(
+        &mut frame,
+        &decisions,
+        (&place, &Frustum::EVERYWHERE),
+        Answer::Facing,
+    );
     assert!(early.is_err_and(|error| error.to_string().contains("measure")));
     let unseen = decisions.measure(&mut frame, &builder, &uploaded);
     assert!(unseen.is_err_and(|error| error.to_string().contains("sort")));
@@ -168,7 +183,12 @@ fn nothing_is_decided_of_nothing() {
     let mut eye = Facing::new();
     done(eye.set(&mut frame, &place, &Frustum::EVERYWHERE, &[1, 1, 1, 0]));
     let answer = Answer::Smaller { eye: &eye };
-    let wrong = facing.decide(&mut frame, &decisions, &place, answer);
+    let wrong = facing.decide(
+        &mut frame,
+        &decisions,
+        (&place, &Frustum::EVERYWHERE),
+        answer,
+    );
     assert!(wrong.is_err_and(|error| error.to_string().contains("components")));
 }
 
@@ -204,7 +224,12 @@ fn what_moves_in_a_frame_is_decided_in_it() {
         move_to(gpu, &mut frame, &uploaded, vertices);
         done(builder.sort(&mut frame, &uploaded));
         done(decisions.measure(&mut frame, &builder, &uploaded));
-        done(facing.decide(&mut frame, &decisions, &eye, Answer::Facing));
+        done(facing.decide(
+            &mut frame,
+            &decisions,
+            (&eye, &Frustum::EVERYWHERE),
+            Answer::Facing,
+        ));
         done(facing.read_later(&mut frame))
     });
     done(frame.submit());
@@ -278,6 +303,59 @@ fn deciding(
     let mut picture = Picture::default();
     done(texels.read(gpu, &mut picture));
     (picture, done(report.read(gpu)))
+}
+
+/// What is beyond the picture is left out of the camera's set where the GPU decides sides, too, and of no other.
+#[test]
+fn the_frustum_bounds_sets_whose_sides_the_gpu_decides() {
+    let Some(gpu) = gpu() else { return };
+    let mut scene = all_scenes().swap_remove(0).1;
+    let topology = Topology::new(&scene.mesh);
+    let Some(bounds) = scene.mesh.bounds() else {
+        unreachable!("there are triangles")
+    };
+    let middle = 0.5 * bounds.min + 0.5 * bounds.max;
+    scene.cameras[0].target = (middle + 0.4 * (bounds.max - middle)).to_array();
+    scene.cameras[0].projection = slimbvh::Projection::Perspective { vertical_fov: 9.0 };
+    let plan = plan(&scene, &topology, Reduce::On);
+    let counts = [true, false].map(|is_bounded| {
+        let mut plan = plan.clone();
+        if !is_bounded {
+            plan.aims[0].frustum = Frustum::EVERYWHERE;
+        }
+        let (picture, _) = deciding(gpu, &scene, &plan, &topology, LightSets::Facing);
+        (picture, set_count(gpu, &scene, &plan, &topology))
+    });
+    let [(with, bounded), (without, whole)] = &counts;
+    assert!(plan.aims[0].frustum.is_bounded == 1);
+    assert!(with == without);
+    assert!(2 * bounded < *whole, "{bounded} {whole}");
+}
+
+/// How many triangles are in the camera's set, with the sides that the GPU decides.
+fn set_count(gpu: &Gpu, scene: &Scene, plan: &Plan, topology: &Topology) -> usize {
+    let mut decisions = done(gpu::Decisions::new(gpu, topology));
+    let uploaded = done(gpu::Mesh::upload(gpu, &scene.mesh));
+    let components = done(gpu::Components::upload(gpu, topology.components()));
+    let mut builder = Builder::new(BuildConfig::default());
+    let (mut facing, mut bvh) = (Facing::new(), gpu::Bvh::new());
+    let mut frame = gpu.frame();
+    done(builder.sort(&mut frame, &uploaded));
+    done(decisions.measure(&mut frame, &builder, &uploaded));
+    let aim = &plan.aims[0];
+    done(facing.decide(
+        &mut frame,
+        &decisions,
+        (&aim.target, &aim.frustum),
+        Answer::Facing,
+    ));
+    let subset = gpu::Subset::Facing {
+        components: &components,
+        facing: &facing,
+    };
+    done(builder.build_sorted(&mut frame, &uploaded, subset, &mut bvh));
+    done(frame.submit());
+    done(bvh.download(gpu)).triangle_count()
 }
 
 /// A picture with the host's sides.
