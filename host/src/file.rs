@@ -3,7 +3,7 @@
 //! All numbers are little-endian, in words of 4 bytes. There are no pointers and nothing is packed: each list lies in the file
 //! as buffers on the GPU hold it, from a multiple of 256 bytes on, at which every device binds buffers. So a file can be mapped
 //! into memory and uploaded whole. Everything between is zero, and nothing can be written in two ways: what [`read`] accepts,
-//! [`write`] makes again, byte for byte.
+//! [`write()`] makes again, byte for byte.
 //!
 //! ```text
 //! header, 64 bytes
@@ -53,6 +53,7 @@ mod records;
 mod write;
 
 pub use error::{ContentError, FileError, WriteError};
+pub use layout::Section;
 pub use read::read;
 pub use write::write;
 
