@@ -1,5 +1,11 @@
 //! A built hierarchy, and the questions it answers.
 
+mod error;
+mod validate;
+pub(crate) mod view;
+
+pub use error::TreeError;
+
 use crate::animate::sah_cost;
 use crate::codec::{MeshCodec, NodeCodec};
 use crate::coded::{Coded, Shared, Stacks, with_stacks};

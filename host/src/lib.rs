@@ -8,6 +8,8 @@ mod codec;
 mod coded;
 mod cpu;
 #[cfg(feature = "scenes")]
+pub mod file;
+#[cfg(feature = "scenes")]
 pub mod generate;
 #[cfg(feature = "gpu")]
 pub mod gpu;
@@ -21,7 +23,7 @@ mod tolerance;
 pub mod topology;
 mod wide;
 
-pub use bvh::Bvh;
+pub use bvh::{Bvh, TreeError};
 pub use codec::{CodecError, LatticeBits, MeshCodec, NodeCodec, check_codecs};
 pub use cpu::{
     BuildConfig, Builder, CodeBits, Decisions, Division, RefitError, Renderer, Subset, Tree, Trees,

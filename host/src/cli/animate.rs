@@ -157,7 +157,7 @@ fn animate(
     if motion.deform.is_none() {
         storage.snap(scene);
     }
-    let config = storage.config(arguments.picture.build_config().code_bits);
+    let config = storage.config(arguments.picture.codes.bits());
     let still = Still {
         vertices: motion.deform.is_none(),
         lights: !motion.orbit_light,

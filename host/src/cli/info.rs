@@ -1,12 +1,13 @@
 //! `slimbvh info`.
 
 use super::SceneArguments;
-use super::output::{self, count, things};
+use super::output::{self, bytes, count, things};
+use super::storage;
 use anyhow::Result;
 use clap::Args;
 use serde::Serialize;
 use slimbvh::analysis::{Analysis, Component, analyze};
-use slimbvh::{Aabb, Scene};
+use slimbvh::{Aabb, Bvh, Scene};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -46,6 +47,20 @@ struct Summary {
     lights: usize,
     extent: Option<Extent>,
     components: Vec<ComponentSummary>,
+    /// Of a file that has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hierarchy: Option<HierarchySummary>,
+}
+
+#[derive(Debug, Serialize)]
+struct HierarchySummary {
+    nodes: usize,
+    node_codec: &'static str,
+    node_bytes: usize,
+    triangles: usize,
+    triangle_codec: &'static str,
+    triangle_bytes: usize,
+    depth_bound: u32,
 }
 
 #[derive(Debug, Serialize)]
@@ -73,7 +88,8 @@ pub fn run(arguments: &InfoArguments) -> Result<()> {
     if arguments.adapters {
         return super::adapters::run(arguments.json.as_deref());
     }
-    let scene = arguments.scene.load()?;
+    let (scene, kept) = arguments.scene.open()?;
+    let bvh = kept.map(|kept| kept.bvh);
     let progress = output::spinner("looking at the mesh".into());
     let analysis = analyze(&scene.mesh);
     drop(progress);
@@ -83,16 +99,20 @@ pub fn run(arguments: &InfoArguments) -> Result<()> {
             &arguments.scene.name(),
             &scene,
             &analysis,
+            bvh.as_ref(),
             listed,
         ))?;
     }
     if let Some(path) = &arguments.json {
-        output::write_json(path, &summarize(&arguments.scene.name(), &scene, &analysis))?;
+        output::write_json(
+            path,
+            &summarize(&arguments.scene.name(), &scene, &analysis, bvh.as_ref()),
+        )?;
     }
     Ok(())
 }
 
-fn summarize(name: &str, scene: &Scene, analysis: &Analysis) -> Summary {
+fn summarize(name: &str, scene: &Scene, analysis: &Analysis, bvh: Option<&Bvh>) -> Summary {
     let extent = |bounds: &Aabb| Extent {
         min: bounds.min.to_array(),
         max: bounds.max.to_array(),
@@ -118,11 +138,29 @@ fn summarize(name: &str, scene: &Scene, analysis: &Analysis) -> Summary {
         lights: scene.lights.len(),
         extent: analysis.bounds.as_ref().map(extent),
         components: analysis.components.iter().map(component).collect(),
+        hierarchy: bvh.map(|bvh| {
+            let [node_codec, triangle_codec] = storage::names(bvh.codecs());
+            HierarchySummary {
+                nodes: bvh.node_count(),
+                node_codec,
+                node_bytes: bvh.node_bytes(),
+                triangles: bvh.triangle_count(),
+                triangle_codec,
+                triangle_bytes: bvh.triangle_bytes(),
+                depth_bound: bvh.depth_bound(),
+            }
+        }),
     }
 }
 
 /// The analysis for people.
-fn describe(name: &str, scene: &Scene, analysis: &Analysis, listed: usize) -> String {
+fn describe(
+    name: &str,
+    scene: &Scene,
+    analysis: &Analysis,
+    bvh: Option<&Bvh>,
+    listed: usize,
+) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| {
         // Writing to a string cannot fail.
@@ -160,6 +198,19 @@ fn describe(name: &str, scene: &Scene, analysis: &Analysis, listed: usize) -> St
     );
     if let Some(bounds) = &analysis.bounds {
         line("extent", extent(bounds));
+    }
+    if let Some(bvh) = bvh {
+        line(
+            "hierarchy",
+            format!(
+                "{} of {}, {}; {} of nodes and {} of triangles",
+                things(bvh.node_count(), "node"),
+                things(bvh.triangle_count(), "triangle"),
+                storage::describe(bvh.codecs()),
+                bytes(bvh.node_bytes()),
+                bytes(bvh.triangle_bytes())
+            ),
+        );
     }
     let closed = analysis
         .components

@@ -4,6 +4,7 @@
 mod adapters;
 mod animate;
 mod backend;
+mod build;
 mod info;
 mod options;
 mod output;
@@ -15,9 +16,9 @@ mod storage;
 
 use anyhow::{Context, Result};
 use clap::{Args, Parser, Subcommand};
-use slimbvh::Scene;
 use slimbvh::scene::{LoadOptions, load};
-use std::path::PathBuf;
+use slimbvh::{Aabb, Bvh, Scene};
+use std::path::{Path, PathBuf};
 
 /// Build only the hierarchy that a view needs, store it small, trace it without a missed hit.
 #[derive(Debug, Parser)]
@@ -38,6 +39,8 @@ enum Command {
     Render(render::RenderArguments),
     /// Render a scene that moves, frame by frame, to pictures or a looping GIF
     Animate(animate::AnimateArguments),
+    /// Build the hierarchy of a scene and save both, so that nothing need be built to render it
+    Build(build::BuildArguments),
     /// Tell what is in a scene: counts, extents, which parts are closed
     Info(info::InfoArguments),
     /// Measure what a paper's tables show, and print ours beside the printed figures
@@ -47,7 +50,7 @@ enum Command {
 /// Where the scene comes from.
 #[derive(Debug, Args)]
 struct SceneArguments {
-    /// Scene file: gltf, glb, obj, ply, stl or off. Without one, the default scene
+    /// Scene file: gltf, glb, obj, ply, stl, off or slim. Without one, the default scene
     scene: Option<PathBuf>,
 
     /// Drop faces with broken numbers or indices, and count them, instead of refusing the file
@@ -68,12 +71,37 @@ impl SceneArguments {
         Ok(load(path, &options)?)
     }
 
+    /// Whether it is a file with a hierarchy.
+    fn is_saved(&self) -> bool {
+        let extension = self.scene.as_deref().and_then(Path::extension);
+        extension.is_some_and(|extension| extension.eq_ignore_ascii_case("slim"))
+    }
+
+    /// The scene; and what is saved with it, where it is.
+    fn open(&self) -> Result<(Scene, Option<Kept>)> {
+        match &self.scene {
+            Some(path) if self.is_saved() => {
+                let _progress = output::spinner(format!("reading {}", path.display()));
+                let saved = slimbvh::file::load(path, LoadOptions::default().max_file_bytes)?;
+                let (bvh, framing) = (saved.bvh, saved.framing);
+                Ok((saved.scene, Some(Kept { bvh, framing })))
+            }
+            _ => Ok((self.load()?, None)),
+        }
+    }
+
     fn name(&self) -> String {
         match &self.scene {
             Some(path) => path.display().to_string(),
             None => "default scene".into(),
         }
     }
+}
+
+/// What a file has beside the scene.
+struct Kept {
+    bvh: Bvh,
+    framing: Option<Aabb>,
 }
 
 /// How many threads work.
@@ -108,6 +136,7 @@ pub fn run(arguments: Arguments) -> Result<()> {
     match arguments.command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Animate(arguments) => animate::run(&arguments),
+        Command::Build(arguments) => build::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     }

@@ -4,6 +4,7 @@ use anyhow::{Context, Result, bail};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use slimbvh::Picture;
+use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -102,17 +103,37 @@ pub fn write_png(path: &Path, picture: &Picture) -> Result<()> {
     write_whole(path, &bytes)
 }
 
-/// Writes a file so that it is there whole or not at all: beside its place first, then moved.
+/// Writes a file so that it is there whole or not at all.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
-    if is_special(path) {
-        return std::fs::write(path, bytes)
-            .with_context(|| format!("cannot write {:?}", path.display().to_string()));
+    write_with(path, |file| Ok(file.write_all(bytes)?))
+}
+
+/// [`write_whole`] for what is not in memory at once: beside its place first, then moved.
+pub fn write_with<T>(path: &Path, write: impl FnOnce(&mut File) -> Result<T>) -> Result<T> {
+    let create = |path: &Path| write(&mut File::create(path)?);
+    let written = if is_special(path) {
+        create(path)
+    } else {
+        let part = part(path);
+        let moved = create(&part).and_then(|done| {
+            std::fs::rename(&part, path)?;
+            Ok(done)
+        });
+        moved.inspect_err(|_| drop(std::fs::remove_file(&part)))
+    };
+    written.with_context(|| format!("cannot write {:?}", path.display().to_string()))
+}
+
+/// [`check_place`] for a file and the report on it, neither of which may replace the scene.
+pub fn check_places(file: &Path, scene: Option<&Path>, json: Option<&Path>) -> Result<()> {
+    check_place(file, scene.as_slice())?;
+    match json {
+        Some(json) if !is_stdout(Some(json)) => {
+            let taken: Vec<_> = scene.into_iter().chain([file]).collect();
+            check_place(json, &taken)
+        }
+        _ => Ok(()),
     }
-    let part = part(path);
-    let written = std::fs::write(&part, bytes).and_then(|()| std::fs::rename(&part, path));
-    written
-        .inspect_err(|_| drop(std::fs::remove_file(&part)))
-        .with_context(|| format!("cannot write {:?}", path.display().to_string()))
 }
 
 /// Something that shows on a terminal, from one second on, until it is dropped.

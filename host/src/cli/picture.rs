@@ -3,14 +3,40 @@
 use super::options::{self, CameraOption};
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
-use slimbvh::{BuildConfig, CodeBits, Light, RenderSettings, Scene, View};
+use slimbvh::{Aabb, CodeBits, Light, RenderSettings, Scene, View};
+
+/// How large a picture is, from where it is seen, and in what light.
+#[derive(Debug, Args)]
+pub struct SightArguments {
+    /// Size of the picture in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = options::size)]
+    pub size: [u32; 2],
+
+    /// Camera, parts as needed: "eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES lens=RADIUS focus=DISTANCE", or height=H for
+    /// parallel rays. A lens without a focus is sharp at the target
+    #[arg(long, value_name = "PARTS")]
+    pub camera: Option<CameraOption>,
+
+    /// Light instead of the scene's, may be repeated: "sun=X,Y,Z color=R,G,B", where the light goes, or
+    /// "point=X,Y,Z color=R,G,B range=D", or with soft shadows "disc=X,Y,Z normal=X,Y,Z radius=R" or
+    /// "rectangle=X,Y,Z edge1=X,Y,Z edge2=X,Y,Z", half the sides, which shines to edge1 x edge2
+    #[arg(long, value_name = "PARTS", value_parser = options::light)]
+    pub light: Vec<Light>,
+}
+
+/// In what order triangles are.
+#[derive(Debug, Args)]
+pub struct CodesArguments {
+    /// Bits of the codes that order triangles: 30, or 63 for scenes with small details. Without it, 30
+    #[arg(long, value_enum)]
+    codes: Option<Codes>,
+}
 
 /// How pictures are made.
 #[derive(Debug, Args)]
 pub struct PictureArguments {
-    /// Size of the picture in pixels
-    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = options::size)]
-    pub size: [u32; 2],
+    #[command(flatten)]
+    pub sight: SightArguments,
 
     /// Samples a pixel: 1, 4, 16 … form a grid, any number works
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = |text: &str| options::whole(text, 1..=65536))]
@@ -19,17 +45,6 @@ pub struct PictureArguments {
     /// What to show
     #[arg(long, value_enum, default_value_t = View::Color)]
     pub view: View,
-
-    /// Camera, parts as needed: "eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES lens=RADIUS focus=DISTANCE", or height=H for
-    /// parallel rays. A lens without a focus is sharp at the target
-    #[arg(long, value_name = "PARTS")]
-    camera: Option<CameraOption>,
-
-    /// Light instead of the scene's, may be repeated: "sun=X,Y,Z color=R,G,B", where the light goes, or
-    /// "point=X,Y,Z color=R,G,B range=D", or with soft shadows "disc=X,Y,Z normal=X,Y,Z radius=R" or
-    /// "rectangle=X,Y,Z edge1=X,Y,Z edge2=X,Y,Z", half the sides, which shines to edge1 x edge2
-    #[arg(long, value_name = "PARTS", value_parser = options::light)]
-    light: Vec<Light>,
 
     /// How many mirrors a ray may meet
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = |text: &str| options::whole(text, 0..=64))]
@@ -40,9 +55,8 @@ pub struct PictureArguments {
     #[arg(long)]
     dark_rays: bool,
 
-    /// Bits of the codes that order triangles: 30, or 63 for scenes with small details
-    #[arg(long, value_enum, default_value_t = Codes::Bits30)]
-    codes: Codes,
+    #[command(flatten)]
+    pub codes: CodesArguments,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -57,7 +71,7 @@ impl PictureArguments {
     /// How to render.
     pub fn settings(&self) -> RenderSettings {
         RenderSettings {
-            size: self.size,
+            size: self.sight.size,
             sample_count: self.spp,
             view: self.view,
             mirror_depth: self.mirror_depth,
@@ -65,29 +79,41 @@ impl PictureArguments {
         }
     }
 
-    /// How to build.
-    pub fn build_config(&self) -> BuildConfig {
-        BuildConfig {
-            code_bits: match self.codes {
-                Codes::Bits30 => CodeBits::Bits30,
-                Codes::Bits63 => CodeBits::Bits63,
-            },
-            ..BuildConfig::default()
-        }
-    }
-
     /// Whether the scene gets the light that stands beside the camera, as neither it nor the arguments have any.
     pub fn needs_light(&self, scene: &Scene) -> bool {
-        self.light.is_empty() && scene.lights.is_empty()
+        self.sight.light.is_empty() && scene.lights.is_empty()
     }
 
-    /// Checks a scene and gives it the camera and the lights that are asked for, and what is missing.
+    /// [`SightArguments::prepare`], for the scene's own bounds.
     pub fn prepare(&self, scene: &mut Scene, name: &str) -> Result<()> {
+        self.sight.prepare(scene, name, None)
+    }
+}
+
+impl CodesArguments {
+    /// Whether some are asked for.
+    pub fn is_asked_for(&self) -> bool {
+        self.codes.is_some()
+    }
+
+    /// Those asked for, or the short ones.
+    pub fn bits(&self) -> CodeBits {
+        match self.codes {
+            None | Some(Codes::Bits30) => CodeBits::Bits30,
+            Some(Codes::Bits63) => CodeBits::Bits63,
+        }
+    }
+}
+
+impl SightArguments {
+    /// Checks a scene and gives it the camera and the lights that are asked for, and what is missing. A camera that is missing
+    /// sees this box, or the scene's.
+    pub fn prepare(&self, scene: &mut Scene, name: &str, framing: Option<Aabb>) -> Result<()> {
         if !self.light.is_empty() {
             scene.lights.clone_from(&self.light);
         }
         scene.mesh.validate().with_context(|| name.to_owned())?;
-        scene.complete(scene.mesh.bounds(), self.size);
+        scene.complete(framing.or_else(|| scene.mesh.bounds()), self.size);
         if let Some(camera) = &self.camera {
             let applied = camera.apply(&mut scene.cameras[0]);
             applied.map_err(anyhow::Error::msg)?;

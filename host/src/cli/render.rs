@@ -1,12 +1,13 @@
 //! `slimbvh render`.
 
 pub mod job;
+mod saved;
 
 use super::backend::{BackendArguments, Chosen, choose};
-use super::output::{self, bytes, count, things};
+use super::output::{self, count, things};
 use super::picture::PictureArguments;
 use super::reduce::{self, PlanSummary, ReduceArguments};
-use super::storage::StorageArguments;
+use super::storage::{Sizes, StorageArguments, mesh_bytes};
 use super::{SceneArguments, ThreadArguments};
 use anyhow::{Result, bail};
 use clap::Args;
@@ -22,6 +23,7 @@ const EXAMPLES: &str = "\
 Examples:
   slimbvh render
   slimbvh render model.glb -o model.png --spp 16
+  slimbvh render model.slim
   slimbvh render model.ply --view heatmap --camera \"eye=0,1,5 target=0,0,0\" --light \"sun=-1,-2,-1\"
   slimbvh render --spp 64 --light \"disc=-4,5,3 normal=4,-5,-3 radius=1 color=130,120,100\"
   slimbvh render --spp 64 --camera \"lens=0.15 focus=8\"";
@@ -88,6 +90,8 @@ struct Summary {
     mesh_bytes: usize,
     scratch_bytes: usize,
     plan: PlanSummary,
+    #[serde(skip)]
+    loaded: bool,
 }
 
 pub fn run(arguments: &RenderArguments) -> Result<()> {
@@ -95,10 +99,15 @@ pub fn run(arguments: &RenderArguments) -> Result<()> {
     arguments.storage.check()?;
     arguments.storage.check_reduction(&arguments.reduce)?;
     check_places(arguments)?;
-    let chosen = choose(&arguments.backend)?;
-    let mut scene = arguments.scene.load()?;
-    let work = || render(arguments, &chosen, &mut scene);
-    let (summary, text, picture) = arguments.threads.run(work)??;
+    let (summary, text, picture) = if arguments.scene.is_saved() {
+        saved::check(arguments)?;
+        arguments.threads.run(|| saved::render(arguments))??
+    } else {
+        let chosen = choose(&arguments.backend)?;
+        let mut scene = arguments.scene.load()?;
+        let work = || render(arguments, &chosen, &mut scene);
+        arguments.threads.run(work)??
+    };
     output::write_png(&arguments.output, &picture)?;
     if !output::is_stdout(arguments.json.as_deref()) {
         output::print(&text)?;
@@ -122,14 +131,7 @@ fn check_places(arguments: &RenderArguments) -> Result<()> {
         );
     }
     let scene = arguments.scene.scene.as_deref();
-    output::check_place(picture, scene.as_slice())?;
-    match &arguments.json {
-        Some(json) if !output::is_stdout(Some(json)) => {
-            let taken: Vec<_> = scene.into_iter().chain([picture]).collect();
-            output::check_place(json, &taken)
-        }
-        _ => Ok(()),
-    }
+    output::check_places(picture, scene, arguments.json.as_deref())
 }
 
 fn render(
@@ -140,7 +142,7 @@ fn render(
     let settings = arguments.picture.settings();
     arguments.picture.prepare(scene, &arguments.scene.name())?;
     let storage = arguments.storage.apply(scene, &settings)?;
-    let config = storage.config(arguments.picture.build_config().code_bits);
+    let config = storage.config(arguments.picture.codes.bits());
     let mut asked = arguments.reduce.asked(scene, &settings);
     if arguments.storage.forbids_reduction() {
         asked.switches.reduce = Reduce::Off;
@@ -189,7 +191,7 @@ fn summarize(
             .map(|(stage, time)| (stage, time.as_secs_f64() * 1e3))
             .collect()
     };
-    let [width, height] = arguments.picture.size;
+    let [width, height] = arguments.picture.sight.size;
     let mesh = &scene.mesh;
     let report = &outcome.report;
     Summary {
@@ -214,12 +216,10 @@ fn summarize(
         node_visits: (arguments.picture.view == View::Heatmap).then_some(report.node_visit_count),
         node_bytes: outcome.node_bytes,
         triangle_bytes: outcome.triangle_bytes,
-        mesh_bytes: size_of_val(mesh.vertices.as_slice())
-            + size_of_val(mesh.indices.as_slice())
-            + size_of_val(mesh.normals.as_slice())
-            + size_of_val(mesh.materials.as_slice()),
+        mesh_bytes: mesh_bytes(mesh),
         scratch_bytes: outcome.scratch_bytes,
         plan,
+        loaded: arguments.scene.is_saved(),
     }
 }
 
@@ -253,7 +253,8 @@ fn describe(s: &Summary, outcome: &Outcome) -> String {
         ),
     );
     let ms = |stages: &Stages| stages.total().as_secs_f64() * 1e3;
-    line("build", format!("{:.2} ms: {build}", ms(build)));
+    let before = if s.loaded { "load" } else { "build" };
+    line(before, format!("{:.2} ms: {build}", ms(build)));
     line(
         "render",
         format!("{:.2} ms: {}", ms(&report.stages), report.stages),
@@ -276,18 +277,13 @@ fn describe(s: &Summary, outcome: &Outcome) -> String {
             format!("{} nodes, {mean:.1} a ray", count(visits)),
         );
     }
-    let per_triangle = |bytes: usize| bytes as f64 / s.triangles.max(1) as f64;
-    line(
-        "bytes",
-        format!(
-            "{} nodes ({:.1} a triangle), {} leaf triangles ({:.1}), {} mesh, {} scratch",
-            bytes(s.node_bytes),
-            per_triangle(s.node_bytes),
-            bytes(s.triangle_bytes),
-            per_triangle(s.triangle_bytes),
-            bytes(s.mesh_bytes),
-            bytes(s.scratch_bytes)
-        ),
-    );
+    let sizes = Sizes {
+        triangle_count: s.triangles,
+        node_bytes: s.node_bytes,
+        triangle_bytes: s.triangle_bytes,
+        mesh_bytes: s.mesh_bytes,
+        scratch_bytes: s.scratch_bytes,
+    };
+    line("bytes", sizes.describe());
     text
 }

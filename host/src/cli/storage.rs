@@ -1,10 +1,12 @@
 //! In how many bytes hierarchies are stored.
 
+use super::output::bytes;
 use super::reduce::ReduceArguments;
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use slimbvh::{
-    BuildConfig, CodeBits, LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene, Tolerance,
+    BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, RenderSettings, Scene,
+    Tolerance,
 };
 
 #[derive(Debug, Args)]
@@ -78,6 +80,32 @@ impl StorageArguments {
         if kind == MeshKind::Leaf10 && reduce.is_asked_for() {
             bail!(
                 "--mesh leaf10 moves triangles after it was decided which may be left out; leave --reduce on and --cull on out"
+            );
+        }
+        Ok(())
+    }
+
+    /// Refuses to ask for another tree than a file has, whose codecs these are.
+    pub fn check_saved(&self, codecs: (NodeCodec, MeshCodec), name: &str) -> Result<()> {
+        if self.tolerance.is_some() {
+            bail!(
+                "--tolerance moves vertices before a build; \"{name}\" is built already, leave it out"
+            );
+        }
+        let [nodes, mesh] = names(codecs);
+        if self.nodes.codec().is_some_and(|asked| asked != codecs.0) {
+            bail!(
+                "\"{name}\" has nodes of {nodes}, --nodes asks for others; leave it out, or build the scene again"
+            );
+        }
+        let asked = self.mesh.map(|kind| match kind {
+            MeshKind::F32 => "f32",
+            MeshKind::Leaf10 => "leaf10",
+            MeshKind::Lattice => "lattice",
+        });
+        if asked.is_some_and(|asked| asked != mesh) {
+            bail!(
+                "\"{name}\" has triangles of {mesh}, --mesh asks for others; leave it out, or build the scene again"
             );
         }
         Ok(())
@@ -180,6 +208,71 @@ impl Storage {
             mesh: self.mesh,
         }
     }
+}
+
+/// How long the lists of a hierarchy and its mesh are.
+#[derive(Clone, Copy, Debug)]
+pub struct Sizes {
+    pub triangle_count: usize,
+    pub node_bytes: usize,
+    pub triangle_bytes: usize,
+    pub mesh_bytes: usize,
+    pub scratch_bytes: usize,
+}
+
+impl Sizes {
+    /// For people.
+    pub fn describe(&self) -> String {
+        let per_triangle = |bytes: usize| bytes as f64 / self.triangle_count.max(1) as f64;
+        format!(
+            "{} nodes ({:.1} a triangle), {} leaf triangles ({:.1}), {} mesh, {} scratch",
+            bytes(self.node_bytes),
+            per_triangle(self.node_bytes),
+            bytes(self.triangle_bytes),
+            per_triangle(self.triangle_bytes),
+            bytes(self.mesh_bytes),
+            bytes(self.scratch_bytes)
+        )
+    }
+}
+
+/// Bytes of a mesh's lists.
+pub fn mesh_bytes(mesh: &Mesh) -> usize {
+    size_of_val(mesh.vertices.as_slice())
+        + size_of_val(mesh.indices.as_slice())
+        + size_of_val(mesh.normals.as_slice())
+        + size_of_val(mesh.materials.as_slice())
+}
+
+/// Codecs as the options name them.
+pub fn names((nodes, mesh): (NodeCodec, MeshCodec)) -> [&'static str; 2] {
+    let nodes = match nodes {
+        NodeCodec::F32 => "f32",
+        NodeCodec::Printed => "printed",
+        NodeCodec::Lattice(LatticeBits::Q4) => "q4",
+        NodeCodec::Lattice(LatticeBits::Q6) => "q6",
+        NodeCodec::Lattice(LatticeBits::Q8) => "q8",
+        NodeCodec::Lattice(LatticeBits::Q10) => "q10",
+        NodeCodec::Lattice(LatticeBits::Q12) => "q12",
+        NodeCodec::Lattice(LatticeBits::Q16) => "q16",
+        NodeCodec::Lattice(LatticeBits::Q21) => "q21",
+    };
+    let mesh = match mesh {
+        MeshCodec::F32 => "f32",
+        MeshCodec::Leaf10 => "leaf10",
+        MeshCodec::Lattice { .. } => "lattice",
+    };
+    [nodes, mesh]
+}
+
+/// Codecs for people.
+pub fn describe(codecs: (NodeCodec, MeshCodec)) -> String {
+    let [nodes, mesh] = names(codecs);
+    let step = match codecs.1 {
+        MeshCodec::Lattice { step_exponent } => format!(" of step 2^{step_exponent}"),
+        MeshCodec::F32 | MeshCodec::Leaf10 => String::new(),
+    };
+    format!("nodes {nodes}, triangles {mesh}{step}")
 }
 
 impl Nodes {

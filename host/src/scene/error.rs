@@ -2,6 +2,7 @@
 
 use super::gltf::GltfError;
 use crate::MeshError;
+use crate::file::FileError;
 pub(super) use crate::text::excerpt;
 use std::io;
 use thiserror::Error;
@@ -35,7 +36,7 @@ pub enum LoadError {
     },
     /// No loader goes by the extension.
     #[error(
-        "\"{file}\" has the extension \"{extension}\"; slimbvh reads gltf, glb, obj, ply, stl and off"
+        "\"{file}\" has the extension \"{extension}\"; slimbvh reads gltf, glb, obj, ply, stl, off and slim"
     )]
     UnknownExtension {
         /// The path as given.
@@ -44,7 +45,7 @@ pub enum LoadError {
         extension: String,
     },
     /// The path has no extension to tell the format by.
-    #[error("\"{file}\" has no extension; slimbvh reads gltf, glb, obj, ply, stl and off")]
+    #[error("\"{file}\" has no extension; slimbvh reads gltf, glb, obj, ply, stl, off and slim")]
     NoExtension {
         /// The path as given.
         file: String,
@@ -194,6 +195,14 @@ pub enum LoadError {
         file: String,
         /// What is wrong.
         error: GltfError,
+    },
+    /// A saved hierarchy is damaged, foreign, or not sound.
+    #[error("\"{file}\": {error}")]
+    Saved {
+        /// The path as given.
+        file: String,
+        /// What is wrong.
+        error: FileError,
     },
     /// The faces are not fit to build from.
     #[error("\"{file}\": {error}")]

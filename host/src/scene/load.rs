@@ -1,7 +1,7 @@
 //! Reads a scene from a file.
 
 use super::contain::contain;
-use super::{LoadError, Scene, gltf, obj, off, ply, stl};
+use super::{LoadError, Scene, gltf, obj, off, ply, slim, stl};
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -24,8 +24,8 @@ impl Default for LoadOptions {
     }
 }
 
-/// The scene in a file; the extension tells the format: gltf, glb, obj, ply, stl or off. Its mesh is
-/// [valid](crate::Mesh::validate) and has a triangle.
+/// The scene in a file; the extension tells the format: gltf, glb, obj, ply, stl, off or slim. Its mesh
+/// is [valid](crate::Mesh::validate) and has a triangle.
 ///
 /// Textures, animations and skins are left out. Other files that the scene names are read too: buffers of a glTF scene,
 /// material libraries of an OBJ scene, which may be missing.
@@ -83,6 +83,7 @@ fn reader(source: &Source<'_>) -> Result<(&'static str, Reader), LoadError> {
         "ply" => Ok(("PLY", ply::read)),
         "stl" => Ok(("STL", stl::read)),
         "off" => Ok(("OFF", off::read)),
+        "slim" => Ok(("slim", slim::read)),
         _ => Err(LoadError::UnknownExtension {
             file: source.file.clone(),
             extension: extension.into_owned(),
@@ -91,7 +92,7 @@ fn reader(source: &Source<'_>) -> Result<(&'static str, Reader), LoadError> {
 }
 
 /// A file's bytes, if it is a regular file of at most the given size.
-pub(super) fn read_file(path: &Path, limit_bytes: u64) -> Result<Vec<u8>, LoadError> {
+pub(crate) fn read_file(path: &Path, limit_bytes: u64) -> Result<Vec<u8>, LoadError> {
     let file = || path.display().to_string();
     let cannot_read = |error| LoadError::Read {
         file: file(),

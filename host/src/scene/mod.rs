@@ -19,6 +19,8 @@ mod off;
 #[cfg(feature = "scenes")]
 mod ply;
 #[cfg(feature = "scenes")]
+mod slim;
+#[cfg(feature = "scenes")]
 mod stl;
 mod target;
 #[cfg(all(test, feature = "scenes"))]
@@ -29,6 +31,8 @@ mod view;
 pub use error::{Indexed, LoadError};
 #[cfg(feature = "scenes")]
 pub use gltf::GltfError;
+#[cfg(feature = "scenes")]
+pub(crate) use load::read_file;
 #[cfg(feature = "scenes")]
 pub use load::{LoadOptions, load};
 

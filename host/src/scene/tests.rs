@@ -116,11 +116,11 @@ fn the_extension_tells_the_format_in_any_case() {
     files.put("x.abc", "");
     assert_eq!(
         files.refusal("x.abc"),
-        "\"x.abc\" has the extension \"abc\"; slimbvh reads gltf, glb, obj, ply, stl and off"
+        "\"x.abc\" has the extension \"abc\"; slimbvh reads gltf, glb, obj, ply, stl, off and slim"
     );
     assert_eq!(
         files.refusal("box"),
-        "\"box\" has no extension; slimbvh reads gltf, glb, obj, ply, stl and off"
+        "\"box\" has no extension; slimbvh reads gltf, glb, obj, ply, stl, off and slim"
     );
 }
 

@@ -16,6 +16,7 @@ mod reduced_scenes;
 mod refits;
 mod rejecting;
 mod repeatable;
+mod saved;
 mod trees;
 mod watertight;
 mod written_once;

@@ -50,7 +50,7 @@ impl Place {
             }
             Some(path) if is_gif(path) => {
                 check(path, &taken)?;
-                let [width, height] = arguments.picture.size;
+                let [width, height] = arguments.picture.sight.size;
                 if width.max(height) > MOST_GIF_SIDE {
                     bail!(
                         "--size {width}x{height} is too large for a GIF, whose sides have at most {MOST_GIF_SIDE} \

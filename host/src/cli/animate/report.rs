@@ -90,7 +90,7 @@ struct Totals {
 }
 
 pub fn summarize(arguments: &AnimateArguments, scene: &Scene, run: &Run) -> Summary {
-    let [width, height] = arguments.picture.size;
+    let [width, height] = arguments.picture.sight.size;
     let sums = Sums::of(&run.records);
     let out = arguments.out.as_ref();
     Summary {
@@ -205,7 +205,7 @@ fn head(text: &mut String, arguments: &AnimateArguments, scene: &Scene, run: &Ru
             &things(scene.dropped_face_count, "broken face"),
         );
     }
-    let [width, height] = arguments.picture.size;
+    let [width, height] = arguments.picture.sight.size;
     let samples = things(arguments.picture.spp, "sample");
     let machine = match &run.adapter {
         Some(adapter) => adapter.clone(),

@@ -3,6 +3,7 @@
 mod options;
 mod places;
 mod reproduce;
+mod saved;
 mod scenes;
 
 use crate::files::TwoTriangles;

@@ -3,7 +3,7 @@
 use super::{folder, refuses_scene};
 use crate::files::{TwoTriangles, gltf_json, noise, ply_header};
 
-const EXTENSIONS: [&str; 6] = ["gltf", "glb", "obj", "ply", "stl", "off"];
+const EXTENSIONS: [&str; 7] = ["gltf", "glb", "obj", "ply", "stl", "off", "slim"];
 
 #[test]
 fn no_such_file() {
@@ -34,7 +34,7 @@ fn extensions_that_nobody_reads() {
     let folder = folder();
     folder.write("scene.fbx", "");
     folder.write("scene", "");
-    let readable = "gltf, glb, obj, ply, stl and off";
+    let readable = "gltf, glb, obj, ply, stl, off and slim";
     refuses_scene(
         &folder,
         &["scene.fbx"],

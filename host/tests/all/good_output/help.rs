@@ -67,7 +67,7 @@ fn help_has_every_option() {
         "lens=",
         "fov=",
         "range=",
-        "gltf, glb, obj, ply, stl",
+        "gltf, glb, obj, ply, stl, off or slim",
     ] {
         assert!(render.contains(word), "{word} is not in {render}");
     }
@@ -99,6 +99,25 @@ fn help_has_every_option() {
         ["--adapters", "--all", "--help", "--json", "--lenient"],
         "{info}"
     );
+    let build = folder.succeed(["build", "--help"]);
+    let expected = [
+        "--camera",
+        "--codes",
+        "--help",
+        "--json",
+        "--lenient",
+        "--light",
+        "--mesh",
+        "--nodes",
+        "--output",
+        "--size",
+        "--threads",
+        "--tolerance",
+    ];
+    assert_eq!(options_in(&build), expected, "{build}");
+    for word in ["slimbvh.slim", "q10", "0.5px", "Examples:"] {
+        assert!(build.contains(word), "{word} is not in {build}");
+    }
     let reduced = folder.succeed(["reproduce", "reduced", "--help"]);
     let expected = [
         "--adapter",
@@ -124,7 +143,9 @@ fn help_has_every_option() {
     let papers = folder.succeed(["reproduce", "--help"]);
     assert!(papers.contains("Wong, Cheng and Lii"), "{papers}");
     let top = folder.succeed(["--help"]);
-    assert!(top.contains("render") && top.contains("info"), "{top}");
+    for command in ["render", "animate", "build", "info", "reproduce"] {
+        assert!(top.contains(&format!("  {command} ")), "{top}");
+    }
     assert_eq!(options_in(&top), ["--help", "--version"], "{top}");
     assert_eq!(
         folder.succeed(["--version"]),

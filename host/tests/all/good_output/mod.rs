@@ -4,6 +4,7 @@ mod help;
 mod info;
 mod outputs;
 mod reproduce;
+mod saved;
 mod scenes;
 mod views;
 

@@ -1,0 +1,143 @@
+//! Saved hierarchies: what is read answers as what was written, and every tree that is built is sound.
+
+use proptest::prelude::*;
+use slimbvh::file::{read, write};
+use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, Mesh, MeshCodec, NodeCodec, Scene, Subset};
+use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::frustum::Frustum;
+use slimbvh_core::orientation::Target;
+use slimbvh_tests::rays::some_rays;
+use slimbvh_tests::strategies::{any_mesh, large_mesh};
+use slimbvh_tests::{CODE_BITS, build_as, cases};
+
+/// All codecs that go together, with a lattice of this step.
+fn codecs(step_exponent: i32) -> Vec<(NodeCodec, MeshCodec)> {
+    let mut all = vec![
+        (NodeCodec::F32, MeshCodec::F32),
+        (NodeCodec::Printed, MeshCodec::F32),
+        (NodeCodec::Printed, MeshCodec::Leaf10),
+    ];
+    for nodes in LatticeBits::ALL.map(NodeCodec::Lattice) {
+        all.push((nodes, MeshCodec::F32));
+        all.push((nodes, MeshCodec::Lattice { step_exponent }));
+    }
+    all
+}
+
+fn saved(scene: &Scene, bvh: &Bvh) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    match write(scene, bvh, None, &mut bytes) {
+        Ok(length) => assert_eq!(length, bytes.len() as u64),
+        Err(error) => panic!("{error}"),
+    }
+    bytes
+}
+
+fn scene(mesh: &Mesh) -> Scene {
+    Scene {
+        mesh: mesh.clone(),
+        ..Scene::default()
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(60))]
+
+    #[test]
+    fn what_is_saved_comes_back_in_every_codec(mesh in any_mesh(), recipes in some_rays(12), coarse in 0i32..20) {
+        let step_exponent = mesh.finest_step() + coarse;
+        let mut snapped = mesh.clone();
+        snapped.snap(step_exponent);
+        let scene = scene(&snapped);
+        for (nodes, mesh) in codecs(step_exponent) {
+            for code_bits in CODE_BITS {
+                let config = BuildConfig { code_bits, nodes, mesh };
+                let mut bvh = build_as(&snapped, config);
+                prop_assert_eq!(bvh.validate_over(&snapped), Ok(()), "{:?}", config);
+                let bytes = saved(&scene, &bvh);
+                let mut back = match read(&bytes) {
+                    Ok(back) => back,
+                    Err(error) => return Err(TestCaseError::fail(format!("{config:?} {error}"))),
+                };
+                prop_assert_eq!(back.bvh.codecs(), bvh.codecs());
+                prop_assert!(saved(&back.scene, &back.bvh) == bytes);
+                for recipe in &recipes {
+                    let ray = recipe.cook(&snapped);
+                    prop_assert_eq!(back.bvh.closest_hit(&ray), bvh.closest_hit(&ray));
+                    prop_assert_eq!(back.bvh.nearest_hits::<4>(&ray), bvh.nearest_hits::<4>(&ray));
+                }
+
+                // Both can be moved on.
+                prop_assert!(Builder::new(config).refit(&snapped, &mut bvh).is_ok());
+                prop_assert!(Builder::new(config).refit(&snapped, &mut back.bvh).is_ok());
+                prop_assert_eq!(back.bvh.validate_over(&snapped), Ok(()));
+                prop_assert!(saved(&scene, &back.bvh) == saved(&scene, &bvh));
+            }
+        }
+    }
+
+    /// Refits leave boxes where they are needed, in an order that was once another.
+    #[test]
+    fn refitted_trees_are_sound(
+        mesh in any_mesh(),
+        offsets in proptest::collection::vec(proptest::array::uniform3(-2f32..2.0), 7),
+    ) {
+        let mut moved = mesh.clone();
+        for (vertex, offset) in moved.vertices.iter_mut().zip(offsets.iter().cycle()) {
+            *vertex = [0, 1, 2].map(|axis| vertex[axis] + vertex[axis] * offset[axis]);
+        }
+        prop_assume!(moved.validate().is_ok());
+        for (nodes, codec) in codecs(0) {
+            if matches!(codec, MeshCodec::Lattice { .. }) {
+                continue;
+            }
+            let config = BuildConfig { nodes, mesh: codec, ..BuildConfig::default() };
+            let mut bvh = build_as(&mesh, config);
+            prop_assert!(Builder::new(config).refit(&moved, &mut bvh).is_ok());
+            prop_assert_eq!(bvh.validate_over(&moved), Ok(()), "{:?}", config);
+        }
+    }
+
+    /// A reduced tree is one as well, over some of the triangles.
+    #[test]
+    fn reduced_trees_are_sound(mesh in any_mesh(), eye in proptest::array::uniform3(-9f32..9.0)) {
+        let components = vec![0; mesh.indices.len()];
+        let reach = Reach {
+            sides: Sides { components: &components, sides: &[1] },
+            target: Target::position(eye),
+            frustum: Frustum::EVERYWHERE,
+        };
+        for (nodes, codec) in codecs(0) {
+            if matches!(codec, MeshCodec::Lattice { .. }) {
+                continue;
+            }
+            let config = BuildConfig { nodes, mesh: codec, ..BuildConfig::default() };
+            let mut bvh = Bvh::default();
+            prop_assert!(Builder::new(config).build_subset(&mesh, Subset::Of(reach), &mut bvh).is_ok());
+            prop_assert_eq!(bvh.validate_over(&mesh), Ok(()), "{:?}", config);
+            let bytes = saved(&scene(&mesh), &bvh);
+            let back = read(&bytes).map(|back| back.bvh.triangle_count());
+            prop_assert_eq!(back, Ok(bvh.triangle_count()));
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(8))]
+
+    /// Enough triangles that several threads check them.
+    #[test]
+    fn large_trees_are_saved_like_small_ones(mesh in large_mesh()) {
+        let mut snapped = mesh;
+        let step_exponent = snapped.finest_step() + 9;
+        snapped.snap(step_exponent);
+        let scene = scene(&snapped);
+        for (nodes, mesh) in codecs(step_exponent) {
+            let config = BuildConfig { nodes, mesh, ..BuildConfig::default() };
+            let bvh = build_as(&snapped, config);
+            let bytes = saved(&scene, &bvh);
+            let back = read(&bytes);
+            prop_assert!(back.is_ok_and(|back| saved(&back.scene, &back.bvh) == bytes));
+        }
+    }
+}
