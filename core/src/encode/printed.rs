@@ -388,9 +388,9 @@ mod tests {
         #[test]
         fn triangles_stay_in_their_box_and_move_half_a_cell(bounds in any_box(), weights in proptest::array::uniform9(0.0f32..=1.0), primitive: u32) {
             let mut triangle = LeafTriangle { primitive, ..LeafTriangle::default() };
-            for i in 0..9 {
+            for (i, (to, weight)) in triangle.vertices.iter_mut().zip(weights).enumerate() {
                 let (low, high) = (bounds.min[i % 3], bounds.max[i % 3]);
-                triangle.vertices[i] = (low + (high - low) * weights[i]).clamp(low, high);
+                *to = (low + (high - low) * weight).clamp(low, high);
             }
             let own = [encode_printed_triangle(&triangle, &bounds, 0)];
             let source = PrintedTriangles { triangles: &own, zero: 0 };

@@ -32,8 +32,13 @@ impl Connections {
         });
     }
 
-    /// Takes the nodes of a hierarchy that is there.
+    /// Takes the nodes of a hierarchy that is there. One that was never built has a root all the same.
     pub fn follow(&mut self, nodes: &[Node]) {
+        let nodes = if nodes.is_empty() {
+            &[Node::EMPTY]
+        } else {
+            nodes
+        };
         let last_of = |child: NodeRef| nodes.get(child.index() as usize).map_or(0, |n| n.last);
         self.nodes.clear();
         self.nodes.extend(nodes.iter().map(Connection::from));

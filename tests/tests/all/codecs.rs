@@ -209,6 +209,19 @@ fn a_box_that_is_too_small_is_found() {
     assert_eq!(found, 2 * decoded.node_count() - 1);
 }
 
+/// What was never built has no triangles, in any codec.
+#[test]
+fn what_was_never_built_can_be_refitted() {
+    for nodes in node_codecs() {
+        let mut bvh = Bvh::default();
+        let mesh = slimbvh::Mesh::default();
+        let mut builder = Builder::new(config(nodes, MeshCodec::F32));
+        assert!(builder.refit(&mesh, &mut bvh).is_ok());
+        let ray = slimbvh::Ray::new([0.0; 3], [1.0, 0.0, 0.0]);
+        assert!(!bvh.closest_hit(&ray).is_hit() && bvh.validate().is_ok());
+    }
+}
+
 /// A mesh that is not on the lattice is refused, with the vertex.
 #[test]
 fn what_is_off_the_lattice_is_refused() {
