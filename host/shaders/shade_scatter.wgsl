@@ -14,46 +14,49 @@ struct type_19 {
     member: array<array<u32, 3>>,
 }
 
-struct type_27 {
+struct type_28 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_29 {
-    member: array<type_27>,
+struct type_30 {
+    member: array<type_28>,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
     member_3: f32,
 }
 
-struct type_32 {
-    member: type_31,
+struct type_33 {
+    member: type_32,
     member_1: array<f32, 3>,
     member_2: u32,
     member_3: array<f32, 3>,
     member_4: u32,
 }
 
-struct type_34 {
-    member: array<type_32>,
+struct type_35 {
+    member: array<type_33>,
 }
 
-struct type_38 {
+struct type_39 {
     member: array<f32, 3>,
     member_1: f32,
+    member_2: f32,
+    member_3: f32,
+    member_4: array<u32, 2>,
 }
 
-struct type_40 {
-    member: array<type_38>,
+struct type_41 {
+    member: array<type_39>,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -64,8 +67,13 @@ struct type_43 {
     member_7: u32,
 }
 
-struct type_45 {
-    member: array<type_43>,
+struct type_46 {
+    member: array<type_44>,
+}
+
+struct type_48 {
+    member: vec3<f32>,
+    member_1: vec3<f32>,
 }
 
 var<private> global: vec3<u32>;
@@ -80,505 +88,767 @@ var<storage> global_4: type_15;
 @group(0) @binding(4) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
-var<storage> global_6: type_40;
+var<storage> global_6: type_41;
 @group(0) @binding(6) 
-var<storage> global_7: type_45;
+var<storage> global_7: type_46;
 @group(0) @binding(7) 
-var<storage> global_8: type_29;
+var<storage> global_8: type_30;
 @group(0) @binding(8) 
-var<storage, read_write> global_9: type_34;
+var<storage, read_write> global_9: type_35;
 
 fn function_() {
-    var phi_1179_: i32;
-    var phi_1210_: i32;
-    var phi_1229_: vec3<f32>;
-    var phi_440_: array<u32, 3>;
-    var phi_455_: array<f32, 3>;
-    var phi_473_: array<f32, 3>;
-    var phi_491_: array<f32, 3>;
-    var phi_578_: array<u32, 3>;
+    var phi_1526_: i32;
+    var phi_1557_: i32;
+    var phi_1576_: vec3<f32>;
+    var phi_228_: array<u32, 3>;
+    var phi_243_: array<f32, 3>;
+    var phi_261_: array<f32, 3>;
+    var phi_279_: array<f32, 3>;
+    var phi_362_: array<u32, 3>;
+    var phi_379_: vec3<f32>;
+    var phi_396_: vec3<f32>;
+    var phi_413_: vec3<f32>;
+    var phi_545_: i32;
+    var phi_576_: i32;
     var phi_595_: vec3<f32>;
-    var phi_612_: vec3<f32>;
-    var phi_629_: vec3<f32>;
-    var phi_763_: i32;
-    var phi_794_: i32;
-    var phi_813_: vec3<f32>;
-    var phi_896_: i32;
-    var phi_927_: i32;
-    var phi_946_: vec3<f32>;
-    var phi_988_: u32;
-    var phi_1111_: vec3<f32>;
+    var phi_678_: i32;
+    var phi_709_: i32;
+    var phi_728_: vec3<f32>;
+    var phi_758_: u32;
+    var phi_792_: f32;
+    var phi_829_: f32;
+    var phi_851_: f32;
+    var phi_890_: i32;
+    var phi_921_: i32;
+    var phi_940_: vec3<f32>;
+    var phi_980_: vec3<f32>;
+    var phi_1026_: vec3<f32>;
+    var phi_1027_: vec3<f32>;
+    var phi_1114_: f32;
+    var phi_1115_: f32;
+    var phi_1117_: f32;
+    var phi_1091_: f32;
+    var phi_1092_: f32;
+    var phi_1118_: f32;
+    var phi_1162_: f32;
+    var phi_1163_: f32;
+    var phi_1165_: f32;
+    var phi_1139_: f32;
+    var phi_1140_: f32;
+    var phi_1166_: f32;
+    var phi_1210_: f32;
+    var phi_1211_: f32;
+    var phi_1213_: f32;
+    var phi_1187_: f32;
+    var phi_1188_: f32;
+    var phi_1214_: f32;
+    var phi_1217_: type_48;
+    var phi_1219_: type_48;
+    var phi_1220_: bool;
+    var phi_1295_: f32;
+    var phi_1296_: f32;
+    var phi_1298_: f32;
+    var phi_1272_: f32;
+    var phi_1273_: f32;
+    var phi_1299_: f32;
+    var phi_1343_: f32;
+    var phi_1344_: f32;
+    var phi_1346_: f32;
+    var phi_1320_: f32;
+    var phi_1321_: f32;
+    var phi_1347_: f32;
+    var phi_1391_: f32;
+    var phi_1392_: f32;
+    var phi_1394_: f32;
+    var phi_1368_: f32;
+    var phi_1369_: f32;
     var phi_1395_: f32;
-    var phi_1397_: f32;
-    var phi_1401_: f32;
-    var phi_1373_: f32;
-    var phi_1375_: f32;
-    var phi_1403_: f32;
-    var phi_1446_: f32;
-    var phi_1448_: f32;
-    var phi_1452_: f32;
-    var phi_1424_: f32;
-    var phi_1426_: f32;
-    var phi_1454_: f32;
-    var phi_1497_: f32;
-    var phi_1499_: f32;
-    var phi_1503_: f32;
-    var phi_1475_: f32;
-    var phi_1477_: f32;
-    var phi_1505_: f32;
-    var phi_1131_: type_32;
-    var phi_1286_: type_32;
+    var phi_1438_: vec3<f32>;
+    var phi_1440_: type_48;
+    var phi_1460_: vec3<f32>;
+    var phi_1478_: type_33;
+    var phi_1633_: type_33;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e41 = global;
-            let _e44 = arrayLength((&global_2.member));
-            let _e49 = arrayLength((&global_4.member));
-            let _e53 = arrayLength((&global_6.member));
-            let _e55 = arrayLength((&global_7.member));
-            let _e63 = (_e41.x + (_e41.y * 2097152u));
-            let _e64 = (_e63 < arrayLength((&global_9.member)));
-            if _e64 {
-                let _e65 = (_e63 < arrayLength((&global_8.member)));
-                if _e65 {
-                    if (_e53 == 0u) {
+            let _e44 = global;
+            let _e47 = arrayLength((&global_2.member));
+            let _e52 = arrayLength((&global_4.member));
+            let _e56 = arrayLength((&global_6.member));
+            let _e58 = arrayLength((&global_7.member));
+            let _e66 = (_e44.x + (_e44.y * 2097152u));
+            let _e67 = (_e66 < arrayLength((&global_9.member)));
+            if _e67 {
+                let _e68 = (_e66 < arrayLength((&global_8.member)));
+                if _e68 {
+                    if (_e56 == 0u) {
                     } else {
-                        if (_e55 == 0u) {
+                        if (_e58 == 0u) {
                         } else {
-                            if _e64 {
+                            if _e67 {
                             } else {
                                 break;
                             }
-                            let _e70 = global_9.member[_e63];
-                            if _e65 {
+                            let _e73 = global_9.member[_e66];
+                            if _e68 {
                             } else {
                                 break;
                             }
-                            let _e73 = global_8.member[_e63];
-                            if (_e70.member.member_1 <= _e70.member.member_3) {
-                                if (_e73.member_3 != 4294967295u) {
-                                    let _e221 = global_1.member[0u];
-                                    let _e222 = bitcast<i32>(_e221);
-                                    let _e223 = (_e222 / 2i);
-                                    let _e228 = bitcast<f32>((bitcast<u32>((_e223 + 127i)) << bitcast<u32>(23i)));
-                                    let _e234 = bitcast<f32>((bitcast<u32>(((_e222 - _e223) + 127i)) << bitcast<u32>(23i)));
-                                    let _e235 = (_e73.member_3 < arrayLength((&global_3.member)));
-                                    if _e235 {
-                                        if _e235 {
+                            let _e76 = global_8.member[_e66];
+                            if (_e73.member.member_1 <= _e73.member.member_3) {
+                                if (_e76.member_3 != 4294967295u) {
+                                    let _e224 = global_1.member[0u];
+                                    let _e225 = bitcast<i32>(_e224);
+                                    let _e226 = (_e225 / 2i);
+                                    let _e231 = bitcast<f32>((bitcast<u32>((_e226 + 127i)) << bitcast<u32>(23i)));
+                                    let _e237 = bitcast<f32>((bitcast<u32>(((_e225 - _e226) + 127i)) << bitcast<u32>(23i)));
+                                    let _e238 = (_e76.member_3 < arrayLength((&global_3.member)));
+                                    if _e238 {
+                                        if _e238 {
                                         } else {
                                             break;
                                         }
-                                        let _e237 = global_3.member[_e73.member_3];
-                                        phi_440_ = _e237;
+                                        let _e240 = global_3.member[_e76.member_3];
+                                        phi_228_ = _e240;
                                     } else {
-                                        phi_440_ = array<u32, 3>(0u, 0u, 0u);
+                                        phi_228_ = array<u32, 3>(0u, 0u, 0u);
                                     }
-                                    let _e239 = phi_440_;
-                                    let _e241 = (_e239[0] < _e44);
-                                    if _e241 {
-                                        if _e241 {
+                                    let _e242 = phi_228_;
+                                    let _e244 = (_e242[0] < _e47);
+                                    if _e244 {
+                                        if _e244 {
                                         } else {
                                             break;
                                         }
-                                        let _e243 = global_2.member[_e239[0]];
-                                        phi_455_ = _e243;
+                                        let _e246 = global_2.member[_e242[0]];
+                                        phi_243_ = _e246;
                                     } else {
-                                        phi_455_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_243_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e245 = phi_455_;
-                                    let _e250 = (_e239[1] < _e44);
-                                    if _e250 {
-                                        if _e250 {
+                                    let _e248 = phi_243_;
+                                    let _e253 = (_e242[1] < _e47);
+                                    if _e253 {
+                                        if _e253 {
                                         } else {
                                             break;
                                         }
-                                        let _e252 = global_2.member[_e239[1]];
-                                        phi_473_ = _e252;
+                                        let _e255 = global_2.member[_e242[1]];
+                                        phi_261_ = _e255;
                                     } else {
-                                        phi_473_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_261_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e254 = phi_473_;
-                                    let _e259 = (_e239[2] < _e44);
-                                    if _e259 {
-                                        if _e259 {
+                                    let _e257 = phi_261_;
+                                    let _e262 = (_e242[2] < _e47);
+                                    if _e262 {
+                                        if _e262 {
                                         } else {
                                             break;
                                         }
-                                        let _e261 = global_2.member[_e239[2]];
-                                        phi_491_ = _e261;
+                                        let _e264 = global_2.member[_e242[2]];
+                                        phi_279_ = _e264;
                                     } else {
-                                        phi_491_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_279_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e263 = phi_491_;
-                                    let _e268 = ((_e245[0] * _e228) * _e234);
-                                    let _e270 = select(_e268, 0f, (_e268 == 0f));
-                                    let _e272 = ((_e245[1] * _e228) * _e234);
-                                    let _e274 = select(_e272, 0f, (_e272 == 0f));
-                                    let _e276 = ((_e245[2] * _e228) * _e234);
-                                    let _e278 = select(_e276, 0f, (_e276 == 0f));
-                                    let _e280 = ((_e254[0] * _e228) * _e234);
-                                    let _e282 = select(_e280, 0f, (_e280 == 0f));
-                                    let _e284 = ((_e254[1] * _e228) * _e234);
-                                    let _e286 = select(_e284, 0f, (_e284 == 0f));
-                                    let _e288 = ((_e254[2] * _e228) * _e234);
-                                    let _e290 = select(_e288, 0f, (_e288 == 0f));
-                                    let _e292 = ((_e263[0] * _e228) * _e234);
-                                    let _e294 = select(_e292, 0f, (_e292 == 0f));
-                                    let _e296 = ((_e263[1] * _e228) * _e234);
-                                    let _e298 = select(_e296, 0f, (_e296 == 0f));
-                                    let _e300 = ((_e263[2] * _e228) * _e234);
-                                    let _e302 = select(_e300, 0f, (_e300 == 0f));
-                                    if _e235 {
-                                        if _e235 {
+                                    let _e266 = phi_279_;
+                                    let _e271 = ((_e248[0] * _e231) * _e237);
+                                    let _e273 = select(_e271, 0f, (_e271 == 0f));
+                                    let _e275 = ((_e248[1] * _e231) * _e237);
+                                    let _e277 = select(_e275, 0f, (_e275 == 0f));
+                                    let _e279 = ((_e248[2] * _e231) * _e237);
+                                    let _e281 = select(_e279, 0f, (_e279 == 0f));
+                                    let _e283 = ((_e257[0] * _e231) * _e237);
+                                    let _e285 = select(_e283, 0f, (_e283 == 0f));
+                                    let _e287 = ((_e257[1] * _e231) * _e237);
+                                    let _e289 = select(_e287, 0f, (_e287 == 0f));
+                                    let _e291 = ((_e257[2] * _e231) * _e237);
+                                    let _e293 = select(_e291, 0f, (_e291 == 0f));
+                                    let _e295 = ((_e266[0] * _e231) * _e237);
+                                    let _e297 = select(_e295, 0f, (_e295 == 0f));
+                                    let _e299 = ((_e266[1] * _e231) * _e237);
+                                    let _e301 = select(_e299, 0f, (_e299 == 0f));
+                                    let _e303 = ((_e266[2] * _e231) * _e237);
+                                    let _e305 = select(_e303, 0f, (_e303 == 0f));
+                                    if _e238 {
+                                        if _e238 {
                                         } else {
                                             break;
                                         }
-                                        let _e304 = global_3.member[_e73.member_3];
-                                        phi_578_ = _e304;
+                                        let _e307 = global_3.member[_e76.member_3];
+                                        phi_362_ = _e307;
                                     } else {
-                                        phi_578_ = array<u32, 3>(0u, 0u, 0u);
+                                        phi_362_ = array<u32, 3>(0u, 0u, 0u);
                                     }
-                                    let _e306 = phi_578_;
-                                    let _e308 = (_e306[0] < _e49);
-                                    if _e308 {
-                                        if _e308 {
+                                    let _e309 = phi_362_;
+                                    let _e311 = (_e309[0] < _e52);
+                                    if _e311 {
+                                        if _e311 {
                                         } else {
                                             break;
                                         }
-                                        let _e311 = global_4.member[_e306[0]];
-                                        phi_595_ = vec3<f32>(_e311[0], _e311[1], _e311[2]);
+                                        let _e314 = global_4.member[_e309[0]];
+                                        phi_379_ = vec3<f32>(_e314[0], _e314[1], _e314[2]);
                                     } else {
-                                        phi_595_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_379_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e317 = phi_595_;
-                                    let _e319 = (_e306[1] < _e49);
-                                    if _e319 {
-                                        if _e319 {
+                                    let _e320 = phi_379_;
+                                    let _e322 = (_e309[1] < _e52);
+                                    if _e322 {
+                                        if _e322 {
                                         } else {
                                             break;
                                         }
-                                        let _e322 = global_4.member[_e306[1]];
-                                        phi_612_ = vec3<f32>(_e322[0], _e322[1], _e322[2]);
+                                        let _e325 = global_4.member[_e309[1]];
+                                        phi_396_ = vec3<f32>(_e325[0], _e325[1], _e325[2]);
                                     } else {
-                                        phi_612_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_396_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e328 = phi_612_;
-                                    let _e330 = (_e306[2] < _e49);
-                                    if _e330 {
-                                        if _e330 {
+                                    let _e331 = phi_396_;
+                                    let _e333 = (_e309[2] < _e52);
+                                    if _e333 {
+                                        if _e333 {
                                         } else {
                                             break;
                                         }
-                                        let _e333 = global_4.member[_e306[2]];
-                                        phi_629_ = vec3<f32>(_e333[0], _e333[1], _e333[2]);
+                                        let _e336 = global_4.member[_e309[2]];
+                                        phi_413_ = vec3<f32>(_e336[0], _e336[1], _e336[2]);
                                     } else {
-                                        phi_629_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_413_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e339 = phi_629_;
-                                    let _e348 = ((1f - _e73.member_1) - _e73.member_2);
-                                    let _e350 = select(0f, _e348, (_e348 > 0f));
-                                    let _e352 = select(1f, _e73.member_1, (_e73.member_1 < 1f));
-                                    let _e354 = select(1f, _e73.member_2, (_e73.member_2 < 1f));
-                                    let _e355 = (_e270 * _e350);
-                                    let _e356 = (_e274 * _e350);
-                                    let _e357 = (_e278 * _e350);
-                                    let _e358 = (_e282 * _e352);
-                                    let _e359 = (_e286 * _e352);
-                                    let _e360 = (_e290 * _e352);
-                                    let _e361 = (_e294 * _e354);
-                                    let _e362 = (_e298 * _e354);
-                                    let _e363 = (_e302 * _e354);
-                                    let _e403 = (((bitcast<f32>((bitcast<u32>(_e355) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e358) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e361) & 2147483647u))) * 0.00000071525625f);
-                                    let _e404 = (((bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e359) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e362) & 2147483647u))) * 0.00000071525625f);
-                                    let _e405 = (((bitcast<f32>((bitcast<u32>(_e357) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e360) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e363) & 2147483647u))) * 0.00000071525625f);
-                                    let _e406 = (_e282 - _e270);
-                                    let _e407 = (_e286 - _e274);
-                                    let _e408 = (_e290 - _e278);
-                                    let _e409 = (_e294 - _e270);
-                                    let _e410 = (_e298 - _e274);
-                                    let _e411 = (_e302 - _e278);
-                                    let _e414 = ((_e407 * _e411) - (_e410 * _e408));
-                                    let _e417 = ((_e408 * _e409) - (_e411 * _e406));
-                                    let _e420 = ((_e406 * _e410) - (_e409 * _e407));
-                                    let _e423 = bitcast<f32>((bitcast<u32>(_e414) & 2147483647u));
+                                    let _e342 = phi_413_;
+                                    let _e351 = ((1f - _e76.member_1) - _e76.member_2);
+                                    let _e353 = select(0f, _e351, (_e351 > 0f));
+                                    let _e355 = select(1f, _e76.member_1, (_e76.member_1 < 1f));
+                                    let _e357 = select(1f, _e76.member_2, (_e76.member_2 < 1f));
+                                    let _e358 = (_e273 * _e353);
+                                    let _e359 = (_e277 * _e353);
+                                    let _e360 = (_e281 * _e353);
+                                    let _e361 = (_e285 * _e355);
+                                    let _e362 = (_e289 * _e355);
+                                    let _e363 = (_e293 * _e355);
+                                    let _e364 = (_e297 * _e357);
+                                    let _e365 = (_e301 * _e357);
+                                    let _e366 = (_e305 * _e357);
+                                    let _e370 = ((_e358 + _e361) + _e364);
+                                    let _e371 = ((_e359 + _e362) + _e365);
+                                    let _e372 = ((_e360 + _e363) + _e366);
+                                    let _e406 = (((bitcast<f32>((bitcast<u32>(_e358) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e361) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e364) & 2147483647u))) * 0.00000071525625f);
+                                    let _e407 = (((bitcast<f32>((bitcast<u32>(_e359) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e362) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e365) & 2147483647u))) * 0.00000071525625f);
+                                    let _e408 = (((bitcast<f32>((bitcast<u32>(_e360) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e363) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e366) & 2147483647u))) * 0.00000071525625f);
+                                    let _e409 = (_e285 - _e273);
+                                    let _e410 = (_e289 - _e277);
+                                    let _e411 = (_e293 - _e281);
+                                    let _e412 = (_e297 - _e273);
+                                    let _e413 = (_e301 - _e277);
+                                    let _e414 = (_e305 - _e281);
+                                    let _e417 = ((_e410 * _e414) - (_e413 * _e411));
+                                    let _e420 = ((_e411 * _e412) - (_e414 * _e409));
+                                    let _e423 = ((_e409 * _e413) - (_e412 * _e410));
                                     let _e426 = bitcast<f32>((bitcast<u32>(_e417) & 2147483647u));
-                                    let _e428 = select(_e426, _e423, (_e423 > _e426));
-                                    let _e431 = bitcast<f32>((bitcast<u32>(_e420) & 2147483647u));
-                                    let _e433 = select(_e431, _e428, (_e428 > _e431));
-                                    if (_e433 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_813_ = vec3<f32>(0f, 0f, 0f);
+                                    let _e429 = bitcast<f32>((bitcast<u32>(_e420) & 2147483647u));
+                                    let _e431 = select(_e429, _e426, (_e426 > _e429));
+                                    let _e434 = bitcast<f32>((bitcast<u32>(_e423) & 2147483647u));
+                                    let _e436 = select(_e434, _e431, (_e431 > _e434));
+                                    if (_e436 < 0.000000000000000000000000000000000000011754944f) {
+                                        phi_595_ = vec3<f32>(0f, 0f, 0f);
                                     } else {
-                                        let _e436 = (bitcast<u32>(_e433) & 2147483647u);
-                                        let _e437 = (_e436 >= 8388608u);
-                                        if _e437 {
-                                            phi_763_ = (bitcast<i32>((_e436 >> bitcast<u32>(23i))) - 127i);
+                                        let _e439 = (bitcast<u32>(_e436) & 2147483647u);
+                                        let _e440 = (_e439 >= 8388608u);
+                                        if _e440 {
+                                            phi_545_ = (bitcast<i32>((_e439 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_763_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e436)), 32u, (_e436 == 0u))));
+                                            phi_545_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e439)), 32u, (_e439 == 0u))));
                                         }
-                                        let _e450 = phi_763_;
-                                        let _e457 = bitcast<f32>((bitcast<u32>(((_e450 / -2i) + 127i)) << bitcast<u32>(23i)));
-                                        if _e437 {
-                                            phi_794_ = (bitcast<i32>((_e436 >> bitcast<u32>(23i))) - 127i);
+                                        let _e453 = phi_545_;
+                                        let _e460 = bitcast<f32>((bitcast<u32>(((_e453 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                        if _e440 {
+                                            phi_576_ = (bitcast<i32>((_e439 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_794_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e436)), 32u, (_e436 == 0u))));
+                                            phi_576_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e439)), 32u, (_e439 == 0u))));
                                         }
-                                        let _e473 = phi_794_;
-                                        let _e479 = bitcast<f32>((bitcast<u32>((((_e450 / 2i) - _e473) + 127i)) << bitcast<u32>(23i)));
-                                        let _e480 = ((_e414 * _e457) * _e479);
-                                        let _e481 = ((_e417 * _e457) * _e479);
-                                        let _e482 = ((_e420 * _e457) * _e479);
-                                        let _e488 = sqrt((((_e480 * _e480) + (_e481 * _e481)) + (_e482 * _e482)));
-                                        phi_813_ = vec3<f32>((_e480 / _e488), (_e481 / _e488), (_e482 / _e488));
+                                        let _e476 = phi_576_;
+                                        let _e482 = bitcast<f32>((bitcast<u32>((((_e453 / 2i) - _e476) + 127i)) << bitcast<u32>(23i)));
+                                        let _e483 = ((_e417 * _e460) * _e482);
+                                        let _e484 = ((_e420 * _e460) * _e482);
+                                        let _e485 = ((_e423 * _e460) * _e482);
+                                        let _e491 = sqrt((((_e483 * _e483) + (_e484 * _e484)) + (_e485 * _e485)));
+                                        phi_595_ = vec3<f32>((_e483 / _e491), (_e484 / _e491), (_e485 / _e491));
                                     }
-                                    let _e494 = phi_813_;
-                                    let _e504 = select(1f, -1f, ((((_e494.x * _e70.member.member_2[0]) + (_e494.y * _e70.member.member_2[1])) + (_e494.z * _e70.member.member_2[2])) > 0f));
-                                    let _e508 = (_e494 * _e504);
-                                    let _e530 = (((_e317.x * _e350) + (_e328.x * _e352)) + (_e339.x * _e354));
-                                    let _e531 = (((_e317.y * _e350) + (_e328.y * _e352)) + (_e339.y * _e354));
-                                    let _e532 = (((_e317.z * _e350) + (_e328.z * _e352)) + (_e339.z * _e354));
-                                    let _e535 = bitcast<f32>((bitcast<u32>(_e530) & 2147483647u));
-                                    let _e538 = bitcast<f32>((bitcast<u32>(_e531) & 2147483647u));
-                                    let _e540 = select(_e538, _e535, (_e535 > _e538));
-                                    let _e543 = bitcast<f32>((bitcast<u32>(_e532) & 2147483647u));
-                                    let _e545 = select(_e543, _e540, (_e540 > _e543));
-                                    if (_e545 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_946_ = vec3<f32>(0f, 0f, 0f);
+                                    let _e497 = phi_595_;
+                                    let _e507 = select(1f, -1f, ((((_e497.x * _e73.member.member_2[0]) + (_e497.y * _e73.member.member_2[1])) + (_e497.z * _e73.member.member_2[2])) > 0f));
+                                    let _e508 = (_e497.x * _e507);
+                                    let _e509 = (_e497.y * _e507);
+                                    let _e510 = (_e497.z * _e507);
+                                    let _e533 = (((_e320.x * _e353) + (_e331.x * _e355)) + (_e342.x * _e357));
+                                    let _e534 = (((_e320.y * _e353) + (_e331.y * _e355)) + (_e342.y * _e357));
+                                    let _e535 = (((_e320.z * _e353) + (_e331.z * _e355)) + (_e342.z * _e357));
+                                    let _e538 = bitcast<f32>((bitcast<u32>(_e533) & 2147483647u));
+                                    let _e541 = bitcast<f32>((bitcast<u32>(_e534) & 2147483647u));
+                                    let _e543 = select(_e541, _e538, (_e538 > _e541));
+                                    let _e546 = bitcast<f32>((bitcast<u32>(_e535) & 2147483647u));
+                                    let _e548 = select(_e546, _e543, (_e543 > _e546));
+                                    if (_e548 < 0.000000000000000000000000000000000000011754944f) {
+                                        phi_728_ = vec3<f32>(0f, 0f, 0f);
                                     } else {
-                                        let _e548 = (bitcast<u32>(_e545) & 2147483647u);
-                                        let _e549 = (_e548 >= 8388608u);
-                                        if _e549 {
-                                            phi_896_ = (bitcast<i32>((_e548 >> bitcast<u32>(23i))) - 127i);
+                                        let _e551 = (bitcast<u32>(_e548) & 2147483647u);
+                                        let _e552 = (_e551 >= 8388608u);
+                                        if _e552 {
+                                            phi_678_ = (bitcast<i32>((_e551 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_896_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e548)), 32u, (_e548 == 0u))));
+                                            phi_678_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e551)), 32u, (_e551 == 0u))));
                                         }
-                                        let _e562 = phi_896_;
-                                        let _e569 = bitcast<f32>((bitcast<u32>(((_e562 / -2i) + 127i)) << bitcast<u32>(23i)));
-                                        if _e549 {
-                                            phi_927_ = (bitcast<i32>((_e548 >> bitcast<u32>(23i))) - 127i);
+                                        let _e565 = phi_678_;
+                                        let _e572 = bitcast<f32>((bitcast<u32>(((_e565 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                        if _e552 {
+                                            phi_709_ = (bitcast<i32>((_e551 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_927_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e548)), 32u, (_e548 == 0u))));
+                                            phi_709_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e551)), 32u, (_e551 == 0u))));
                                         }
-                                        let _e585 = phi_927_;
-                                        let _e591 = bitcast<f32>((bitcast<u32>((((_e562 / 2i) - _e585) + 127i)) << bitcast<u32>(23i)));
-                                        let _e592 = ((_e530 * _e569) * _e591);
-                                        let _e593 = ((_e531 * _e569) * _e591);
-                                        let _e594 = ((_e532 * _e569) * _e591);
-                                        let _e600 = sqrt((((_e592 * _e592) + (_e593 * _e593)) + (_e594 * _e594)));
-                                        phi_946_ = vec3<f32>((_e592 / _e600), (_e593 / _e600), (_e594 / _e600));
+                                        let _e588 = phi_709_;
+                                        let _e594 = bitcast<f32>((bitcast<u32>((((_e565 / 2i) - _e588) + 127i)) << bitcast<u32>(23i)));
+                                        let _e595 = ((_e533 * _e572) * _e594);
+                                        let _e596 = ((_e534 * _e572) * _e594);
+                                        let _e597 = ((_e535 * _e572) * _e594);
+                                        let _e603 = sqrt((((_e595 * _e595) + (_e596 * _e596)) + (_e597 * _e597)));
+                                        phi_728_ = vec3<f32>((_e595 / _e603), (_e596 / _e603), (_e597 / _e603));
                                     }
-                                    let _e606 = phi_946_;
-                                    let _e621 = select(_e508, (_e606 * _e504), vec3((((((_e606.x * _e504) * (_e494.x * _e504)) + ((_e606.y * _e504) * (_e494.y * _e504))) + ((_e606.z * _e504) * (_e494.z * _e504))) > 0f)));
-                                    let _e622 = (_e73.member_3 < arrayLength((&global_5.member)));
-                                    if _e622 {
-                                        if _e622 {
+                                    let _e609 = phi_728_;
+                                    let _e624 = select((_e497 * _e507), (_e609 * _e507), vec3((((((_e609.x * _e507) * _e508) + ((_e609.y * _e507) * _e509)) + ((_e609.z * _e507) * _e510)) > 0f)));
+                                    let _e625 = (_e76.member_3 < arrayLength((&global_5.member)));
+                                    if _e625 {
+                                        if _e625 {
                                         } else {
                                             break;
                                         }
-                                        let _e625 = global_5.member[_e73.member_3];
-                                        phi_988_ = _e625;
+                                        let _e628 = global_5.member[_e76.member_3];
+                                        phi_758_ = _e628;
                                     } else {
-                                        phi_988_ = 0u;
+                                        phi_758_ = 0u;
                                     }
-                                    let _e627 = phi_988_;
-                                    let _e629 = select(_e627, 0u, (_e627 >= _e53));
-                                    if (_e629 < _e53) {
-                                    } else {
-                                        break;
-                                    }
-                                    let _e633 = global_6.member[_e629];
-                                    if (0u < _e55) {
+                                    let _e630 = phi_758_;
+                                    let _e632 = select(_e630, 0u, (_e630 >= _e56));
+                                    if (_e632 < _e56) {
                                     } else {
                                         break;
                                     }
-                                    let _e638 = global_7.member[0u].member;
-                                    let _e648 = ((1f - _e633.member_1) * 0.31830987f);
-                                    let _e669 = array<f32, 3>((_e70.member_3[0] + ((_e638[0] * (_e633.member[0] * _e648)) * _e70.member_1[0])), (_e70.member_3[1] + ((_e638[1] * (_e633.member[1] * _e648)) * _e70.member_1[1])), (_e70.member_3[2] + ((_e638[2] * (_e633.member[2] * _e648)) * _e70.member_1[2])));
-                                    if (_e633.member_1 <= 0f) {
-                                        phi_1131_ = type_32(type_31(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e70.member_1, _e70.member_2, _e669, _e70.member_4);
+                                    let _e636 = global_6.member[_e632];
+                                    if (0u < _e58) {
                                     } else {
-                                        let _e686 = (2f * (((_e70.member.member_2[0] * _e621.x) + (_e70.member.member_2[1] * _e621.y)) + (_e70.member.member_2[2] * _e621.z)));
-                                        let _e690 = (_e70.member.member_2[0] - (_e621.x * _e686));
-                                        let _e691 = (_e70.member.member_2[1] - (_e621.y * _e686));
-                                        let _e692 = (_e70.member.member_2[2] - (_e621.z * _e686));
-                                        if ((((_e690 * _e508.x) + (_e691 * _e508.y)) + (_e692 * _e508.z)) > 0f) {
-                                            phi_1111_ = vec3<f32>(_e690, _e691, _e692);
-                                        } else {
-                                            let _e708 = (2f * (((_e70.member.member_2[0] * _e508.x) + (_e70.member.member_2[1] * _e508.y)) + (_e70.member.member_2[2] * _e508.z)));
-                                            phi_1111_ = vec3<f32>((_e70.member.member_2[0] - (_e508.x * _e708)), (_e70.member.member_2[1] - (_e508.y * _e708)), (_e70.member.member_2[2] - (_e508.z * _e708)));
-                                        }
-                                        let _e717 = phi_1111_;
-                                        let _e722 = select(_e404, _e403, (_e403 > _e404));
-                                        let _e736 = (select(_e405, _e722, (_e722 > _e405)) * ((bitcast<f32>((bitcast<u32>(_e508.x) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e508.y) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e508.z) & 2147483647u))));
-                                        let _e740 = (((_e355 + _e358) + _e361) + (_e508.x * _e736));
-                                        let _e741 = (((_e356 + _e359) + _e362) + (_e508.y * _e736));
-                                        let _e742 = (((_e357 + _e360) + _e363) + (_e508.z * _e736));
-                                        if (_e508.x > 0f) {
-                                            let _e763 = bitcast<u32>(_e740);
-                                            if ((_e763 & 2147483647u) == 0u) {
-                                                phi_1375_ = 0.000000000000000000000000000000000000000000001f;
-                                            } else {
-                                                if ((_e763 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1373_ = bitcast<f32>((_e763 + 1u));
-                                                } else {
-                                                    phi_1373_ = bitcast<f32>((_e763 - 1u));
-                                                }
-                                                let _e774 = phi_1373_;
-                                                phi_1375_ = _e774;
-                                            }
-                                            let _e776 = phi_1375_;
-                                            phi_1403_ = _e776;
-                                        } else {
-                                            if (_e508.x < 0f) {
-                                                let _e746 = bitcast<u32>(-(_e740));
-                                                if ((_e746 & 2147483647u) == 0u) {
-                                                    phi_1397_ = 0.000000000000000000000000000000000000000000001f;
-                                                } else {
-                                                    if ((_e746 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_1395_ = bitcast<f32>((_e746 + 1u));
-                                                    } else {
-                                                        phi_1395_ = bitcast<f32>((_e746 - 1u));
-                                                    }
-                                                    let _e757 = phi_1395_;
-                                                    phi_1397_ = _e757;
-                                                }
-                                                let _e759 = phi_1397_;
-                                                phi_1401_ = -(_e759);
-                                            } else {
-                                                phi_1401_ = _e740;
-                                            }
-                                            let _e762 = phi_1401_;
-                                            phi_1403_ = _e762;
-                                        }
-                                        let _e778 = phi_1403_;
-                                        if (_e508.y > 0f) {
-                                            let _e799 = bitcast<u32>(_e741);
-                                            if ((_e799 & 2147483647u) == 0u) {
-                                                phi_1426_ = 0.000000000000000000000000000000000000000000001f;
-                                            } else {
-                                                if ((_e799 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1424_ = bitcast<f32>((_e799 + 1u));
-                                                } else {
-                                                    phi_1424_ = bitcast<f32>((_e799 - 1u));
-                                                }
-                                                let _e810 = phi_1424_;
-                                                phi_1426_ = _e810;
-                                            }
-                                            let _e812 = phi_1426_;
-                                            phi_1454_ = _e812;
-                                        } else {
-                                            if (_e508.y < 0f) {
-                                                let _e782 = bitcast<u32>(-(_e741));
-                                                if ((_e782 & 2147483647u) == 0u) {
-                                                    phi_1448_ = 0.000000000000000000000000000000000000000000001f;
-                                                } else {
-                                                    if ((_e782 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_1446_ = bitcast<f32>((_e782 + 1u));
-                                                    } else {
-                                                        phi_1446_ = bitcast<f32>((_e782 - 1u));
-                                                    }
-                                                    let _e793 = phi_1446_;
-                                                    phi_1448_ = _e793;
-                                                }
-                                                let _e795 = phi_1448_;
-                                                phi_1452_ = -(_e795);
-                                            } else {
-                                                phi_1452_ = _e741;
-                                            }
-                                            let _e798 = phi_1452_;
-                                            phi_1454_ = _e798;
-                                        }
-                                        let _e814 = phi_1454_;
-                                        if (_e508.z > 0f) {
-                                            let _e835 = bitcast<u32>(_e742);
-                                            if ((_e835 & 2147483647u) == 0u) {
-                                                phi_1477_ = 0.000000000000000000000000000000000000000000001f;
-                                            } else {
-                                                if ((_e835 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1475_ = bitcast<f32>((_e835 + 1u));
-                                                } else {
-                                                    phi_1475_ = bitcast<f32>((_e835 - 1u));
-                                                }
-                                                let _e846 = phi_1475_;
-                                                phi_1477_ = _e846;
-                                            }
-                                            let _e848 = phi_1477_;
-                                            phi_1505_ = _e848;
-                                        } else {
-                                            if (_e508.z < 0f) {
-                                                let _e818 = bitcast<u32>(-(_e742));
-                                                if ((_e818 & 2147483647u) == 0u) {
-                                                    phi_1499_ = 0.000000000000000000000000000000000000000000001f;
-                                                } else {
-                                                    if ((_e818 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_1497_ = bitcast<f32>((_e818 + 1u));
-                                                    } else {
-                                                        phi_1497_ = bitcast<f32>((_e818 - 1u));
-                                                    }
-                                                    let _e829 = phi_1497_;
-                                                    phi_1499_ = _e829;
-                                                }
-                                                let _e831 = phi_1499_;
-                                                phi_1503_ = -(_e831);
-                                            } else {
-                                                phi_1503_ = _e742;
-                                            }
-                                            let _e834 = phi_1503_;
-                                            phi_1505_ = _e834;
-                                        }
-                                        let _e850 = phi_1505_;
-                                        phi_1131_ = type_32(type_31(array<f32, 3>(_e778, _e814, _e850), 0f, array<f32, 3>(_e717.x, _e717.y, _e717.z), 340282350000000000000000000000000000000f), array<f32, 3>((_e70.member_1[0] * _e633.member_1), (_e70.member_1[1] * _e633.member_1), (_e70.member_1[2] * _e633.member_1)), _e73.member_3, _e669, _e70.member_4);
+                                        break;
                                     }
-                                    let _e861 = phi_1131_;
-                                    phi_1286_ = _e861;
+                                    let _e641 = global_7.member[0u].member;
+                                    let _e650 = (_e636.member_2 > 0f);
+                                    if _e650 {
+                                        phi_792_ = _e636.member_2;
+                                    } else {
+                                        phi_792_ = _e636.member_1;
+                                    }
+                                    let _e653 = phi_792_;
+                                    let _e655 = ((1f - _e653) * 0.31830987f);
+                                    let _e676 = array<f32, 3>((_e73.member_3[0] + ((_e641[0] * (_e636.member[0] * _e655)) * _e73.member_1[0])), (_e73.member_3[1] + ((_e641[1] * (_e636.member[1] * _e655)) * _e73.member_1[1])), (_e73.member_3[2] + ((_e641[2] * (_e636.member[2] * _e655)) * _e73.member_1[2])));
+                                    if _e650 {
+                                        phi_829_ = _e636.member_2;
+                                    } else {
+                                        phi_829_ = _e636.member_1;
+                                    }
+                                    let _e682 = phi_829_;
+                                    if (_e682 <= 0f) {
+                                        phi_1478_ = type_33(type_32(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e73.member_1, _e73.member_2, _e676, _e73.member_4);
+                                    } else {
+                                        if _e650 {
+                                            if (_e507 > 0f) {
+                                                phi_851_ = (1f / _e636.member_3);
+                                            } else {
+                                                phi_851_ = _e636.member_3;
+                                            }
+                                            let _e693 = phi_851_;
+                                            let _e696 = bitcast<f32>((bitcast<u32>(_e73.member.member_2[0]) & 2147483647u));
+                                            let _e699 = bitcast<f32>((bitcast<u32>(_e73.member.member_2[1]) & 2147483647u));
+                                            let _e701 = select(_e699, _e696, (_e696 > _e699));
+                                            let _e704 = bitcast<f32>((bitcast<u32>(_e73.member.member_2[2]) & 2147483647u));
+                                            let _e706 = select(_e704, _e701, (_e701 > _e704));
+                                            if (_e706 < 0.000000000000000000000000000000000000011754944f) {
+                                                phi_940_ = vec3<f32>(0f, 0f, 0f);
+                                            } else {
+                                                let _e709 = (bitcast<u32>(_e706) & 2147483647u);
+                                                let _e710 = (_e709 >= 8388608u);
+                                                if _e710 {
+                                                    phi_890_ = (bitcast<i32>((_e709 >> bitcast<u32>(23i))) - 127i);
+                                                } else {
+                                                    phi_890_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e709)), 32u, (_e709 == 0u))));
+                                                }
+                                                let _e723 = phi_890_;
+                                                let _e730 = bitcast<f32>((bitcast<u32>(((_e723 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                                if _e710 {
+                                                    phi_921_ = (bitcast<i32>((_e709 >> bitcast<u32>(23i))) - 127i);
+                                                } else {
+                                                    phi_921_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e709)), 32u, (_e709 == 0u))));
+                                                }
+                                                let _e746 = phi_921_;
+                                                let _e752 = bitcast<f32>((bitcast<u32>((((_e723 / 2i) - _e746) + 127i)) << bitcast<u32>(23i)));
+                                                let _e753 = ((_e73.member.member_2[0] * _e730) * _e752);
+                                                let _e754 = ((_e73.member.member_2[1] * _e730) * _e752);
+                                                let _e755 = ((_e73.member.member_2[2] * _e730) * _e752);
+                                                let _e761 = sqrt((((_e753 * _e753) + (_e754 * _e754)) + (_e755 * _e755)));
+                                                phi_940_ = vec3<f32>((_e753 / _e761), (_e754 / _e761), (_e755 / _e761));
+                                            }
+                                            let _e767 = phi_940_;
+                                            let _e778 = (((_e624.x * _e767.x) + (_e624.y * _e767.y)) + (_e624.z * _e767.z));
+                                            let _e779 = (_e693 * _e693);
+                                            let _e783 = (1f - (_e779 * (1f - (_e778 * _e778))));
+                                            if (_e783 >= 0f) {
+                                                let _e790 = ((_e693 * _e778) + sqrt(_e783));
+                                                phi_980_ = vec3<f32>(((_e693 * _e767.x) - (_e790 * _e624.x)), ((_e693 * _e767.y) - (_e790 * _e624.y)), ((_e693 * _e767.z) - (_e790 * _e624.z)));
+                                            } else {
+                                                phi_980_ = vec3<f32>(0f, 0f, 0f);
+                                            }
+                                            let _e799 = phi_980_;
+                                            if ((((_e799.x * _e508) + (_e799.y * _e509)) + (_e799.z * _e510)) > 0f) {
+                                                let _e813 = (((_e508 * _e767.x) + (_e509 * _e767.y)) + (_e510 * _e767.z));
+                                                let _e817 = (1f - (_e779 * (1f - (_e813 * _e813))));
+                                                if (_e817 >= 0f) {
+                                                    let _e824 = ((_e693 * _e813) + sqrt(_e817));
+                                                    phi_1026_ = vec3<f32>(((_e693 * _e767.x) - (_e824 * _e508)), ((_e693 * _e767.y) - (_e824 * _e509)), ((_e693 * _e767.z) - (_e824 * _e510)));
+                                                } else {
+                                                    phi_1026_ = vec3<f32>(0f, 0f, 0f);
+                                                }
+                                                let _e833 = phi_1026_;
+                                                phi_1027_ = _e833;
+                                            } else {
+                                                phi_1027_ = _e799;
+                                            }
+                                            let _e835 = phi_1027_;
+                                            let _e844 = ((((_e835.x * _e508) + (_e835.y * _e509)) + (_e835.z * _e510)) < 0f);
+                                            if _e844 {
+                                                let _e845 = -(_e508);
+                                                let _e846 = -(_e509);
+                                                let _e847 = -(_e510);
+                                                let _e849 = select(_e407, _e406, (_e406 > _e407));
+                                                let _e863 = (select(_e408, _e849, (_e849 > _e408)) * ((bitcast<f32>((bitcast<u32>(_e845) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e846) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e847) & 2147483647u))));
+                                                let _e867 = (_e370 + (_e845 * _e863));
+                                                let _e868 = (_e371 + (_e846 * _e863));
+                                                let _e869 = (_e372 + (_e847 * _e863));
+                                                if (_e845 > 0f) {
+                                                    let _e890 = bitcast<u32>(_e867);
+                                                    if ((_e890 & 2147483647u) == 0u) {
+                                                        phi_1092_ = 0.000000000000000000000000000000000000000000001f;
+                                                    } else {
+                                                        if ((_e890 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1091_ = bitcast<f32>((_e890 + 1u));
+                                                        } else {
+                                                            phi_1091_ = bitcast<f32>((_e890 - 1u));
+                                                        }
+                                                        let _e901 = phi_1091_;
+                                                        phi_1092_ = _e901;
+                                                    }
+                                                    let _e903 = phi_1092_;
+                                                    phi_1118_ = _e903;
+                                                } else {
+                                                    if (_e845 < 0f) {
+                                                        let _e873 = bitcast<u32>(-(_e867));
+                                                        if ((_e873 & 2147483647u) == 0u) {
+                                                            phi_1115_ = 0.000000000000000000000000000000000000000000001f;
+                                                        } else {
+                                                            if ((_e873 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_1114_ = bitcast<f32>((_e873 + 1u));
+                                                            } else {
+                                                                phi_1114_ = bitcast<f32>((_e873 - 1u));
+                                                            }
+                                                            let _e884 = phi_1114_;
+                                                            phi_1115_ = _e884;
+                                                        }
+                                                        let _e886 = phi_1115_;
+                                                        phi_1117_ = -(_e886);
+                                                    } else {
+                                                        phi_1117_ = _e867;
+                                                    }
+                                                    let _e889 = phi_1117_;
+                                                    phi_1118_ = _e889;
+                                                }
+                                                let _e905 = phi_1118_;
+                                                if (_e846 > 0f) {
+                                                    let _e926 = bitcast<u32>(_e868);
+                                                    if ((_e926 & 2147483647u) == 0u) {
+                                                        phi_1140_ = 0.000000000000000000000000000000000000000000001f;
+                                                    } else {
+                                                        if ((_e926 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1139_ = bitcast<f32>((_e926 + 1u));
+                                                        } else {
+                                                            phi_1139_ = bitcast<f32>((_e926 - 1u));
+                                                        }
+                                                        let _e937 = phi_1139_;
+                                                        phi_1140_ = _e937;
+                                                    }
+                                                    let _e939 = phi_1140_;
+                                                    phi_1166_ = _e939;
+                                                } else {
+                                                    if (_e846 < 0f) {
+                                                        let _e909 = bitcast<u32>(-(_e868));
+                                                        if ((_e909 & 2147483647u) == 0u) {
+                                                            phi_1163_ = 0.000000000000000000000000000000000000000000001f;
+                                                        } else {
+                                                            if ((_e909 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_1162_ = bitcast<f32>((_e909 + 1u));
+                                                            } else {
+                                                                phi_1162_ = bitcast<f32>((_e909 - 1u));
+                                                            }
+                                                            let _e920 = phi_1162_;
+                                                            phi_1163_ = _e920;
+                                                        }
+                                                        let _e922 = phi_1163_;
+                                                        phi_1165_ = -(_e922);
+                                                    } else {
+                                                        phi_1165_ = _e868;
+                                                    }
+                                                    let _e925 = phi_1165_;
+                                                    phi_1166_ = _e925;
+                                                }
+                                                let _e941 = phi_1166_;
+                                                if (_e847 > 0f) {
+                                                    let _e962 = bitcast<u32>(_e869);
+                                                    if ((_e962 & 2147483647u) == 0u) {
+                                                        phi_1188_ = 0.000000000000000000000000000000000000000000001f;
+                                                    } else {
+                                                        if ((_e962 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1187_ = bitcast<f32>((_e962 + 1u));
+                                                        } else {
+                                                            phi_1187_ = bitcast<f32>((_e962 - 1u));
+                                                        }
+                                                        let _e973 = phi_1187_;
+                                                        phi_1188_ = _e973;
+                                                    }
+                                                    let _e975 = phi_1188_;
+                                                    phi_1214_ = _e975;
+                                                } else {
+                                                    if (_e847 < 0f) {
+                                                        let _e945 = bitcast<u32>(-(_e869));
+                                                        if ((_e945 & 2147483647u) == 0u) {
+                                                            phi_1211_ = 0.000000000000000000000000000000000000000000001f;
+                                                        } else {
+                                                            if ((_e945 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_1210_ = bitcast<f32>((_e945 + 1u));
+                                                            } else {
+                                                                phi_1210_ = bitcast<f32>((_e945 - 1u));
+                                                            }
+                                                            let _e956 = phi_1210_;
+                                                            phi_1211_ = _e956;
+                                                        }
+                                                        let _e958 = phi_1211_;
+                                                        phi_1213_ = -(_e958);
+                                                    } else {
+                                                        phi_1213_ = _e869;
+                                                    }
+                                                    let _e961 = phi_1213_;
+                                                    phi_1214_ = _e961;
+                                                }
+                                                let _e977 = phi_1214_;
+                                                phi_1217_ = type_48(vec3<f32>(_e905, _e941, _e977), _e835);
+                                            } else {
+                                                phi_1217_ = type_48();
+                                            }
+                                            let _e981 = phi_1217_;
+                                            phi_1219_ = _e981;
+                                            phi_1220_ = select(true, false, _e844);
+                                        } else {
+                                            phi_1219_ = type_48();
+                                            phi_1220_ = true;
+                                        }
+                                        let _e984 = phi_1219_;
+                                        let _e986 = phi_1220_;
+                                        if _e986 {
+                                            let _e988 = select(_e407, _e406, (_e406 > _e407));
+                                            let _e1002 = (select(_e408, _e988, (_e988 > _e408)) * ((bitcast<f32>((bitcast<u32>(_e508) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e509) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e510) & 2147483647u))));
+                                            let _e1006 = (_e370 + (_e508 * _e1002));
+                                            let _e1007 = (_e371 + (_e509 * _e1002));
+                                            let _e1008 = (_e372 + (_e510 * _e1002));
+                                            if (_e508 > 0f) {
+                                                let _e1029 = bitcast<u32>(_e1006);
+                                                if ((_e1029 & 2147483647u) == 0u) {
+                                                    phi_1273_ = 0.000000000000000000000000000000000000000000001f;
+                                                } else {
+                                                    if ((_e1029 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_1272_ = bitcast<f32>((_e1029 + 1u));
+                                                    } else {
+                                                        phi_1272_ = bitcast<f32>((_e1029 - 1u));
+                                                    }
+                                                    let _e1040 = phi_1272_;
+                                                    phi_1273_ = _e1040;
+                                                }
+                                                let _e1042 = phi_1273_;
+                                                phi_1299_ = _e1042;
+                                            } else {
+                                                if (_e508 < 0f) {
+                                                    let _e1012 = bitcast<u32>(-(_e1006));
+                                                    if ((_e1012 & 2147483647u) == 0u) {
+                                                        phi_1296_ = 0.000000000000000000000000000000000000000000001f;
+                                                    } else {
+                                                        if ((_e1012 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1295_ = bitcast<f32>((_e1012 + 1u));
+                                                        } else {
+                                                            phi_1295_ = bitcast<f32>((_e1012 - 1u));
+                                                        }
+                                                        let _e1023 = phi_1295_;
+                                                        phi_1296_ = _e1023;
+                                                    }
+                                                    let _e1025 = phi_1296_;
+                                                    phi_1298_ = -(_e1025);
+                                                } else {
+                                                    phi_1298_ = _e1006;
+                                                }
+                                                let _e1028 = phi_1298_;
+                                                phi_1299_ = _e1028;
+                                            }
+                                            let _e1044 = phi_1299_;
+                                            if (_e509 > 0f) {
+                                                let _e1065 = bitcast<u32>(_e1007);
+                                                if ((_e1065 & 2147483647u) == 0u) {
+                                                    phi_1321_ = 0.000000000000000000000000000000000000000000001f;
+                                                } else {
+                                                    if ((_e1065 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_1320_ = bitcast<f32>((_e1065 + 1u));
+                                                    } else {
+                                                        phi_1320_ = bitcast<f32>((_e1065 - 1u));
+                                                    }
+                                                    let _e1076 = phi_1320_;
+                                                    phi_1321_ = _e1076;
+                                                }
+                                                let _e1078 = phi_1321_;
+                                                phi_1347_ = _e1078;
+                                            } else {
+                                                if (_e509 < 0f) {
+                                                    let _e1048 = bitcast<u32>(-(_e1007));
+                                                    if ((_e1048 & 2147483647u) == 0u) {
+                                                        phi_1344_ = 0.000000000000000000000000000000000000000000001f;
+                                                    } else {
+                                                        if ((_e1048 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1343_ = bitcast<f32>((_e1048 + 1u));
+                                                        } else {
+                                                            phi_1343_ = bitcast<f32>((_e1048 - 1u));
+                                                        }
+                                                        let _e1059 = phi_1343_;
+                                                        phi_1344_ = _e1059;
+                                                    }
+                                                    let _e1061 = phi_1344_;
+                                                    phi_1346_ = -(_e1061);
+                                                } else {
+                                                    phi_1346_ = _e1007;
+                                                }
+                                                let _e1064 = phi_1346_;
+                                                phi_1347_ = _e1064;
+                                            }
+                                            let _e1080 = phi_1347_;
+                                            if (_e510 > 0f) {
+                                                let _e1101 = bitcast<u32>(_e1008);
+                                                if ((_e1101 & 2147483647u) == 0u) {
+                                                    phi_1369_ = 0.000000000000000000000000000000000000000000001f;
+                                                } else {
+                                                    if ((_e1101 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_1368_ = bitcast<f32>((_e1101 + 1u));
+                                                    } else {
+                                                        phi_1368_ = bitcast<f32>((_e1101 - 1u));
+                                                    }
+                                                    let _e1112 = phi_1368_;
+                                                    phi_1369_ = _e1112;
+                                                }
+                                                let _e1114 = phi_1369_;
+                                                phi_1395_ = _e1114;
+                                            } else {
+                                                if (_e510 < 0f) {
+                                                    let _e1084 = bitcast<u32>(-(_e1008));
+                                                    if ((_e1084 & 2147483647u) == 0u) {
+                                                        phi_1392_ = 0.000000000000000000000000000000000000000000001f;
+                                                    } else {
+                                                        if ((_e1084 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1391_ = bitcast<f32>((_e1084 + 1u));
+                                                        } else {
+                                                            phi_1391_ = bitcast<f32>((_e1084 - 1u));
+                                                        }
+                                                        let _e1095 = phi_1391_;
+                                                        phi_1392_ = _e1095;
+                                                    }
+                                                    let _e1097 = phi_1392_;
+                                                    phi_1394_ = -(_e1097);
+                                                } else {
+                                                    phi_1394_ = _e1008;
+                                                }
+                                                let _e1100 = phi_1394_;
+                                                phi_1395_ = _e1100;
+                                            }
+                                            let _e1116 = phi_1395_;
+                                            let _e1126 = (2f * (((_e73.member.member_2[0] * _e624.x) + (_e73.member.member_2[1] * _e624.y)) + (_e73.member.member_2[2] * _e624.z)));
+                                            let _e1130 = (_e73.member.member_2[0] - (_e624.x * _e1126));
+                                            let _e1131 = (_e73.member.member_2[1] - (_e624.y * _e1126));
+                                            let _e1132 = (_e73.member.member_2[2] - (_e624.z * _e1126));
+                                            if ((((_e1130 * _e508) + (_e1131 * _e509)) + (_e1132 * _e510)) > 0f) {
+                                                phi_1438_ = vec3<f32>(_e1130, _e1131, _e1132);
+                                            } else {
+                                                let _e1145 = (2f * (((_e73.member.member_2[0] * _e508) + (_e73.member.member_2[1] * _e509)) + (_e73.member.member_2[2] * _e510)));
+                                                phi_1438_ = vec3<f32>((_e73.member.member_2[0] - (_e508 * _e1145)), (_e73.member.member_2[1] - (_e509 * _e1145)), (_e73.member.member_2[2] - (_e510 * _e1145)));
+                                            }
+                                            let _e1154 = phi_1438_;
+                                            phi_1440_ = type_48(vec3<f32>(_e1044, _e1080, _e1116), _e1154);
+                                        } else {
+                                            phi_1440_ = _e984;
+                                        }
+                                        let _e1157 = phi_1440_;
+                                        if _e650 {
+                                            phi_1460_ = vec3<f32>((_e636.member[0] * _e636.member_2), (_e636.member[1] * _e636.member_2), (_e636.member[2] * _e636.member_2));
+                                        } else {
+                                            phi_1460_ = vec3(_e636.member_1);
+                                        }
+                                        let _e1165 = phi_1460_;
+                                        phi_1478_ = type_33(type_32(array<f32, 3>(_e1157.member.x, _e1157.member.y, _e1157.member.z), 0f, array<f32, 3>(_e1157.member_1.x, _e1157.member_1.y, _e1157.member_1.z), 340282350000000000000000000000000000000f), array<f32, 3>((_e73.member_1[0] * _e1165.x), (_e73.member_1[1] * _e1165.y), (_e73.member_1[2] * _e1165.z)), _e76.member_3, _e676, _e73.member_4);
+                                    }
+                                    let _e1191 = phi_1478_;
+                                    phi_1633_ = _e1191;
                                 } else {
-                                    if (0u < _e55) {
+                                    if (0u < _e58) {
                                     } else {
                                         break;
                                     }
-                                    let _e89 = bitcast<f32>((bitcast<u32>(_e70.member.member_2[0]) & 2147483647u));
-                                    let _e92 = bitcast<f32>((bitcast<u32>(_e70.member.member_2[1]) & 2147483647u));
-                                    let _e94 = select(_e92, _e89, (_e89 > _e92));
-                                    let _e97 = bitcast<f32>((bitcast<u32>(_e70.member.member_2[2]) & 2147483647u));
-                                    let _e99 = select(_e97, _e94, (_e94 > _e97));
-                                    if (_e99 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_1229_ = vec3<f32>(0f, 0f, 0f);
+                                    let _e92 = bitcast<f32>((bitcast<u32>(_e73.member.member_2[0]) & 2147483647u));
+                                    let _e95 = bitcast<f32>((bitcast<u32>(_e73.member.member_2[1]) & 2147483647u));
+                                    let _e97 = select(_e95, _e92, (_e92 > _e95));
+                                    let _e100 = bitcast<f32>((bitcast<u32>(_e73.member.member_2[2]) & 2147483647u));
+                                    let _e102 = select(_e100, _e97, (_e97 > _e100));
+                                    if (_e102 < 0.000000000000000000000000000000000000011754944f) {
+                                        phi_1576_ = vec3<f32>(0f, 0f, 0f);
                                     } else {
-                                        let _e102 = (bitcast<u32>(_e99) & 2147483647u);
-                                        let _e103 = (_e102 >= 8388608u);
-                                        if _e103 {
-                                            phi_1179_ = (bitcast<i32>((_e102 >> bitcast<u32>(23i))) - 127i);
+                                        let _e105 = (bitcast<u32>(_e102) & 2147483647u);
+                                        let _e106 = (_e105 >= 8388608u);
+                                        if _e106 {
+                                            phi_1526_ = (bitcast<i32>((_e105 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_1179_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e102)), 32u, (_e102 == 0u))));
+                                            phi_1526_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e105)), 32u, (_e105 == 0u))));
                                         }
-                                        let _e116 = phi_1179_;
-                                        let _e123 = bitcast<f32>((bitcast<u32>(((_e116 / -2i) + 127i)) << bitcast<u32>(23i)));
-                                        if _e103 {
-                                            phi_1210_ = (bitcast<i32>((_e102 >> bitcast<u32>(23i))) - 127i);
+                                        let _e119 = phi_1526_;
+                                        let _e126 = bitcast<f32>((bitcast<u32>(((_e119 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                        if _e106 {
+                                            phi_1557_ = (bitcast<i32>((_e105 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_1210_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e102)), 32u, (_e102 == 0u))));
+                                            phi_1557_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e105)), 32u, (_e105 == 0u))));
                                         }
-                                        let _e139 = phi_1210_;
-                                        let _e145 = bitcast<f32>((bitcast<u32>((((_e116 / 2i) - _e139) + 127i)) << bitcast<u32>(23i)));
-                                        let _e146 = ((_e70.member.member_2[0] * _e123) * _e145);
-                                        let _e147 = ((_e70.member.member_2[1] * _e123) * _e145);
-                                        let _e148 = ((_e70.member.member_2[2] * _e123) * _e145);
-                                        let _e154 = sqrt((((_e146 * _e146) + (_e147 * _e147)) + (_e148 * _e148)));
-                                        phi_1229_ = vec3<f32>((_e146 / _e154), (_e147 / _e154), (_e148 / _e154));
+                                        let _e142 = phi_1557_;
+                                        let _e148 = bitcast<f32>((bitcast<u32>((((_e119 / 2i) - _e142) + 127i)) << bitcast<u32>(23i)));
+                                        let _e149 = ((_e73.member.member_2[0] * _e126) * _e148);
+                                        let _e150 = ((_e73.member.member_2[1] * _e126) * _e148);
+                                        let _e151 = ((_e73.member.member_2[2] * _e126) * _e148);
+                                        let _e157 = sqrt((((_e149 * _e149) + (_e150 * _e150)) + (_e151 * _e151)));
+                                        phi_1576_ = vec3<f32>((_e149 / _e157), (_e150 / _e157), (_e151 / _e157));
                                     }
-                                    let _e160 = phi_1229_;
-                                    let _e164 = global_7.member[0u].member_6;
-                                    let _e175 = (((_e160.x * _e164[0]) + (_e160.y * _e164[1])) + (_e160.z * _e164[2]));
-                                    let _e177 = select(0f, _e175, (_e175 > 0f));
-                                    let _e181 = global_7.member[0u].member_4;
-                                    let _e188 = global_7.member[0u].member_2;
-                                    phi_1286_ = type_32(type_31(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e70.member_1, _e70.member_2, array<f32, 3>((_e70.member_3[0] + ((_e181[0] + ((_e188[0] - _e181[0]) * _e177)) * _e70.member_1[0])), (_e70.member_3[1] + ((_e181[1] + ((_e188[1] - _e181[1]) * _e177)) * _e70.member_1[1])), (_e70.member_3[2] + ((_e181[2] + ((_e188[2] - _e181[2]) * _e177)) * _e70.member_1[2]))), _e70.member_4);
+                                    let _e163 = phi_1576_;
+                                    let _e167 = global_7.member[0u].member_6;
+                                    let _e178 = (((_e163.x * _e167[0]) + (_e163.y * _e167[1])) + (_e163.z * _e167[2]));
+                                    let _e180 = select(0f, _e178, (_e178 > 0f));
+                                    let _e184 = global_7.member[0u].member_4;
+                                    let _e191 = global_7.member[0u].member_2;
+                                    phi_1633_ = type_33(type_32(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e73.member_1, _e73.member_2, array<f32, 3>((_e73.member_3[0] + ((_e184[0] + ((_e191[0] - _e184[0]) * _e180)) * _e73.member_1[0])), (_e73.member_3[1] + ((_e184[1] + ((_e191[1] - _e184[1]) * _e180)) * _e73.member_1[1])), (_e73.member_3[2] + ((_e184[2] + ((_e191[2] - _e184[2]) * _e180)) * _e73.member_1[2]))), _e73.member_4);
                                 }
-                                let _e863 = phi_1286_;
-                                if _e64 {
+                                let _e1193 = phi_1633_;
+                                if _e67 {
                                 } else {
                                     break;
                                 }
-                                global_9.member[_e63] = _e863;
+                                global_9.member[_e66] = _e1193;
                             }
                         }
                     }
