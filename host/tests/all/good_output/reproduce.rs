@@ -282,10 +282,10 @@ fn check_scene(scene: &Value, name: &str) {
     let is_shiny = name == "shiny";
     assert_eq!(scene["name"], name);
     assert_eq!(scene["stand_in"].is_null(), is_shiny);
-    let methods = scene["methods"].as_array().unwrap();
+    let methods = scene["methods"].as_array().expect("it is a list");
     let names: Vec<&str> = methods
         .iter()
-        .map(|method| method["name"].as_str().unwrap())
+        .map(|method| method["name"].as_str().expect("it is a name"))
         .collect();
     let expected = [
         "plain",
@@ -314,5 +314,6 @@ fn check_scene(scene: &Value, name: &str) {
         assert_eq!(secondary > 0.0, is_shiny);
         assert_eq!(method["cracks"].is_null(), is_shiny);
     }
-    assert_eq!(methods[1]["rounds"].as_array().unwrap().len(), 2);
+    let rounds = methods[1]["rounds"].as_array();
+    assert_eq!(rounds.map(Vec::len), Some(2));
 }
