@@ -93,6 +93,10 @@ fn touched(records: &[SceneRecord]) -> Table {
              vertices make another picture, whose rays these are. Printed: beside Karras' tree with a box and links of a node each, one \
              triangle a leaf; ours is another tree to begin with (see plain)."
                 .into(),
+            "A box grows by less than a cell on each side, 1 of 1023 of its parent's, which explains the few more tests of NODE here; why the \
+             paper found more is not said. Flat boxes in larger ones become a cell thick on the lattice, so that rays which start on such \
+             a surface test its triangles again (shiny). Where vertices come to lie in one place, triangles vanish, and are not met."
+                .into(),
         ],
         word_columns: 3,
         head,
