@@ -23,6 +23,7 @@ pub mod frustum;
 pub mod lattice;
 pub mod launch;
 pub mod light;
+pub mod material;
 pub mod morton;
 pub mod node;
 pub mod orientation;

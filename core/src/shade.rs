@@ -1,8 +1,10 @@
-//! Stage `shade`: light on surfaces, shadow rays, mirrors. Everything in the scene's magnitude ([`Light::scaled`]).
+//! Stage `shade`: light on surfaces, shadow rays, mirrors, glass. Everything in the scene's magnitude ([`Light::scaled`]).
 //!
-//! A sample is a path: it begins at the camera, gathers light where it hits, and goes on at mirrors.
+//! A sample is a path: it begins at the camera, gathers light where it hits, and goes on at mirrors and through glass
+//! ([`Material`]). To shadow rays glass is as any other surface: it stops them.
 
 pub use crate::light::Light;
+pub use crate::material::Material;
 
 use crate::float::max;
 use crate::orientation::{Orientation, Target};
@@ -11,18 +13,6 @@ use crate::surface::{Surface, normalize};
 use bytemuck::{Pod, Zeroable};
 use core::f32::consts::FRAC_1_PI;
 use glam::Vec3;
-
-/// How a surface reflects. 16 bytes.
-#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Material {
-    /// Bytes 0–11: linear RGB, each 0 to 1.
-    pub base_color: [f32; 3],
-    /// Bytes 12–15: share reflected as by a mirror, 0 to 1.
-    pub mirror: f32,
-}
-
-const _: () = assert!(size_of::<Material>() == 16);
 
 /// What surrounds the scene. 64 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
@@ -124,37 +114,26 @@ impl Path {
         }
     }
 
-    /// The path after it met a surface whose direct light has been added: goes on where that is a mirror, ends elsewhere.
+    /// The path after it met a surface whose direct light has been added: goes on where that is a mirror or glass, ends
+    /// elsewhere.
     #[inline]
     #[must_use]
     pub fn scattered(self, surface: &Surface, material: &Material, primitive: u32) -> Self {
-        if material.mirror <= 0.0 {
+        if material.onward_share() <= 0.0 {
             return Self {
                 ray: Ray::NOTHING,
                 ..self
             };
         }
-        let direction = Vec3::from_array(self.ray.direction);
-        let mirrored = reflect(direction, surface.shading_normal);
-        // A reflection about a smooth normal may point into the triangle.
-        let mirrored = if mirrored.dot(surface.normal) > 0.0 {
-            mirrored
-        } else {
-            reflect(direction, surface.normal)
-        };
-        let throughput = Vec3::from_array(self.throughput) * material.mirror;
+        let onward = material.onward(surface, Vec3::from_array(self.ray.direction));
+        let throughput = Vec3::from_array(self.throughput) * material.onward_color();
         Self {
-            ray: Ray::new(surface.leave().to_array(), mirrored.to_array()),
+            ray: Ray::new(onward.origin.to_array(), onward.direction.to_array()),
             throughput: throughput.to_array(),
             skip: primitive,
             ..self
         }
     }
-}
-
-#[inline]
-fn reflect(direction: Vec3, normal: Vec3) -> Vec3 {
-    direction - normal * (2.0 * direction.dot(normal))
 }
 
 /// What a light would add to a path's hit, and the ray that must meet nothing for it. 48 bytes.
@@ -283,10 +262,10 @@ pub fn ambient_light(material: &Material, environment: &Environment) -> Vec3 {
     Vec3::from_array(environment.ambient) * diffuse(material)
 }
 
-/// Radiance for an irradiance of 1, without the mirror's share.
+/// Radiance for an irradiance of 1, without the share that goes on.
 #[inline]
 fn diffuse(material: &Material) -> Vec3 {
-    Vec3::from_array(material.base_color) * ((1.0 - material.mirror) * FRAC_1_PI)
+    Vec3::from_array(material.base_color) * ((1.0 - material.onward_share()) * FRAC_1_PI)
 }
 
 #[cfg(test)]
@@ -314,6 +293,9 @@ mod tests {
     const WHITE: Material = Material {
         base_color: [1.0; 3],
         mirror: 0.0,
+        transmission: 0.0,
+        ior: 1.0,
+        padding: [0; 2],
     };
 
     #[test]

@@ -62,16 +62,30 @@ impl Surface {
 
     /// Where a ray leaves the surface on the side it came from: far enough along the normal that the rounded position
     /// lies outside, whatever its error was.
+    #[inline]
     #[must_use]
     pub fn leave(&self) -> Vec3 {
+        self.beside(self.normal)
+    }
+
+    /// Where a ray leaves the surface on the other side, which it passed to: [`Self::leave`] against the normal.
+    #[inline]
+    #[must_use]
+    pub fn enter(&self) -> Vec3 {
+        self.beside(-self.normal)
+    }
+
+    /// Off the surface, on the side of one of its two normals.
+    #[inline]
+    fn beside(&self, normal: Vec3) -> Vec3 {
         // The largest error counts for all axes: on an axis-aligned plane through 0 its own would be 0.
         let error = max(max(self.error.x, self.error.y), self.error.z);
-        let normal = absolute(self.normal);
-        let origin = self.position + self.normal * (error * (normal.x + normal.y + normal.z));
+        let sizes = absolute(normal);
+        let origin = self.position + normal * (error * (sizes.x + sizes.y + sizes.z));
         Vec3::new(
-            away(origin.x, self.normal.x),
-            away(origin.y, self.normal.y),
-            away(origin.z, self.normal.z),
+            away(origin.x, normal.x),
+            away(origin.y, normal.y),
+            away(origin.z, normal.z),
         )
     }
 }
@@ -135,12 +149,16 @@ mod tests {
             prop_assert!(surface.normal.dot(d) <= 1e-6);
             // The exact plane, in f64.
             let wide = |v: Vec3| [f64::from(v.x), f64::from(v.y), f64::from(v.z)];
-            let (p, a, b, c) = (wide(surface.leave()), wide(v0), wide(v1), wide(v2));
+            let (a, b, c) = (wide(v0), wide(v1), wide(v2));
             let e = |q: [f64; 3]| [q[0] - a[0], q[1] - a[1], q[2] - a[2]];
-            let (e1, e2, r) = (e(b), e(c), e(p));
+            let (e1, e2) = (e(b), e(c));
             let n = [e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0]];
-            let height = (n[0] * r[0] + n[1] * r[1] + n[2] * r[2]) * f64::from(surface.side);
-            prop_assert!(height > 0.0, "{height}");
+            let height = |p: Vec3| {
+                let r = e(wide(p));
+                (n[0] * r[0] + n[1] * r[1] + n[2] * r[2]) * f64::from(surface.side)
+            };
+            let (left, entered) = (height(surface.leave()), height(surface.enter()));
+            prop_assert!(left > 0.0 && entered < 0.0, "{left} {entered}");
         }
     }
 }

@@ -14,7 +14,7 @@ use slimbvh_core::{Hit, IndexedTriangles};
 use spirv_std::spirv;
 
 /// One thread per path. Reads the scene's exponent, one light, which is in the caller's magnitude, the mesh, the
-/// materials, the path and its hit; `params` are the samples a pixel, the mirrors that the path has met, and whether rays go
+/// materials, the path and its hit; `params` are the samples a pixel, how often the path has gone on, and whether rays go
 /// where there is no light, too. Stores the light that the hit may get.
 #[spirv(compute(threads(64)))]
 pub fn shade_light(
@@ -70,7 +70,7 @@ pub fn shade_reached(
 }
 
 /// One thread per path. Reads the scene's exponent, the mesh, the materials, the environment and the path's hit. Stores
-/// the path with the light from everywhere, ended, or on its way from a mirror.
+/// the path with the light from everywhere, ended, or on its way from a mirror or glass.
 #[spirv(compute(threads(64)))]
 pub fn shade_scatter(
     #[spirv(global_invocation_id)] id: UVec3,

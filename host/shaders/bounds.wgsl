@@ -11,43 +11,43 @@ struct type_14 {
     member: array<array<u32, 3>>,
 }
 
-struct type_23 {
-    member: array<array<f32, 6>>,
-}
-
-struct type_25 {
+struct type_21 {
     member: vec3<f32>,
     member_1: vec3<f32>,
 }
 
-struct type_28 {
+struct type_24 {
+    member: array<array<f32, 6>>,
+}
+
+struct type_26 {
     member: vec3<f32>,
     member_1: vec3<f32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: u32;
-var<workgroup> global_2: array<type_25, 64>;
+var<workgroup> global_2: array<type_26, 64>;
 @group(0) @binding(0) 
 var<storage> global_3: type_10;
 @group(0) @binding(1) 
 var<storage> global_4: type_14;
 @group(0) @binding(2) 
-var<storage, read_write> global_5: type_23;
+var<storage, read_write> global_5: type_24;
 
 fn function_() {
     var phi_119_: type_5;
-    var phi_122_: type_28;
+    var phi_122_: type_21;
     var phi_120_: type_5;
     var phi_145_: type_5;
     var phi_166_: array<u32, 3>;
     var phi_181_: array<f32, 3>;
     var phi_199_: array<f32, 3>;
     var phi_217_: array<f32, 3>;
-    var phi_123_: type_28;
+    var phi_123_: type_21;
     var phi_560_: bool;
-    var local: type_28;
-    var local_1: type_28;
+    var local: type_21;
+    var local_1: type_21;
     var phi_351_: type_5;
     var phi_354_: u32;
     var phi_352_: type_5;
@@ -66,7 +66,7 @@ fn function_() {
             let _e51 = select(_e40, _e49, (_e49 < _e40));
             let _e52 = (_e40 - _e51);
             phi_119_ = type_5(_e51, (_e51 + select(16u, _e52, (_e52 < 16u))));
-            phi_122_ = type_28(vec3<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec3<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
+            phi_122_ = type_21(vec3<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec3<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
             loop {
                 let _e58 = phi_119_;
                 let _e60 = phi_122_;
@@ -147,9 +147,9 @@ fn function_() {
                     let _e131 = select(_e108[0], _e125, (_e125 > _e108[0]));
                     let _e133 = select(_e108[1], _e127, (_e127 > _e108[1]));
                     let _e135 = select(_e108[2], _e129, (_e129 > _e108[2]));
-                    phi_123_ = type_28(vec3<f32>(select(_e119, _e60.member.x, (_e60.member.x < _e119)), select(_e121, _e60.member.y, (_e60.member.y < _e121)), select(_e123, _e60.member.z, (_e60.member.z < _e123))), vec3<f32>(select(_e131, _e60.member_1.x, (_e60.member_1.x > _e131)), select(_e133, _e60.member_1.y, (_e60.member_1.y > _e133)), select(_e135, _e60.member_1.z, (_e60.member_1.z > _e135))));
+                    phi_123_ = type_21(vec3<f32>(select(_e119, _e60.member.x, (_e60.member.x < _e119)), select(_e121, _e60.member.y, (_e60.member.y < _e121)), select(_e123, _e60.member.z, (_e60.member.z < _e123))), vec3<f32>(select(_e131, _e60.member_1.x, (_e60.member_1.x > _e131)), select(_e133, _e60.member_1.y, (_e60.member_1.y > _e133)), select(_e135, _e60.member_1.z, (_e60.member_1.z > _e135))));
                 } else {
-                    phi_123_ = type_28();
+                    phi_123_ = type_21();
                 }
                 let _e160 = phi_123_;
                 continue;
@@ -172,7 +172,7 @@ fn function_() {
             } else {
                 break;
             }
-            global_2[_e190] = type_25(vec3<f32>(select(_e165.member.x, 0f, (_e165.member.x == 0f)), select(_e165.member.y, 0f, (_e165.member.y == 0f)), select(_e165.member.z, 0f, (_e165.member.z == 0f))), vec3<f32>(select(_e178.member_1.x, 0f, (_e178.member_1.x == 0f)), select(_e178.member_1.y, 0f, (_e178.member_1.y == 0f)), select(_e178.member_1.z, 0f, (_e178.member_1.z == 0f))));
+            global_2[_e190] = type_26(vec3<f32>(select(_e165.member.x, 0f, (_e165.member.x == 0f)), select(_e165.member.y, 0f, (_e165.member.y == 0f)), select(_e165.member.z, 0f, (_e165.member.z == 0f))), vec3<f32>(select(_e178.member_1.x, 0f, (_e178.member_1.x == 0f)), select(_e178.member_1.y, 0f, (_e178.member_1.y == 0f)), select(_e178.member_1.z, 0f, (_e178.member_1.z == 0f))));
             workgroupBarrier();
             phi_351_ = type_5(0u, 6u);
             phi_354_ = 32u;
@@ -209,7 +209,7 @@ fn function_() {
                             phi_588_ = true;
                             break;
                         }
-                        global_2[_e190] = type_25(vec3<f32>(select(_e224.member.x, _e217.member.x, (_e217.member.x < _e224.member.x)), select(_e224.member.y, _e217.member.y, (_e217.member.y < _e224.member.y)), select(_e224.member.z, _e217.member.z, (_e217.member.z < _e224.member.z))), vec3<f32>(select(_e224.member_1.x, _e217.member_1.x, (_e217.member_1.x > _e224.member_1.x)), select(_e224.member_1.y, _e217.member_1.y, (_e217.member_1.y > _e224.member_1.y)), select(_e224.member_1.z, _e217.member_1.z, (_e217.member_1.z > _e224.member_1.z))));
+                        global_2[_e190] = type_26(vec3<f32>(select(_e224.member.x, _e217.member.x, (_e217.member.x < _e224.member.x)), select(_e224.member.y, _e217.member.y, (_e217.member.y < _e224.member.y)), select(_e224.member.z, _e217.member.z, (_e217.member.z < _e224.member.z))), vec3<f32>(select(_e224.member_1.x, _e217.member_1.x, (_e217.member_1.x > _e224.member_1.x)), select(_e224.member_1.y, _e217.member_1.y, (_e217.member_1.y > _e224.member_1.y)), select(_e224.member_1.z, _e217.member_1.z, (_e217.member_1.z > _e224.member_1.z))));
                     }
                     workgroupBarrier();
                     phi_355_ = (_e197 / 2u);

@@ -70,48 +70,51 @@ fn function_() {
     var local: array<array<f32, 4>, 4>;
     var local_1: type_50;
     var local_2: type_50;
-    var phi_251_: type_39;
-    var phi_301_: type_11;
+    var phi_228_: i32;
+    var phi_252_: type_39;
     var phi_302_: type_11;
-    var phi_325_: type_11;
-    var phi_1366_: bool;
-    var phi_409_: type_11;
-    var phi_410_: type_11;
-    var phi_433_: type_11;
-    var phi_1371_: bool;
-    var phi_591_: u32;
-    var phi_608_: i32;
-    var phi_621_: bool;
-    var phi_638_: array<u32, 3>;
-    var phi_653_: array<f32, 3>;
-    var phi_671_: array<f32, 3>;
-    var phi_689_: array<f32, 3>;
-    var phi_793_: vec3<f32>;
-    var phi_979_: f32;
-    var phi_1021_: type_11;
-    var phi_1024_: bool;
-    var phi_1022_: type_11;
-    var phi_1047_: type_11;
-    var phi_1202_: bool;
-    var phi_1204_: bool;
-    var phi_1205_: bool;
-    var phi_1025_: bool;
-    var phi_1375_: bool;
+    var phi_303_: type_11;
+    var phi_326_: type_11;
+    var phi_1373_: bool;
+    var phi_380_: i32;
+    var phi_413_: type_11;
+    var phi_414_: type_11;
+    var phi_437_: type_11;
+    var phi_1380_: bool;
+    var phi_572_: i32;
+    var phi_598_: u32;
+    var phi_615_: i32;
+    var phi_628_: bool;
+    var phi_645_: array<u32, 3>;
+    var phi_660_: array<f32, 3>;
+    var phi_678_: array<f32, 3>;
+    var phi_696_: array<f32, 3>;
+    var phi_800_: vec3<f32>;
+    var phi_986_: f32;
+    var phi_1028_: type_11;
+    var phi_1031_: bool;
+    var phi_1029_: type_11;
+    var phi_1054_: type_11;
+    var phi_1209_: bool;
+    var phi_1211_: bool;
+    var phi_1212_: bool;
+    var phi_1032_: bool;
+    var phi_1386_: bool;
     var local_3: bool;
-    var phi_1416_: bool;
-    var phi_1219_: bool;
-    var phi_1415_: bool;
-    var phi_1220_: bool;
-    var phi_1414_: bool;
-    var phi_1222_: u32;
-    var phi_1413_: bool;
-    var phi_1223_: u32;
-    var phi_1243_: type_11;
-    var phi_1246_: u32;
-    var phi_1244_: type_11;
-    var phi_1269_: type_11;
-    var phi_1247_: u32;
-    var phi_1409_: bool;
+    var phi_1429_: bool;
+    var phi_1226_: bool;
+    var phi_1428_: bool;
+    var phi_1227_: bool;
+    var phi_1427_: bool;
+    var phi_1229_: u32;
+    var phi_1426_: bool;
+    var phi_1230_: u32;
+    var phi_1250_: type_11;
+    var phi_1253_: u32;
+    var phi_1251_: type_11;
+    var phi_1276_: type_11;
+    var phi_1254_: u32;
+    var phi_1422_: bool;
     var local_4: u32;
 
     switch bitcast<i32>(0u) {
@@ -139,417 +142,439 @@ fn function_() {
                     let _e117 = bitcast<f32>(_e100);
                     let _e118 = array<u32, 3>(_e104, _e108, _e112);
                     let _e120 = bitcast<i32>(_e80);
-                    let _e121 = (_e120 / 2i);
-                    let _e126 = bitcast<f32>((bitcast<u32>((_e121 + 127i)) << bitcast<u32>(23i)));
-                    let _e132 = bitcast<f32>((bitcast<u32>(((_e120 - _e121) + 127i)) << bitcast<u32>(23i)));
+                    let _e121 = (_e120 < -126i);
+                    if _e121 {
+                        phi_228_ = -126i;
+                    } else {
+                        phi_228_ = select(_e120, 127i, (_e120 > 127i));
+                    }
+                    let _e125 = phi_228_;
+                    let _e130 = bitcast<f32>((bitcast<u32>((_e125 + 127i)) << bitcast<u32>(23i)));
+                    let _e136 = bitcast<f32>((bitcast<u32>(((_e120 - _e125) + 127i)) << bitcast<u32>(23i)));
                     if (_e96 == 0u) {
-                        phi_251_ = type_39(array<f32, 3>(_e113, _e114, _e115), _e96, _e117, _e118);
+                        phi_252_ = type_39(array<f32, 3>(_e113, _e114, _e115), _e96, _e117, _e118);
                     } else {
-                        phi_251_ = type_39(array<f32, 3>(((_e113 * _e126) * _e132), ((_e114 * _e126) * _e132), ((_e115 * _e126) * _e132)), _e96, ((_e117 * _e126) * _e132), _e118);
+                        phi_252_ = type_39(array<f32, 3>(((_e113 * _e130) * _e136), ((_e114 * _e130) * _e136), ((_e115 * _e130) * _e136)), _e96, ((_e117 * _e130) * _e136), _e118);
                     }
-                    let _e145 = phi_251_;
-                    let _e149 = global_5.member[0u][0u];
-                    let _e153 = global_5.member[0u][1u];
-                    let _e157 = global_5.member[0u][2u];
-                    let _e161 = global_5.member[0u][3u];
-                    local_2.member = array<f32, 3>(bitcast<f32>(_e149), bitcast<f32>(_e153), bitcast<f32>(_e157));
-                    local_2.member_1 = _e161;
+                    let _e149 = phi_252_;
+                    let _e153 = global_5.member[0u][0u];
+                    let _e157 = global_5.member[0u][1u];
+                    let _e161 = global_5.member[0u][2u];
+                    let _e165 = global_5.member[0u][3u];
+                    local_2.member = array<f32, 3>(bitcast<f32>(_e153), bitcast<f32>(_e157), bitcast<f32>(_e161));
+                    local_2.member_1 = _e165;
                     local_2.member_2 = array<array<f32, 4>, 4>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f));
-                    phi_301_ = type_11(0u, 4u);
+                    phi_302_ = type_11(0u, 4u);
                     loop {
-                        let _e170 = phi_301_;
-                        if (_e170.member < _e170.member_1) {
-                            phi_302_ = type_11((_e170.member + 1u), _e170.member_1);
-                            phi_325_ = type_11(1u, _e170.member);
+                        let _e174 = phi_302_;
+                        if (_e174.member < _e174.member_1) {
+                            phi_303_ = type_11((_e174.member + 1u), _e174.member_1);
+                            phi_326_ = type_11(1u, _e174.member);
                         } else {
-                            phi_302_ = _e170;
-                            phi_325_ = type_11(0u, type_11().member_1);
+                            phi_303_ = _e174;
+                            phi_326_ = type_11(0u, type_11().member_1);
                         }
-                        let _e183 = phi_302_;
-                        let _e185 = phi_325_;
-                        let _e189 = (bitcast<i32>(_e185.member) != 0i);
-                        if _e189 {
-                            let _e190 = (_e185.member_1 + 1u);
-                            if (_e190 < 5u) {
+                        let _e187 = phi_303_;
+                        let _e189 = phi_326_;
+                        let _e193 = (bitcast<i32>(_e189.member) != 0i);
+                        if _e193 {
+                            let _e194 = (_e189.member_1 + 1u);
+                            if (_e194 < 5u) {
                             } else {
-                                phi_1366_ = true;
+                                phi_1373_ = true;
                                 break;
                             }
-                            let _e195 = global_5.member[_e190][0u];
-                            let _e199 = global_5.member[_e190][1u];
-                            let _e203 = global_5.member[_e190][2u];
-                            let _e207 = global_5.member[_e190][3u];
-                            if (_e185.member_1 < 4u) {
+                            let _e199 = global_5.member[_e194][0u];
+                            let _e203 = global_5.member[_e194][1u];
+                            let _e207 = global_5.member[_e194][2u];
+                            let _e211 = global_5.member[_e194][3u];
+                            if (_e189.member_1 < 4u) {
                             } else {
-                                phi_1366_ = true;
+                                phi_1373_ = true;
                                 break;
                             }
-                            local_2.member_2[_e185.member_1][0u] = bitcast<f32>(_e195);
-                            local_2.member_2[_e185.member_1][1u] = bitcast<f32>(_e199);
-                            local_2.member_2[_e185.member_1][2u] = bitcast<f32>(_e203);
-                            local_2.member_2[_e185.member_1][3u] = bitcast<f32>(_e207);
+                            local_2.member_2[_e189.member_1][0u] = bitcast<f32>(_e199);
+                            local_2.member_2[_e189.member_1][1u] = bitcast<f32>(_e203);
+                            local_2.member_2[_e189.member_1][2u] = bitcast<f32>(_e207);
+                            local_2.member_2[_e189.member_1][3u] = bitcast<f32>(_e211);
                         }
                         continue;
                         continuing {
-                            phi_301_ = _e183;
-                            phi_1366_ = false;
-                            break if !(_e189);
+                            phi_302_ = _e187;
+                            phi_1373_ = false;
+                            break if !(_e193);
                         }
                     }
-                    let _e227 = phi_1366_;
-                    if _e227 {
+                    let _e231 = phi_1373_;
+                    if _e231 {
                         break;
                     }
-                    let _e228 = local_2;
-                    local_1 = _e228;
-                    let _e229 = local_2.member;
-                    local_1.member = array<f32, 3>(((_e229[0] * _e126) * _e132), ((_e229[1] * _e126) * _e132), ((_e229[2] * _e126) * _e132));
-                    phi_409_ = type_11(0u, 4u);
+                    if _e121 {
+                        phi_380_ = -126i;
+                    } else {
+                        phi_380_ = select(_e120, 127i, (_e120 > 127i));
+                    }
+                    let _e235 = phi_380_;
+                    let _e240 = bitcast<f32>((bitcast<u32>((_e235 + 127i)) << bitcast<u32>(23i)));
+                    let _e246 = bitcast<f32>((bitcast<u32>(((_e120 - _e235) + 127i)) << bitcast<u32>(23i)));
+                    let _e247 = local_2;
+                    local_1 = _e247;
+                    let _e248 = local_2.member;
+                    local_1.member = array<f32, 3>(((_e248[0] * _e240) * _e246), ((_e248[1] * _e240) * _e246), ((_e248[2] * _e240) * _e246));
+                    phi_413_ = type_11(0u, 4u);
                     loop {
-                        let _e242 = phi_409_;
-                        if (_e242.member < _e242.member_1) {
-                            phi_410_ = type_11((_e242.member + 1u), _e242.member_1);
-                            phi_433_ = type_11(1u, _e242.member);
+                        let _e261 = phi_413_;
+                        if (_e261.member < _e261.member_1) {
+                            phi_414_ = type_11((_e261.member + 1u), _e261.member_1);
+                            phi_437_ = type_11(1u, _e261.member);
                         } else {
-                            phi_410_ = _e242;
-                            phi_433_ = type_11(0u, type_11().member_1);
+                            phi_414_ = _e261;
+                            phi_437_ = type_11(0u, type_11().member_1);
                         }
-                        let _e255 = phi_410_;
-                        let _e257 = phi_433_;
-                        let _e261 = (bitcast<i32>(_e257.member) != 0i);
-                        if _e261 {
-                            let _e262 = (_e257.member_1 < 4u);
-                            if _e262 {
+                        let _e274 = phi_414_;
+                        let _e276 = phi_437_;
+                        let _e280 = (bitcast<i32>(_e276.member) != 0i);
+                        if _e280 {
+                            let _e281 = (_e276.member_1 < 4u);
+                            if _e281 {
                             } else {
-                                phi_1371_ = true;
+                                phi_1380_ = true;
                                 break;
                             }
-                            let _e266 = local_2.member_2[_e257.member_1][3u];
-                            if _e262 {
+                            let _e285 = local_2.member_2[_e276.member_1][3u];
+                            if _e281 {
                             } else {
-                                phi_1371_ = true;
+                                phi_1380_ = true;
                                 break;
                             }
-                            local_1.member_2[_e257.member_1][3u] = ((_e266 * _e126) * _e132);
+                            local_1.member_2[_e276.member_1][3u] = ((_e285 * _e240) * _e246);
                         }
                         continue;
                         continuing {
-                            phi_409_ = _e255;
-                            phi_1371_ = _e227;
-                            break if !(_e261);
+                            phi_413_ = _e274;
+                            phi_1380_ = _e231;
+                            break if !(_e280);
                         }
                     }
-                    let _e274 = phi_1371_;
-                    if _e274 {
+                    let _e293 = phi_1380_;
+                    if _e293 {
                         break;
                     }
-                    let _e275 = local_1;
-                    local = _e275.member_2;
-                    let _e284 = (_e72 < arrayLength((&global_9.member)));
-                    if _e284 {
-                        if _e284 {
+                    let _e294 = local_1;
+                    local = _e294.member_2;
+                    if _e121 {
+                        phi_572_ = -126i;
+                    } else {
+                        phi_572_ = select(_e120, 127i, (_e120 > 127i));
+                    }
+                    let _e306 = phi_572_;
+                    let _e311 = bitcast<f32>((bitcast<u32>((_e306 + 127i)) << bitcast<u32>(23i)));
+                    let _e317 = bitcast<f32>((bitcast<u32>(((_e120 - _e306) + 127i)) << bitcast<u32>(23i)));
+                    let _e318 = (_e72 < arrayLength((&global_9.member)));
+                    if _e318 {
+                        if _e318 {
                         } else {
                             break;
                         }
-                        let _e286 = global_9.member[_e72];
-                        phi_591_ = _e286;
+                        let _e320 = global_9.member[_e72];
+                        phi_598_ = _e320;
                     } else {
-                        phi_591_ = 4294967295u;
+                        phi_598_ = 4294967295u;
                     }
-                    let _e288 = phi_591_;
-                    let _e289 = (_e288 < arrayLength((&global_10.member)));
-                    if _e289 {
-                        if _e289 {
+                    let _e322 = phi_598_;
+                    let _e323 = (_e322 < arrayLength((&global_10.member)));
+                    if _e323 {
+                        if _e323 {
                         } else {
                             break;
                         }
-                        let _e291 = global_10.member[_e288];
-                        phi_608_ = _e291;
+                        let _e325 = global_10.member[_e322];
+                        phi_615_ = _e325;
                     } else {
-                        phi_608_ = 0i;
+                        phi_615_ = 0i;
                     }
-                    let _e293 = phi_608_;
-                    let _e294 = (_e293 == 0i);
-                    if _e294 {
-                        phi_621_ = select(true, false, (_e275.member_1 == 0u));
+                    let _e327 = phi_615_;
+                    let _e328 = (_e327 == 0i);
+                    if _e328 {
+                        phi_628_ = select(true, false, (_e294.member_1 == 0u));
                     } else {
-                        phi_621_ = true;
+                        phi_628_ = true;
                     }
-                    let _e298 = phi_621_;
-                    if _e298 {
+                    let _e332 = phi_628_;
+                    if _e332 {
                         if _e77 {
                             if _e77 {
                             } else {
                                 break;
                             }
-                            let _e300 = global_8.member[_e72];
-                            phi_638_ = _e300;
+                            let _e334 = global_8.member[_e72];
+                            phi_645_ = _e334;
                         } else {
-                            phi_638_ = array<u32, 3>(0u, 0u, 0u);
+                            phi_645_ = array<u32, 3>(0u, 0u, 0u);
                         }
-                        let _e302 = phi_638_;
-                        let _e304 = (_e302[0] < _e57);
-                        if _e304 {
-                            if _e304 {
+                        let _e336 = phi_645_;
+                        let _e338 = (_e336[0] < _e57);
+                        if _e338 {
+                            if _e338 {
                             } else {
                                 break;
                             }
-                            let _e306 = global_7.member[_e302[0]];
-                            phi_653_ = _e306;
+                            let _e340 = global_7.member[_e336[0]];
+                            phi_660_ = _e340;
                         } else {
-                            phi_653_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_660_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e308 = phi_653_;
-                        let _e313 = (_e302[1] < _e57);
-                        if _e313 {
-                            if _e313 {
+                        let _e342 = phi_660_;
+                        let _e347 = (_e336[1] < _e57);
+                        if _e347 {
+                            if _e347 {
                             } else {
                                 break;
                             }
-                            let _e315 = global_7.member[_e302[1]];
-                            phi_671_ = _e315;
+                            let _e349 = global_7.member[_e336[1]];
+                            phi_678_ = _e349;
                         } else {
-                            phi_671_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_678_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e317 = phi_671_;
-                        let _e322 = (_e302[2] < _e57);
-                        if _e322 {
-                            if _e322 {
+                        let _e351 = phi_678_;
+                        let _e356 = (_e336[2] < _e57);
+                        if _e356 {
+                            if _e356 {
                             } else {
                                 break;
                             }
-                            let _e324 = global_7.member[_e302[2]];
-                            phi_689_ = _e324;
+                            let _e358 = global_7.member[_e336[2]];
+                            phi_696_ = _e358;
                         } else {
-                            phi_689_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_696_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e326 = phi_689_;
-                        let _e331 = ((_e308[0] * _e126) * _e132);
-                        let _e333 = select(_e331, 0f, (_e331 == 0f));
-                        let _e335 = ((_e308[1] * _e126) * _e132);
-                        let _e337 = select(_e335, 0f, (_e335 == 0f));
-                        let _e339 = ((_e308[2] * _e126) * _e132);
-                        let _e341 = select(_e339, 0f, (_e339 == 0f));
-                        let _e343 = ((_e317[0] * _e126) * _e132);
-                        let _e345 = select(_e343, 0f, (_e343 == 0f));
-                        let _e347 = ((_e317[1] * _e126) * _e132);
-                        let _e349 = select(_e347, 0f, (_e347 == 0f));
-                        let _e351 = ((_e317[2] * _e126) * _e132);
-                        let _e353 = select(_e351, 0f, (_e351 == 0f));
-                        let _e355 = ((_e326[0] * _e126) * _e132);
-                        let _e357 = select(_e355, 0f, (_e355 == 0f));
-                        let _e359 = ((_e326[1] * _e126) * _e132);
-                        let _e361 = select(_e359, 0f, (_e359 == 0f));
-                        let _e363 = ((_e326[2] * _e126) * _e132);
-                        let _e365 = select(_e363, 0f, (_e363 == 0f));
-                        let _e366 = (_e345 - _e333);
-                        let _e367 = (_e349 - _e337);
-                        let _e368 = (_e353 - _e341);
-                        let _e369 = (_e357 - _e333);
-                        let _e370 = (_e361 - _e337);
-                        let _e371 = (_e365 - _e341);
-                        if (_e145.member_1 == 1u) {
-                            phi_793_ = vec3<f32>((_e145.member[0] - _e333), (_e145.member[1] - _e337), (_e145.member[2] - _e341));
+                        let _e360 = phi_696_;
+                        let _e365 = ((_e342[0] * _e311) * _e317);
+                        let _e367 = select(_e365, 0f, (_e365 == 0f));
+                        let _e369 = ((_e342[1] * _e311) * _e317);
+                        let _e371 = select(_e369, 0f, (_e369 == 0f));
+                        let _e373 = ((_e342[2] * _e311) * _e317);
+                        let _e375 = select(_e373, 0f, (_e373 == 0f));
+                        let _e377 = ((_e351[0] * _e311) * _e317);
+                        let _e379 = select(_e377, 0f, (_e377 == 0f));
+                        let _e381 = ((_e351[1] * _e311) * _e317);
+                        let _e383 = select(_e381, 0f, (_e381 == 0f));
+                        let _e385 = ((_e351[2] * _e311) * _e317);
+                        let _e387 = select(_e385, 0f, (_e385 == 0f));
+                        let _e389 = ((_e360[0] * _e311) * _e317);
+                        let _e391 = select(_e389, 0f, (_e389 == 0f));
+                        let _e393 = ((_e360[1] * _e311) * _e317);
+                        let _e395 = select(_e393, 0f, (_e393 == 0f));
+                        let _e397 = ((_e360[2] * _e311) * _e317);
+                        let _e399 = select(_e397, 0f, (_e397 == 0f));
+                        let _e400 = (_e379 - _e367);
+                        let _e401 = (_e383 - _e371);
+                        let _e402 = (_e387 - _e375);
+                        let _e403 = (_e391 - _e367);
+                        let _e404 = (_e395 - _e371);
+                        let _e405 = (_e399 - _e375);
+                        if (_e149.member_1 == 1u) {
+                            phi_800_ = vec3<f32>((_e149.member[0] - _e367), (_e149.member[1] - _e371), (_e149.member[2] - _e375));
                         } else {
-                            phi_793_ = vec3<f32>(_e145.member[0], _e145.member[1], _e145.member[2]);
+                            phi_800_ = vec3<f32>(_e149.member[0], _e149.member[1], _e149.member[2]);
                         }
-                        let _e385 = phi_793_;
-                        let _e389 = bitcast<f32>((bitcast<u32>((_e366 * _e370)) ^ _e145.member_3[0]));
-                        let _e393 = bitcast<f32>((bitcast<u32>((_e367 * _e369)) ^ _e145.member_3[0]));
-                        let _e397 = bitcast<f32>((bitcast<u32>((_e367 * _e371)) ^ _e145.member_3[0]));
-                        let _e401 = bitcast<f32>((bitcast<u32>((_e368 * _e370)) ^ _e145.member_3[0]));
-                        let _e405 = bitcast<f32>((bitcast<u32>((_e368 * _e369)) ^ _e145.member_3[0]));
-                        let _e409 = bitcast<f32>((bitcast<u32>((_e366 * _e371)) ^ _e145.member_3[0]));
-                        let _e410 = (_e397 - _e401);
-                        let _e411 = (_e405 - _e409);
-                        let _e412 = (_e389 - _e393);
-                        let _e436 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e401) & 2147483647u)));
-                        let _e443 = (bitcast<f32>((bitcast<u32>(_e405) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e409) & 2147483647u)));
-                        let _e450 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)));
-                        if (_e145.member_2 == 0f) {
-                            phi_979_ = 0f;
+                        let _e419 = phi_800_;
+                        let _e423 = bitcast<f32>((bitcast<u32>((_e400 * _e404)) ^ _e149.member_3[0]));
+                        let _e427 = bitcast<f32>((bitcast<u32>((_e401 * _e403)) ^ _e149.member_3[0]));
+                        let _e431 = bitcast<f32>((bitcast<u32>((_e401 * _e405)) ^ _e149.member_3[0]));
+                        let _e435 = bitcast<f32>((bitcast<u32>((_e402 * _e404)) ^ _e149.member_3[0]));
+                        let _e439 = bitcast<f32>((bitcast<u32>((_e402 * _e403)) ^ _e149.member_3[0]));
+                        let _e443 = bitcast<f32>((bitcast<u32>((_e400 * _e405)) ^ _e149.member_3[0]));
+                        let _e444 = (_e431 - _e435);
+                        let _e445 = (_e439 - _e443);
+                        let _e446 = (_e423 - _e427);
+                        let _e470 = (bitcast<f32>((bitcast<u32>(_e431) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e435) & 2147483647u)));
+                        let _e477 = (bitcast<f32>((bitcast<u32>(_e439) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e443) & 2147483647u)));
+                        let _e484 = (bitcast<f32>((bitcast<u32>(_e423) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e427) & 2147483647u)));
+                        if (_e149.member_2 == 0f) {
+                            phi_986_ = 0f;
                         } else {
-                            let _e479 = bitcast<f32>((bitcast<u32>(_e410) & 2147483647u));
-                            let _e482 = bitcast<f32>((bitcast<u32>(_e411) & 2147483647u));
-                            let _e485 = bitcast<f32>((bitcast<u32>(_e412) & 2147483647u));
-                            let _e487 = select(_e485, _e482, (_e482 > _e485));
-                            let _e491 = select(_e485, _e482, (_e482 < _e485));
-                            let _e495 = select(_e482, _e479, (_e479 < _e482));
-                            let _e497 = select(_e482, _e479, (_e479 > _e482));
-                            let _e499 = select(_e485, _e497, (_e497 < _e485));
-                            phi_979_ = bitcast<f32>((bitcast<u32>((_e145.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e487, _e479, (_e479 > _e487)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e499, _e495, (_e495 > _e499)))) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e491, _e479, (_e479 < _e491)))) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e436 + _e443) + _e450))) ^ _e145.member_3[0]))) * 1.0000005f)) ^ _e145.member_3[0])))) ^ _e145.member_3[0]));
+                            let _e513 = bitcast<f32>((bitcast<u32>(_e444) & 2147483647u));
+                            let _e516 = bitcast<f32>((bitcast<u32>(_e445) & 2147483647u));
+                            let _e519 = bitcast<f32>((bitcast<u32>(_e446) & 2147483647u));
+                            let _e521 = select(_e519, _e516, (_e516 > _e519));
+                            let _e525 = select(_e519, _e516, (_e516 < _e519));
+                            let _e529 = select(_e516, _e513, (_e513 < _e516));
+                            let _e531 = select(_e516, _e513, (_e513 > _e516));
+                            let _e533 = select(_e519, _e531, (_e531 < _e519));
+                            phi_986_ = bitcast<f32>((bitcast<u32>((_e149.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e521, _e513, (_e513 > _e521)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e533, _e529, (_e529 > _e533)))) ^ _e149.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e525, _e513, (_e513 < _e525)))) ^ _e149.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e470 + _e477) + _e484))) ^ _e149.member_3[0]))) * 1.0000005f)) ^ _e149.member_3[0])))) ^ _e149.member_3[0]));
                         }
-                        let _e526 = phi_979_;
-                        if (_e294 || !(((((bitcast<f32>((bitcast<u32>((_e385.x * _e410)) ^ _e145.member_3[0])) + bitcast<f32>((bitcast<u32>((_e385.y * _e411)) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e385.z * _e412)) ^ _e145.member_3[0]))) * f32(-(_e293))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e385.x) & 2147483647u)) * _e436)) ^ _e145.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e385.y) & 2147483647u)) * _e443)) ^ _e145.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e385.z) & 2147483647u)) * _e450)) ^ _e145.member_3[0]))))) ^ _e145.member_3[0])) + _e526) + 0.0000000000000000000000000000000000001880791f)))) {
-                            let _e542 = (_e333 - _e275.member[0]);
-                            let _e543 = (_e337 - _e275.member[1]);
-                            let _e544 = (_e341 - _e275.member[2]);
-                            let _e545 = (_e345 - _e275.member[0]);
-                            let _e546 = (_e349 - _e275.member[1]);
-                            let _e547 = (_e353 - _e275.member[2]);
-                            let _e548 = (_e357 - _e275.member[0]);
-                            let _e549 = (_e361 - _e275.member[1]);
-                            let _e550 = (_e365 - _e275.member[2]);
-                            phi_1021_ = type_11(0u, 4u);
-                            phi_1024_ = false;
+                        let _e560 = phi_986_;
+                        if (_e328 || !(((((bitcast<f32>((bitcast<u32>((_e419.x * _e444)) ^ _e149.member_3[0])) + bitcast<f32>((bitcast<u32>((_e419.y * _e445)) ^ _e149.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e419.z * _e446)) ^ _e149.member_3[0]))) * f32(-(_e327))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e419.x) & 2147483647u)) * _e470)) ^ _e149.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e419.y) & 2147483647u)) * _e477)) ^ _e149.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e419.z) & 2147483647u)) * _e484)) ^ _e149.member_3[0]))))) ^ _e149.member_3[0])) + _e560) + 0.0000000000000000000000000000000000001880791f)))) {
+                            let _e576 = (_e367 - _e294.member[0]);
+                            let _e577 = (_e371 - _e294.member[1]);
+                            let _e578 = (_e375 - _e294.member[2]);
+                            let _e579 = (_e379 - _e294.member[0]);
+                            let _e580 = (_e383 - _e294.member[1]);
+                            let _e581 = (_e387 - _e294.member[2]);
+                            let _e582 = (_e391 - _e294.member[0]);
+                            let _e583 = (_e395 - _e294.member[1]);
+                            let _e584 = (_e399 - _e294.member[2]);
+                            phi_1028_ = type_11(0u, 4u);
+                            phi_1031_ = false;
                             loop {
-                                let _e552 = phi_1021_;
-                                let _e554 = phi_1024_;
-                                local_3 = _e554;
-                                if (_e552.member < _e552.member_1) {
-                                    phi_1022_ = type_11((_e552.member + 1u), _e552.member_1);
-                                    phi_1047_ = type_11(1u, _e552.member);
+                                let _e586 = phi_1028_;
+                                let _e588 = phi_1031_;
+                                local_3 = _e588;
+                                if (_e586.member < _e586.member_1) {
+                                    phi_1029_ = type_11((_e586.member + 1u), _e586.member_1);
+                                    phi_1054_ = type_11(1u, _e586.member);
                                 } else {
-                                    phi_1022_ = _e552;
-                                    phi_1047_ = type_11(0u, type_11().member_1);
+                                    phi_1029_ = _e586;
+                                    phi_1054_ = type_11(0u, type_11().member_1);
                                 }
-                                let _e567 = phi_1022_;
-                                let _e569 = phi_1047_;
-                                let _e573 = (bitcast<i32>(_e569.member) != 0i);
-                                if _e573 {
-                                    let _e574 = (_e569.member_1 < 4u);
-                                    if _e574 {
+                                let _e601 = phi_1029_;
+                                let _e603 = phi_1054_;
+                                let _e607 = (bitcast<i32>(_e603.member) != 0i);
+                                if _e607 {
+                                    let _e608 = (_e603.member_1 < 4u);
+                                    if _e608 {
                                     } else {
-                                        phi_1375_ = true;
+                                        phi_1386_ = true;
                                         break;
                                     }
-                                    let _e576 = local[_e569.member_1];
-                                    if (((((_e576[0] * _e542) + (_e576[1] * _e543)) + (_e576[2] * _e544)) + _e576[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e542) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e543) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e544) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e576[3]) & 2147483647u)))))) {
-                                        if _e574 {
+                                    let _e610 = local[_e603.member_1];
+                                    if (((((_e610[0] * _e576) + (_e610[1] * _e577)) + (_e610[2] * _e578)) + _e610[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e576) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e577) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e578) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e610[3]) & 2147483647u)))))) {
+                                        if _e608 {
                                         } else {
-                                            phi_1375_ = true;
+                                            phi_1386_ = true;
                                             break;
                                         }
-                                        let _e605 = local[_e569.member_1];
-                                        let _e633 = (((((_e605[0] * _e545) + (_e605[1] * _e546)) + (_e605[2] * _e547)) + _e605[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e545) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e546) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e547) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e605[3]) & 2147483647u))))));
-                                        if _e633 {
-                                            if _e574 {
+                                        let _e639 = local[_e603.member_1];
+                                        let _e667 = (((((_e639[0] * _e579) + (_e639[1] * _e580)) + (_e639[2] * _e581)) + _e639[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e579) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e580) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e581) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e639[3]) & 2147483647u))))));
+                                        if _e667 {
+                                            if _e608 {
                                             } else {
-                                                phi_1375_ = true;
+                                                phi_1386_ = true;
                                                 break;
                                             }
-                                            let _e634 = local[_e569.member_1];
-                                            phi_1202_ = (((((_e634[0] * _e548) + (_e634[1] * _e549)) + (_e634[2] * _e550)) + _e634[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e548) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e549) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e550) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e634[3]) & 2147483647u))))));
+                                            let _e668 = local[_e603.member_1];
+                                            phi_1209_ = (((((_e668[0] * _e582) + (_e668[1] * _e583)) + (_e668[2] * _e584)) + _e668[3]) < (-0.0000000000000000000000000000000000001880791f - (0.000003814712f * (((bitcast<f32>((bitcast<u32>(_e582) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e583) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e584) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e668[3]) & 2147483647u))))));
                                         } else {
-                                            phi_1202_ = bool();
+                                            phi_1209_ = bool();
                                         }
-                                        let _e664 = phi_1202_;
-                                        phi_1204_ = _e664;
-                                        phi_1205_ = select(true, false, _e633);
+                                        let _e698 = phi_1209_;
+                                        phi_1211_ = _e698;
+                                        phi_1212_ = select(true, false, _e667);
                                     } else {
-                                        phi_1204_ = bool();
-                                        phi_1205_ = true;
+                                        phi_1211_ = bool();
+                                        phi_1212_ = true;
                                     }
-                                    let _e667 = phi_1204_;
-                                    let _e669 = phi_1205_;
-                                    phi_1025_ = (_e554 || select(_e667, false, _e669));
+                                    let _e701 = phi_1211_;
+                                    let _e703 = phi_1212_;
+                                    phi_1032_ = (_e588 || select(_e701, false, _e703));
                                 } else {
-                                    phi_1025_ = bool();
+                                    phi_1032_ = bool();
                                 }
-                                let _e673 = phi_1025_;
+                                let _e707 = phi_1032_;
                                 continue;
                                 continuing {
-                                    phi_1021_ = _e567;
-                                    phi_1024_ = _e673;
-                                    phi_1375_ = _e274;
-                                    break if !(_e573);
+                                    phi_1028_ = _e601;
+                                    phi_1031_ = _e707;
+                                    phi_1386_ = _e293;
+                                    break if !(_e607);
                                 }
                             }
-                            let _e676 = phi_1375_;
-                            if _e676 {
+                            let _e710 = phi_1386_;
+                            if _e710 {
                                 break;
                             }
-                            let _e679 = local_3;
-                            phi_1416_ = _e676;
-                            phi_1219_ = !(select(false, _e679, (_e275.member_1 == 1u)));
+                            let _e713 = local_3;
+                            phi_1429_ = _e710;
+                            phi_1226_ = !(select(false, _e713, (_e294.member_1 == 1u)));
                         } else {
-                            phi_1416_ = _e274;
-                            phi_1219_ = false;
+                            phi_1429_ = _e293;
+                            phi_1226_ = false;
                         }
-                        let _e683 = phi_1416_;
-                        let _e685 = phi_1219_;
-                        phi_1415_ = _e683;
-                        phi_1220_ = _e685;
+                        let _e717 = phi_1429_;
+                        let _e719 = phi_1226_;
+                        phi_1428_ = _e717;
+                        phi_1227_ = _e719;
                     } else {
-                        phi_1415_ = _e274;
-                        phi_1220_ = true;
+                        phi_1428_ = _e293;
+                        phi_1227_ = true;
                     }
-                    let _e687 = phi_1415_;
-                    let _e689 = phi_1220_;
-                    phi_1414_ = _e687;
-                    phi_1222_ = select(0u, 1u, _e689);
+                    let _e721 = phi_1428_;
+                    let _e723 = phi_1227_;
+                    phi_1427_ = _e721;
+                    phi_1229_ = select(0u, 1u, _e723);
                 } else {
-                    phi_1414_ = false;
-                    phi_1222_ = 0u;
+                    phi_1427_ = false;
+                    phi_1229_ = 0u;
                 }
-                let _e692 = phi_1414_;
-                let _e694 = phi_1222_;
-                phi_1413_ = _e692;
-                phi_1223_ = _e694;
+                let _e726 = phi_1427_;
+                let _e728 = phi_1229_;
+                phi_1426_ = _e726;
+                phi_1230_ = _e728;
             } else {
-                phi_1413_ = false;
-                phi_1223_ = 0u;
+                phi_1426_ = false;
+                phi_1230_ = 0u;
             }
-            let _e696 = phi_1413_;
-            let _e698 = phi_1223_;
-            let _e699 = (_e54 % 64u);
-            if (_e699 < 64u) {
+            let _e730 = phi_1426_;
+            let _e732 = phi_1230_;
+            let _e733 = (_e54 % 64u);
+            if (_e733 < 64u) {
             } else {
                 break;
             }
-            global_4[_e699] = _e698;
+            global_4[_e733] = _e732;
             workgroupBarrier();
-            let _e702 = (_e72 / 32u);
+            let _e736 = (_e72 / 32u);
             if ((_e54 & 31u) == 0u) {
-                let _e705 = (_e702 < arrayLength((&global_11.member)));
-                if _e705 {
-                    phi_1243_ = type_11(0u, 32u);
-                    phi_1246_ = 0u;
+                let _e739 = (_e736 < arrayLength((&global_11.member)));
+                if _e739 {
+                    phi_1250_ = type_11(0u, 32u);
+                    phi_1253_ = 0u;
                     loop {
-                        let _e707 = phi_1243_;
-                        let _e709 = phi_1246_;
-                        local_4 = _e709;
-                        if (_e707.member < _e707.member_1) {
-                            phi_1244_ = type_11((_e707.member + 1u), _e707.member_1);
-                            phi_1269_ = type_11(1u, _e707.member);
+                        let _e741 = phi_1250_;
+                        let _e743 = phi_1253_;
+                        local_4 = _e743;
+                        if (_e741.member < _e741.member_1) {
+                            phi_1251_ = type_11((_e741.member + 1u), _e741.member_1);
+                            phi_1276_ = type_11(1u, _e741.member);
                         } else {
-                            phi_1244_ = _e707;
-                            phi_1269_ = type_11(0u, type_11().member_1);
+                            phi_1251_ = _e741;
+                            phi_1276_ = type_11(0u, type_11().member_1);
                         }
-                        let _e722 = phi_1244_;
-                        let _e724 = phi_1269_;
-                        let _e728 = (bitcast<i32>(_e724.member) != 0i);
-                        if _e728 {
-                            let _e730 = ((_e54 + _e724.member_1) % 64u);
-                            if (_e730 < 64u) {
+                        let _e756 = phi_1251_;
+                        let _e758 = phi_1276_;
+                        let _e762 = (bitcast<i32>(_e758.member) != 0i);
+                        if _e762 {
+                            let _e764 = ((_e54 + _e758.member_1) % 64u);
+                            if (_e764 < 64u) {
                             } else {
-                                phi_1409_ = true;
+                                phi_1422_ = true;
                                 break;
                             }
-                            let _e733 = global_4[_e730];
-                            phi_1247_ = (_e709 | (_e733 << bitcast<u32>((_e724.member_1 & 31u))));
+                            let _e767 = global_4[_e764];
+                            phi_1254_ = (_e743 | (_e767 << bitcast<u32>((_e758.member_1 & 31u))));
                         } else {
-                            phi_1247_ = u32();
+                            phi_1254_ = u32();
                         }
-                        let _e739 = phi_1247_;
+                        let _e773 = phi_1254_;
                         continue;
                         continuing {
-                            phi_1243_ = _e722;
-                            phi_1246_ = _e739;
-                            phi_1409_ = _e696;
-                            break if !(_e728);
+                            phi_1250_ = _e756;
+                            phi_1253_ = _e773;
+                            phi_1422_ = _e730;
+                            break if !(_e762);
                         }
                     }
-                    let _e742 = phi_1409_;
-                    if _e742 {
+                    let _e776 = phi_1422_;
+                    if _e776 {
                         break;
                     }
-                    if _e705 {
+                    if _e739 {
                     } else {
                         break;
                     }
-                    let _e746 = local_4;
-                    global_11.member[_e702] = _e746;
+                    let _e780 = local_4;
+                    global_11.member[_e736] = _e780;
                 }
             }
             break;

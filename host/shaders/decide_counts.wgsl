@@ -66,34 +66,36 @@ var<storage, read_write> global_9: type_41;
 var<workgroup> global_10: array<type_39, 64>;
 
 fn function_() {
-    var phi_235_: type_30;
-    var phi_246_: type_9;
-    var phi_249_: type_39;
-    var phi_247_: type_9;
-    var phi_272_: type_9;
-    var phi_302_: u32;
-    var phi_316_: i32;
-    var phi_335_: array<u32, 3>;
-    var phi_350_: array<f32, 3>;
-    var phi_368_: array<f32, 3>;
-    var phi_386_: array<f32, 3>;
-    var phi_495_: vec3<f32>;
-    var phi_677_: f32;
-    var phi_713_: i32;
-    var phi_717_: type_39;
-    var phi_728_: type_39;
-    var phi_250_: type_39;
-    var phi_860_: bool;
+    var phi_162_: i32;
+    var phi_215_: i32;
+    var phi_239_: type_30;
+    var phi_250_: type_9;
+    var phi_253_: type_39;
+    var phi_251_: type_9;
+    var phi_276_: type_9;
+    var phi_306_: u32;
+    var phi_320_: i32;
+    var phi_339_: array<u32, 3>;
+    var phi_354_: array<f32, 3>;
+    var phi_372_: array<f32, 3>;
+    var phi_390_: array<f32, 3>;
+    var phi_499_: vec3<f32>;
+    var phi_681_: f32;
+    var phi_717_: i32;
+    var phi_721_: type_39;
+    var phi_732_: type_39;
+    var phi_254_: type_39;
+    var phi_864_: bool;
     var local: type_39;
     var local_1: type_39;
     var local_2: type_39;
     var local_3: type_39;
-    var phi_743_: type_9;
-    var phi_746_: u32;
-    var phi_744_: type_9;
-    var phi_769_: type_9;
-    var phi_747_: u32;
-    var phi_893_: bool;
+    var phi_747_: type_9;
+    var phi_750_: u32;
+    var phi_748_: type_9;
+    var phi_773_: type_9;
+    var phi_751_: u32;
+    var phi_901_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -103,297 +105,311 @@ fn function_() {
             let _e69 = (_e47.x + (_e47.y * 32768u));
             let _e72 = global_2.member[0u];
             let _e73 = bitcast<i32>(_e72);
-            let _e74 = (_e73 / 2i);
-            let _e79 = bitcast<f32>((bitcast<u32>((_e74 + 127i)) << bitcast<u32>(23i)));
-            let _e85 = bitcast<f32>((bitcast<u32>(((_e73 - _e74) + 127i)) << bitcast<u32>(23i)));
-            let _e89 = global_3.member[0u][0u];
-            let _e93 = global_3.member[0u][1u];
-            let _e97 = global_3.member[0u][2u];
-            let _e101 = global_3.member[0u][3u];
-            let _e105 = global_3.member[1u][0u];
-            let _e109 = global_3.member[1u][1u];
-            let _e113 = global_3.member[1u][2u];
-            let _e117 = global_3.member[1u][3u];
-            let _e118 = bitcast<f32>(_e89);
-            let _e119 = bitcast<f32>(_e93);
-            let _e120 = bitcast<f32>(_e97);
-            let _e122 = bitcast<f32>(_e105);
-            let _e123 = array<u32, 3>(_e109, _e113, _e117);
-            if (_e101 == 0u) {
-                phi_235_ = type_30(array<f32, 3>(_e118, _e119, _e120), _e101, _e122, _e123);
+            let _e74 = (_e73 < -126i);
+            if _e74 {
+                phi_162_ = -126i;
             } else {
-                phi_235_ = type_30(array<f32, 3>(((_e118 * _e79) * _e85), ((_e119 * _e79) * _e85), ((_e120 * _e79) * _e85)), _e101, ((_e122 * _e79) * _e85), _e123);
+                phi_162_ = select(_e73, 127i, (_e73 > 127i));
             }
-            let _e137 = phi_235_;
-            phi_246_ = type_9(0u, 16u);
-            phi_249_ = type_39(0u, 0u, 0u, 0u);
+            let _e78 = phi_162_;
+            let _e83 = bitcast<f32>((bitcast<u32>((_e78 + 127i)) << bitcast<u32>(23i)));
+            let _e89 = bitcast<f32>((bitcast<u32>(((_e73 - _e78) + 127i)) << bitcast<u32>(23i)));
+            let _e93 = global_3.member[0u][0u];
+            let _e97 = global_3.member[0u][1u];
+            let _e101 = global_3.member[0u][2u];
+            let _e105 = global_3.member[0u][3u];
+            let _e109 = global_3.member[1u][0u];
+            let _e113 = global_3.member[1u][1u];
+            let _e117 = global_3.member[1u][2u];
+            let _e121 = global_3.member[1u][3u];
+            let _e122 = bitcast<f32>(_e93);
+            let _e123 = bitcast<f32>(_e97);
+            let _e124 = bitcast<f32>(_e101);
+            let _e126 = bitcast<f32>(_e109);
+            let _e127 = array<u32, 3>(_e113, _e117, _e121);
+            if _e74 {
+                phi_215_ = -126i;
+            } else {
+                phi_215_ = select(_e73, 127i, (_e73 > 127i));
+            }
+            let _e132 = phi_215_;
+            let _e137 = bitcast<f32>((bitcast<u32>((_e132 + 127i)) << bitcast<u32>(23i)));
+            let _e143 = bitcast<f32>((bitcast<u32>(((_e73 - _e132) + 127i)) << bitcast<u32>(23i)));
+            if (_e105 == 0u) {
+                phi_239_ = type_30(array<f32, 3>(_e122, _e123, _e124), _e105, _e126, _e127);
+            } else {
+                phi_239_ = type_30(array<f32, 3>(((_e122 * _e137) * _e143), ((_e123 * _e137) * _e143), ((_e124 * _e137) * _e143)), _e105, ((_e126 * _e137) * _e143), _e127);
+            }
+            let _e156 = phi_239_;
+            phi_250_ = type_9(0u, 16u);
+            phi_253_ = type_39(0u, 0u, 0u, 0u);
             loop {
-                let _e139 = phi_246_;
-                let _e141 = phi_249_;
-                local = _e141;
-                local_1 = _e141;
-                local_2 = _e141;
-                local_3 = _e141;
-                if (_e139.member < _e139.member_1) {
-                    phi_247_ = type_9((_e139.member + 1u), _e139.member_1);
-                    phi_272_ = type_9(1u, _e139.member);
+                let _e158 = phi_250_;
+                let _e160 = phi_253_;
+                local = _e160;
+                local_1 = _e160;
+                local_2 = _e160;
+                local_3 = _e160;
+                if (_e158.member < _e158.member_1) {
+                    phi_251_ = type_9((_e158.member + 1u), _e158.member_1);
+                    phi_276_ = type_9(1u, _e158.member);
                 } else {
-                    phi_247_ = _e139;
-                    phi_272_ = type_9(0u, type_9().member_1);
+                    phi_251_ = _e158;
+                    phi_276_ = type_9(0u, type_9().member_1);
                 }
-                let _e154 = phi_247_;
-                let _e156 = phi_272_;
-                let _e160 = (bitcast<i32>(_e156.member) != 0i);
-                if _e160 {
-                    let _e164 = (((_e69 * 1024u) + (_e156.member_1 * 64u)) + _e48);
-                    let _e165 = (_e164 < arrayLength((&global_7.member)));
-                    if _e165 {
-                        let _e166 = (_e164 < arrayLength((&global_4.member)));
-                        if _e166 {
-                            if _e166 {
+                let _e173 = phi_251_;
+                let _e175 = phi_276_;
+                let _e179 = (bitcast<i32>(_e175.member) != 0i);
+                if _e179 {
+                    let _e183 = (((_e69 * 1024u) + (_e175.member_1 * 64u)) + _e48);
+                    let _e184 = (_e183 < arrayLength((&global_7.member)));
+                    if _e184 {
+                        let _e185 = (_e183 < arrayLength((&global_4.member)));
+                        if _e185 {
+                            if _e185 {
                             } else {
-                                phi_860_ = true;
+                                phi_864_ = true;
                                 break;
                             }
-                            let _e168 = global_4.member[_e164];
-                            phi_302_ = _e168;
+                            let _e187 = global_4.member[_e183];
+                            phi_306_ = _e187;
                         } else {
-                            phi_302_ = 4294967295u;
+                            phi_306_ = 4294967295u;
                         }
-                        let _e170 = phi_302_;
-                        let _e171 = (_e170 < arrayLength((&global_5.member)));
-                        if _e171 {
-                            if _e171 {
+                        let _e189 = phi_306_;
+                        let _e190 = (_e189 < arrayLength((&global_5.member)));
+                        if _e190 {
+                            if _e190 {
                             } else {
-                                phi_860_ = true;
+                                phi_864_ = true;
                                 break;
                             }
-                            let _e173 = global_5.member[_e170];
-                            phi_316_ = _e173;
+                            let _e192 = global_5.member[_e189];
+                            phi_320_ = _e192;
                         } else {
-                            phi_316_ = 0i;
+                            phi_320_ = 0i;
                         }
-                        let _e175 = phi_316_;
-                        if (_e175 == 0i) {
-                            phi_717_ = type_39(1u, 1u, 0u, 0u);
+                        let _e194 = phi_320_;
+                        if (_e194 == 0i) {
+                            phi_721_ = type_39(1u, 1u, 0u, 0u);
                         } else {
-                            if _e165 {
-                                if _e165 {
+                            if _e184 {
+                                if _e184 {
                                 } else {
-                                    phi_860_ = true;
+                                    phi_864_ = true;
                                     break;
                                 }
-                                let _e178 = global_7.member[_e164];
-                                phi_335_ = _e178;
+                                let _e197 = global_7.member[_e183];
+                                phi_339_ = _e197;
                             } else {
-                                phi_335_ = array<u32, 3>(0u, 0u, 0u);
+                                phi_339_ = array<u32, 3>(0u, 0u, 0u);
                             }
-                            let _e180 = phi_335_;
-                            let _e182 = (_e180[0] < _e51);
-                            if _e182 {
-                                if _e182 {
+                            let _e199 = phi_339_;
+                            let _e201 = (_e199[0] < _e51);
+                            if _e201 {
+                                if _e201 {
                                 } else {
-                                    phi_860_ = true;
+                                    phi_864_ = true;
                                     break;
                                 }
-                                let _e184 = global_6.member[_e180[0]];
-                                phi_350_ = _e184;
+                                let _e203 = global_6.member[_e199[0]];
+                                phi_354_ = _e203;
                             } else {
-                                phi_350_ = array<f32, 3>(0f, 0f, 0f);
+                                phi_354_ = array<f32, 3>(0f, 0f, 0f);
                             }
-                            let _e186 = phi_350_;
-                            let _e191 = (_e180[1] < _e51);
-                            if _e191 {
-                                if _e191 {
+                            let _e205 = phi_354_;
+                            let _e210 = (_e199[1] < _e51);
+                            if _e210 {
+                                if _e210 {
                                 } else {
-                                    phi_860_ = true;
+                                    phi_864_ = true;
                                     break;
                                 }
-                                let _e193 = global_6.member[_e180[1]];
-                                phi_368_ = _e193;
+                                let _e212 = global_6.member[_e199[1]];
+                                phi_372_ = _e212;
                             } else {
-                                phi_368_ = array<f32, 3>(0f, 0f, 0f);
+                                phi_372_ = array<f32, 3>(0f, 0f, 0f);
                             }
-                            let _e195 = phi_368_;
-                            let _e200 = (_e180[2] < _e51);
-                            if _e200 {
-                                if _e200 {
+                            let _e214 = phi_372_;
+                            let _e219 = (_e199[2] < _e51);
+                            if _e219 {
+                                if _e219 {
                                 } else {
-                                    phi_860_ = true;
+                                    phi_864_ = true;
                                     break;
                                 }
-                                let _e202 = global_6.member[_e180[2]];
-                                phi_386_ = _e202;
+                                let _e221 = global_6.member[_e199[2]];
+                                phi_390_ = _e221;
                             } else {
-                                phi_386_ = array<f32, 3>(0f, 0f, 0f);
+                                phi_390_ = array<f32, 3>(0f, 0f, 0f);
                             }
-                            let _e204 = phi_386_;
-                            let _e209 = ((_e186[0] * _e79) * _e85);
-                            let _e211 = select(_e209, 0f, (_e209 == 0f));
-                            let _e213 = ((_e186[1] * _e79) * _e85);
-                            let _e215 = select(_e213, 0f, (_e213 == 0f));
-                            let _e217 = ((_e186[2] * _e79) * _e85);
-                            let _e219 = select(_e217, 0f, (_e217 == 0f));
-                            let _e221 = ((_e195[0] * _e79) * _e85);
-                            let _e225 = ((_e195[1] * _e79) * _e85);
-                            let _e229 = ((_e195[2] * _e79) * _e85);
-                            let _e233 = ((_e204[0] * _e79) * _e85);
-                            let _e237 = ((_e204[1] * _e79) * _e85);
-                            let _e241 = ((_e204[2] * _e79) * _e85);
-                            let _e244 = (select(_e221, 0f, (_e221 == 0f)) - _e211);
-                            let _e245 = (select(_e225, 0f, (_e225 == 0f)) - _e215);
-                            let _e246 = (select(_e229, 0f, (_e229 == 0f)) - _e219);
-                            let _e247 = (select(_e233, 0f, (_e233 == 0f)) - _e211);
-                            let _e248 = (select(_e237, 0f, (_e237 == 0f)) - _e215);
-                            let _e249 = (select(_e241, 0f, (_e241 == 0f)) - _e219);
-                            if (_e137.member_1 == 1u) {
-                                phi_495_ = vec3<f32>((_e137.member[0] - _e211), (_e137.member[1] - _e215), (_e137.member[2] - _e219));
+                            let _e223 = phi_390_;
+                            let _e228 = ((_e205[0] * _e83) * _e89);
+                            let _e230 = select(_e228, 0f, (_e228 == 0f));
+                            let _e232 = ((_e205[1] * _e83) * _e89);
+                            let _e234 = select(_e232, 0f, (_e232 == 0f));
+                            let _e236 = ((_e205[2] * _e83) * _e89);
+                            let _e238 = select(_e236, 0f, (_e236 == 0f));
+                            let _e240 = ((_e214[0] * _e83) * _e89);
+                            let _e244 = ((_e214[1] * _e83) * _e89);
+                            let _e248 = ((_e214[2] * _e83) * _e89);
+                            let _e252 = ((_e223[0] * _e83) * _e89);
+                            let _e256 = ((_e223[1] * _e83) * _e89);
+                            let _e260 = ((_e223[2] * _e83) * _e89);
+                            let _e263 = (select(_e240, 0f, (_e240 == 0f)) - _e230);
+                            let _e264 = (select(_e244, 0f, (_e244 == 0f)) - _e234);
+                            let _e265 = (select(_e248, 0f, (_e248 == 0f)) - _e238);
+                            let _e266 = (select(_e252, 0f, (_e252 == 0f)) - _e230);
+                            let _e267 = (select(_e256, 0f, (_e256 == 0f)) - _e234);
+                            let _e268 = (select(_e260, 0f, (_e260 == 0f)) - _e238);
+                            if (_e156.member_1 == 1u) {
+                                phi_499_ = vec3<f32>((_e156.member[0] - _e230), (_e156.member[1] - _e234), (_e156.member[2] - _e238));
                             } else {
-                                phi_495_ = vec3<f32>(_e137.member[0], _e137.member[1], _e137.member[2]);
+                                phi_499_ = vec3<f32>(_e156.member[0], _e156.member[1], _e156.member[2]);
                             }
-                            let _e266 = phi_495_;
-                            let _e272 = bitcast<f32>((bitcast<u32>((_e244 * _e248)) ^ _e137.member_3[0]));
-                            let _e276 = bitcast<f32>((bitcast<u32>((_e245 * _e247)) ^ _e137.member_3[0]));
-                            let _e280 = bitcast<f32>((bitcast<u32>((_e245 * _e249)) ^ _e137.member_3[0]));
-                            let _e284 = bitcast<f32>((bitcast<u32>((_e246 * _e248)) ^ _e137.member_3[0]));
-                            let _e288 = bitcast<f32>((bitcast<u32>((_e246 * _e247)) ^ _e137.member_3[0]));
-                            let _e292 = bitcast<f32>((bitcast<u32>((_e244 * _e249)) ^ _e137.member_3[0]));
-                            let _e293 = (_e280 - _e284);
-                            let _e294 = (_e288 - _e292);
-                            let _e295 = (_e272 - _e276);
-                            let _e312 = ((bitcast<f32>((bitcast<u32>((_e266.x * _e293)) ^ _e137.member_3[0])) + bitcast<f32>((bitcast<u32>((_e266.y * _e294)) ^ _e137.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e266.z * _e295)) ^ _e137.member_3[0])));
-                            let _e319 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e284) & 2147483647u)));
-                            let _e326 = (bitcast<f32>((bitcast<u32>(_e288) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e292) & 2147483647u)));
-                            let _e333 = (bitcast<f32>((bitcast<u32>(_e272) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e276) & 2147483647u)));
-                            if (_e137.member_2 == 0f) {
-                                phi_677_ = 0f;
+                            let _e285 = phi_499_;
+                            let _e291 = bitcast<f32>((bitcast<u32>((_e263 * _e267)) ^ _e156.member_3[0]));
+                            let _e295 = bitcast<f32>((bitcast<u32>((_e264 * _e266)) ^ _e156.member_3[0]));
+                            let _e299 = bitcast<f32>((bitcast<u32>((_e264 * _e268)) ^ _e156.member_3[0]));
+                            let _e303 = bitcast<f32>((bitcast<u32>((_e265 * _e267)) ^ _e156.member_3[0]));
+                            let _e307 = bitcast<f32>((bitcast<u32>((_e265 * _e266)) ^ _e156.member_3[0]));
+                            let _e311 = bitcast<f32>((bitcast<u32>((_e263 * _e268)) ^ _e156.member_3[0]));
+                            let _e312 = (_e299 - _e303);
+                            let _e313 = (_e307 - _e311);
+                            let _e314 = (_e291 - _e295);
+                            let _e331 = ((bitcast<f32>((bitcast<u32>((_e285.x * _e312)) ^ _e156.member_3[0])) + bitcast<f32>((bitcast<u32>((_e285.y * _e313)) ^ _e156.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e285.z * _e314)) ^ _e156.member_3[0])));
+                            let _e338 = (bitcast<f32>((bitcast<u32>(_e299) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e303) & 2147483647u)));
+                            let _e345 = (bitcast<f32>((bitcast<u32>(_e307) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e311) & 2147483647u)));
+                            let _e352 = (bitcast<f32>((bitcast<u32>(_e291) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e295) & 2147483647u)));
+                            if (_e156.member_2 == 0f) {
+                                phi_681_ = 0f;
                             } else {
-                                let _e363 = bitcast<f32>((bitcast<u32>(_e293) & 2147483647u));
-                                let _e366 = bitcast<f32>((bitcast<u32>(_e294) & 2147483647u));
-                                let _e369 = bitcast<f32>((bitcast<u32>(_e295) & 2147483647u));
-                                let _e371 = select(_e369, _e366, (_e366 > _e369));
-                                let _e375 = select(_e369, _e366, (_e366 < _e369));
-                                let _e379 = select(_e366, _e363, (_e363 < _e366));
-                                let _e381 = select(_e366, _e363, (_e363 > _e366));
-                                let _e383 = select(_e369, _e381, (_e381 < _e369));
-                                phi_677_ = bitcast<f32>((bitcast<u32>((_e137.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e371, _e363, (_e363 > _e371)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e383, _e379, (_e379 > _e383)))) ^ _e137.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e375, _e363, (_e363 < _e375)))) ^ _e137.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e319 + _e326) + _e333))) ^ _e137.member_3[0]))) * 1.0000005f)) ^ _e137.member_3[0])))) ^ _e137.member_3[0]));
+                                let _e382 = bitcast<f32>((bitcast<u32>(_e312) & 2147483647u));
+                                let _e385 = bitcast<f32>((bitcast<u32>(_e313) & 2147483647u));
+                                let _e388 = bitcast<f32>((bitcast<u32>(_e314) & 2147483647u));
+                                let _e390 = select(_e388, _e385, (_e385 > _e388));
+                                let _e394 = select(_e388, _e385, (_e385 < _e388));
+                                let _e398 = select(_e385, _e382, (_e382 < _e385));
+                                let _e400 = select(_e385, _e382, (_e382 > _e385));
+                                let _e402 = select(_e388, _e400, (_e400 < _e388));
+                                phi_681_ = bitcast<f32>((bitcast<u32>((_e156.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e390, _e382, (_e382 > _e390)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e402, _e398, (_e398 > _e402)))) ^ _e156.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e394, _e382, (_e382 < _e394)))) ^ _e156.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e338 + _e345) + _e352))) ^ _e156.member_3[0]))) * 1.0000005f)) ^ _e156.member_3[0])))) ^ _e156.member_3[0]));
                             }
-                            let _e410 = phi_677_;
-                            let _e416 = ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e266.x) & 2147483647u)) * _e319)) ^ _e137.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e266.y) & 2147483647u)) * _e326)) ^ _e137.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e266.z) & 2147483647u)) * _e333)) ^ _e137.member_3[0]))))) ^ _e137.member_3[0])) + _e410) + 0.0000000000000000000000000000000000001880791f);
-                            let _e428 = (_e170 < arrayLength((&global_8.member)));
-                            if _e428 {
-                                if _e428 {
+                            let _e429 = phi_681_;
+                            let _e435 = ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e285.x) & 2147483647u)) * _e338)) ^ _e156.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e285.y) & 2147483647u)) * _e345)) ^ _e156.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e285.z) & 2147483647u)) * _e352)) ^ _e156.member_3[0]))))) ^ _e156.member_3[0])) + _e429) + 0.0000000000000000000000000000000000001880791f);
+                            let _e447 = (_e189 < arrayLength((&global_8.member)));
+                            if _e447 {
+                                if _e447 {
                                 } else {
-                                    phi_860_ = true;
+                                    phi_864_ = true;
                                     break;
                                 }
-                                let _e430 = global_8.member[_e170];
-                                phi_713_ = _e430;
+                                let _e449 = global_8.member[_e189];
+                                phi_717_ = _e449;
                             } else {
-                                phi_713_ = 0i;
+                                phi_717_ = 0i;
                             }
-                            let _e432 = phi_713_;
-                            phi_717_ = type_39(select(0u, 1u, !(((_e312 * f32(-(_e175))) > _e416))), select(0u, 1u, !(((_e312 * f32(_e175)) > _e416))), select(0u, 1u, (_e432 == 0i)), 0u);
+                            let _e451 = phi_717_;
+                            phi_721_ = type_39(select(0u, 1u, !(((_e331 * f32(-(_e194))) > _e435))), select(0u, 1u, !(((_e331 * f32(_e194)) > _e435))), select(0u, 1u, (_e451 == 0i)), 0u);
                         }
-                        let _e437 = phi_717_;
-                        phi_728_ = type_39((_e141.member + _e437.member), (_e141.member_1 + _e437.member_1), (_e141.member_2 + _e437.member_2), 0u);
+                        let _e456 = phi_721_;
+                        phi_732_ = type_39((_e160.member + _e456.member), (_e160.member_1 + _e456.member_1), (_e160.member_2 + _e456.member_2), 0u);
                     } else {
-                        phi_728_ = _e141;
+                        phi_732_ = _e160;
                     }
-                    let _e449 = phi_728_;
-                    phi_250_ = _e449;
+                    let _e468 = phi_732_;
+                    phi_254_ = _e468;
                 } else {
-                    phi_250_ = type_39();
+                    phi_254_ = type_39();
                 }
-                let _e451 = phi_250_;
+                let _e470 = phi_254_;
                 continue;
                 continuing {
-                    phi_246_ = _e154;
-                    phi_249_ = _e451;
-                    phi_860_ = false;
-                    break if !(_e160);
+                    phi_250_ = _e173;
+                    phi_253_ = _e470;
+                    phi_864_ = false;
+                    break if !(_e179);
                 }
             }
-            let _e454 = phi_860_;
-            if _e454 {
+            let _e473 = phi_864_;
+            if _e473 {
                 break;
             }
-            let _e455 = (_e48 % 64u);
-            let _e456 = (_e455 < 64u);
-            if _e456 {
+            let _e474 = (_e48 % 64u);
+            let _e475 = (_e474 < 64u);
+            if _e475 {
             } else {
                 break;
             }
-            let _e459 = local;
-            let _e462 = local_1;
-            let _e465 = local_2;
-            let _e468 = local_3;
-            global_10[_e455] = type_39(_e459.member, _e462.member_1, _e465.member_2, _e468.member_3);
+            let _e478 = local;
+            let _e481 = local_1;
+            let _e484 = local_2;
+            let _e487 = local_3;
+            global_10[_e474] = type_39(_e478.member, _e481.member_1, _e484.member_2, _e487.member_3);
             workgroupBarrier();
-            phi_743_ = type_9(0u, 6u);
-            phi_746_ = 32u;
+            phi_747_ = type_9(0u, 6u);
+            phi_750_ = 32u;
             loop {
-                let _e472 = phi_743_;
-                let _e474 = phi_746_;
-                if (_e472.member < _e472.member_1) {
-                    phi_744_ = type_9((_e472.member + 1u), _e472.member_1);
-                    phi_769_ = type_9(1u, _e472.member);
+                let _e491 = phi_747_;
+                let _e493 = phi_750_;
+                if (_e491.member < _e491.member_1) {
+                    phi_748_ = type_9((_e491.member + 1u), _e491.member_1);
+                    phi_773_ = type_9(1u, _e491.member);
                 } else {
-                    phi_744_ = _e472;
-                    phi_769_ = type_9(0u, type_9().member_1);
+                    phi_748_ = _e491;
+                    phi_773_ = type_9(0u, type_9().member_1);
                 }
-                let _e487 = phi_744_;
-                let _e489 = phi_769_;
-                let _e492 = (bitcast<i32>(_e489.member) != 0i);
-                if _e492 {
-                    if (_e48 < _e474) {
-                        if _e456 {
+                let _e506 = phi_748_;
+                let _e508 = phi_773_;
+                let _e511 = (bitcast<i32>(_e508.member) != 0i);
+                if _e511 {
+                    if (_e48 < _e493) {
+                        if _e475 {
                         } else {
-                            phi_893_ = true;
+                            phi_901_ = true;
                             break;
                         }
-                        let _e494 = global_10[_e455];
-                        let _e499 = ((_e48 + _e474) % 64u);
-                        if (_e499 < 64u) {
+                        let _e513 = global_10[_e474];
+                        let _e518 = ((_e48 + _e493) % 64u);
+                        if (_e518 < 64u) {
                         } else {
-                            phi_893_ = true;
+                            phi_901_ = true;
                             break;
                         }
-                        let _e502 = global_10[_e499];
-                        if _e456 {
+                        let _e521 = global_10[_e518];
+                        if _e475 {
                         } else {
-                            phi_893_ = true;
+                            phi_901_ = true;
                             break;
                         }
-                        global_10[_e455] = type_39((_e494.member + _e502.member), (_e494.member_1 + _e502.member_1), (_e494.member_2 + _e502.member_2), 0u);
+                        global_10[_e474] = type_39((_e513.member + _e521.member), (_e513.member_1 + _e521.member_1), (_e513.member_2 + _e521.member_2), 0u);
                     }
                     workgroupBarrier();
-                    phi_747_ = (_e474 / 2u);
+                    phi_751_ = (_e493 / 2u);
                 } else {
-                    phi_747_ = u32();
+                    phi_751_ = u32();
                 }
-                let _e512 = phi_747_;
+                let _e531 = phi_751_;
                 continue;
                 continuing {
-                    phi_743_ = _e487;
-                    phi_746_ = _e512;
-                    phi_893_ = _e454;
-                    break if !(_e492);
+                    phi_747_ = _e506;
+                    phi_750_ = _e531;
+                    phi_901_ = _e473;
+                    break if !(_e511);
                 }
             }
-            let _e515 = phi_893_;
-            if _e515 {
+            let _e534 = phi_901_;
+            if _e534 {
                 break;
             }
             if (_e48 == 0u) {
-                let _e517 = (_e69 < arrayLength((&global_9.member)));
-                if _e517 {
-                    let _e519 = global_10[0u];
-                    if _e517 {
+                let _e536 = (_e69 < arrayLength((&global_9.member)));
+                if _e536 {
+                    let _e538 = global_10[0u];
+                    if _e536 {
                     } else {
                         break;
                     }
-                    global_9.member[_e69] = type_39(_e519.member, _e519.member_1, _e519.member_2, _e519.member_3);
+                    global_9.member[_e69] = type_39(_e538.member, _e538.member_1, _e538.member_2, _e538.member_3);
                 }
             }
             break;

@@ -46,45 +46,46 @@ var<storage> global_3: type_27;
 var<storage, read_write> global_4: type_18;
 
 fn function_() {
-    var phi_350_: i32;
-    var phi_405_: bool;
-    var phi_406_: bool;
-    var phi_407_: bool;
-    var phi_408_: bool;
-    var phi_409_: bool;
-    var phi_237_: bool;
-    var phi_249_: bool;
-    var phi_261_: bool;
-    var phi_262_: bool;
-    var phi_263_: bool;
-    var phi_264_: bool;
+    var phi_352_: i32;
+    var phi_364_: i32;
+    var phi_410_: bool;
+    var phi_411_: bool;
+    var phi_412_: bool;
     var phi_413_: bool;
     var phi_414_: bool;
-    var phi_415_: bool;
-    var phi_416_: bool;
-    var phi_417_: bool;
+    var phi_239_: bool;
+    var phi_251_: bool;
+    var phi_263_: bool;
+    var phi_264_: bool;
+    var phi_265_: bool;
+    var phi_266_: bool;
     var phi_418_: bool;
     var phi_419_: bool;
     var phi_420_: bool;
     var phi_421_: bool;
     var phi_422_: bool;
-    var phi_431_: bool;
-    var phi_432_: bool;
-    var phi_433_: bool;
-    var phi_434_: bool;
-    var phi_435_: bool;
+    var phi_423_: bool;
+    var phi_424_: bool;
+    var phi_425_: bool;
+    var phi_426_: bool;
+    var phi_427_: bool;
+    var phi_436_: bool;
     var phi_437_: bool;
     var phi_438_: bool;
     var phi_439_: bool;
     var phi_440_: bool;
-    var phi_441_: bool;
     var phi_442_: bool;
     var phi_443_: bool;
     var phi_444_: bool;
     var phi_445_: bool;
-    var phi_484_: i32;
-    var phi_485_: i32;
-    var phi_486_: i32;
+    var phi_446_: bool;
+    var phi_447_: bool;
+    var phi_448_: bool;
+    var phi_449_: bool;
+    var phi_450_: bool;
+    var phi_489_: i32;
+    var phi_490_: i32;
+    var phi_491_: i32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -126,55 +127,55 @@ fn function_() {
                                 let _e105 = ((bitcast<u32>(_e83) & 2139095040u) != 2139095040u);
                                 if _e105 {
                                     if (_e64 == 0u) {
-                                        phi_431_ = true;
-                                        phi_432_ = bool();
-                                        phi_433_ = true;
+                                        phi_436_ = true;
+                                        phi_437_ = bool();
+                                        phi_438_ = true;
                                     } else {
                                         let _e107 = bitcast<u32>(_e85);
                                         if ((_e107 & 2139095040u) != 2139095040u) {
                                             let _e110 = (_e85 < 0f);
                                             if _e110 {
-                                                phi_416_ = bool();
-                                                phi_417_ = bool();
-                                                phi_418_ = false;
+                                                phi_421_ = bool();
+                                                phi_422_ = bool();
+                                                phi_423_ = false;
                                             } else {
                                                 if (_e85 == 0f) {
                                                     if (_e81 < _e92[0]) {
-                                                        phi_237_ = true;
+                                                        phi_239_ = true;
                                                     } else {
-                                                        phi_237_ = (_e81 > _e96[0]);
+                                                        phi_239_ = (_e81 > _e96[0]);
                                                     }
-                                                    let _e217 = phi_237_;
-                                                    if _e217 {
-                                                        phi_263_ = bool();
-                                                        phi_264_ = true;
+                                                    let _e221 = phi_239_;
+                                                    if _e221 {
+                                                        phi_265_ = bool();
+                                                        phi_266_ = true;
                                                     } else {
                                                         if (_e82 < _e92[1]) {
-                                                            phi_249_ = true;
+                                                            phi_251_ = true;
                                                         } else {
-                                                            phi_249_ = (_e82 > _e96[1]);
+                                                            phi_251_ = (_e82 > _e96[1]);
                                                         }
-                                                        let _e223 = phi_249_;
-                                                        if _e223 {
-                                                            phi_262_ = bool();
+                                                        let _e227 = phi_251_;
+                                                        if _e227 {
+                                                            phi_264_ = bool();
                                                         } else {
                                                             if (_e83 < _e92[2]) {
-                                                                phi_261_ = true;
+                                                                phi_263_ = true;
                                                             } else {
-                                                                phi_261_ = (_e83 > _e96[2]);
+                                                                phi_263_ = (_e83 > _e96[2]);
                                                             }
-                                                            let _e229 = phi_261_;
-                                                            phi_262_ = _e229;
+                                                            let _e233 = phi_263_;
+                                                            phi_264_ = _e233;
                                                         }
-                                                        let _e231 = phi_262_;
-                                                        phi_263_ = _e231;
-                                                        phi_264_ = _e223;
+                                                        let _e235 = phi_264_;
+                                                        phi_265_ = _e235;
+                                                        phi_266_ = _e227;
                                                     }
-                                                    let _e233 = phi_263_;
-                                                    let _e235 = phi_264_;
-                                                    phi_413_ = select(_e233, true, _e235);
-                                                    phi_414_ = bool();
-                                                    phi_415_ = true;
+                                                    let _e237 = phi_265_;
+                                                    let _e239 = phi_266_;
+                                                    phi_418_ = select(_e237, true, _e239);
+                                                    phi_419_ = bool();
+                                                    phi_420_ = true;
                                                 } else {
                                                     let _e114 = (_e92[0] - _e81);
                                                     let _e115 = (_e81 - _e96[0]);
@@ -190,146 +191,151 @@ fn function_() {
                                                     let _e135 = select(0f, _e133, (_e133 > 0f));
                                                     let _e139 = bitcast<f32>((bitcast<u32>((_e85 * 1.0000005f)) ^ _e72));
                                                     if (_e119 > _e139) {
-                                                        phi_408_ = bool();
-                                                        phi_409_ = true;
+                                                        phi_413_ = bool();
+                                                        phi_414_ = true;
                                                     } else {
                                                         if (_e127 > _e139) {
-                                                            phi_406_ = bool();
-                                                            phi_407_ = true;
+                                                            phi_411_ = bool();
+                                                            phi_412_ = true;
                                                         } else {
                                                             let _e142 = (_e135 > _e139);
                                                             if _e142 {
-                                                                phi_405_ = bool();
+                                                                phi_410_ = bool();
                                                             } else {
                                                                 let _e143 = (_e107 & 2147483647u);
                                                                 if (_e143 >= 8388608u) {
-                                                                    phi_350_ = (bitcast<i32>((_e143 >> bitcast<u32>(23i))) - 127i);
+                                                                    phi_352_ = (bitcast<i32>((_e143 >> bitcast<u32>(23i))) - 127i);
                                                                 } else {
-                                                                    phi_350_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e143)), 32u, (_e143 == 0u))));
+                                                                    phi_352_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e143)), 32u, (_e143 == 0u))));
                                                                 }
-                                                                let _e157 = phi_350_;
+                                                                let _e157 = phi_352_;
                                                                 let _e158 = (-1i - _e157);
-                                                                let _e159 = (_e158 / 2i);
-                                                                let _e164 = bitcast<f32>((bitcast<u32>((_e159 + 127i)) << bitcast<u32>(23i)));
-                                                                let _e170 = bitcast<f32>((bitcast<u32>(((_e158 - _e159) + 127i)) << bitcast<u32>(23i)));
-                                                                let _e172 = ((_e119 * _e164) * _e170);
-                                                                let _e174 = ((_e127 * _e164) * _e170);
-                                                                let _e176 = ((_e135 * _e164) * _e170);
-                                                                let _e178 = ((_e85 * _e164) * _e170);
-                                                                phi_405_ = (((bitcast<f32>((bitcast<u32>((_e172 * _e172)) ^ _e72)) + bitcast<f32>((bitcast<u32>((_e174 * _e174)) ^ _e72))) + bitcast<f32>((bitcast<u32>((_e176 * _e176)) ^ _e72))) > bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>((_e178 * _e178)) ^ _e72)) * 1.000001f)) ^ _e72)));
+                                                                if (_e158 < -126i) {
+                                                                    phi_364_ = -126i;
+                                                                } else {
+                                                                    phi_364_ = select(_e158, 127i, (_e158 > 127i));
+                                                                }
+                                                                let _e163 = phi_364_;
+                                                                let _e168 = bitcast<f32>((bitcast<u32>((_e163 + 127i)) << bitcast<u32>(23i)));
+                                                                let _e174 = bitcast<f32>((bitcast<u32>(((_e158 - _e163) + 127i)) << bitcast<u32>(23i)));
+                                                                let _e176 = ((_e119 * _e168) * _e174);
+                                                                let _e178 = ((_e127 * _e168) * _e174);
+                                                                let _e180 = ((_e135 * _e168) * _e174);
+                                                                let _e182 = ((_e85 * _e168) * _e174);
+                                                                phi_410_ = (((bitcast<f32>((bitcast<u32>((_e176 * _e176)) ^ _e72)) + bitcast<f32>((bitcast<u32>((_e178 * _e178)) ^ _e72))) + bitcast<f32>((bitcast<u32>((_e180 * _e180)) ^ _e72))) > bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>((_e182 * _e182)) ^ _e72)) * 1.000001f)) ^ _e72)));
                                                             }
-                                                            let _e203 = phi_405_;
-                                                            phi_406_ = _e203;
-                                                            phi_407_ = _e142;
+                                                            let _e207 = phi_410_;
+                                                            phi_411_ = _e207;
+                                                            phi_412_ = _e142;
                                                         }
-                                                        let _e205 = phi_406_;
-                                                        let _e207 = phi_407_;
-                                                        phi_408_ = _e205;
-                                                        phi_409_ = _e207;
+                                                        let _e209 = phi_411_;
+                                                        let _e211 = phi_412_;
+                                                        phi_413_ = _e209;
+                                                        phi_414_ = _e211;
                                                     }
-                                                    let _e209 = phi_408_;
-                                                    let _e211 = phi_409_;
-                                                    phi_413_ = true;
-                                                    phi_414_ = _e209;
-                                                    phi_415_ = _e211;
+                                                    let _e213 = phi_413_;
+                                                    let _e215 = phi_414_;
+                                                    phi_418_ = true;
+                                                    phi_419_ = _e213;
+                                                    phi_420_ = _e215;
                                                 }
-                                                let _e238 = phi_413_;
-                                                let _e240 = phi_414_;
-                                                let _e242 = phi_415_;
-                                                phi_416_ = _e238;
-                                                phi_417_ = _e240;
-                                                phi_418_ = _e242;
+                                                let _e242 = phi_418_;
+                                                let _e244 = phi_419_;
+                                                let _e246 = phi_420_;
+                                                phi_421_ = _e242;
+                                                phi_422_ = _e244;
+                                                phi_423_ = _e246;
                                             }
-                                            let _e244 = phi_416_;
-                                            let _e246 = phi_417_;
-                                            let _e248 = phi_418_;
-                                            phi_419_ = _e244;
-                                            phi_420_ = _e246;
-                                            phi_421_ = _e110;
-                                            phi_422_ = _e248;
+                                            let _e248 = phi_421_;
+                                            let _e250 = phi_422_;
+                                            let _e252 = phi_423_;
+                                            phi_424_ = _e248;
+                                            phi_425_ = _e250;
+                                            phi_426_ = _e110;
+                                            phi_427_ = _e252;
                                         } else {
-                                            phi_419_ = bool();
-                                            phi_420_ = bool();
-                                            phi_421_ = true;
-                                            phi_422_ = false;
+                                            phi_424_ = bool();
+                                            phi_425_ = bool();
+                                            phi_426_ = true;
+                                            phi_427_ = false;
                                         }
-                                        let _e250 = phi_419_;
-                                        let _e252 = phi_420_;
-                                        let _e254 = phi_421_;
-                                        let _e256 = phi_422_;
-                                        phi_431_ = select(_e250, false, _e254);
-                                        phi_432_ = _e252;
-                                        phi_433_ = select(_e256, true, _e254);
+                                        let _e254 = phi_424_;
+                                        let _e256 = phi_425_;
+                                        let _e258 = phi_426_;
+                                        let _e260 = phi_427_;
+                                        phi_436_ = select(_e254, false, _e258);
+                                        phi_437_ = _e256;
+                                        phi_438_ = select(_e260, true, _e258);
                                     }
-                                    let _e260 = phi_431_;
-                                    let _e262 = phi_432_;
-                                    let _e264 = phi_433_;
-                                    phi_434_ = _e260;
-                                    phi_435_ = _e262;
-                                    phi_437_ = _e264;
+                                    let _e264 = phi_436_;
+                                    let _e266 = phi_437_;
+                                    let _e268 = phi_438_;
+                                    phi_439_ = _e264;
+                                    phi_440_ = _e266;
+                                    phi_442_ = _e268;
                                 } else {
-                                    phi_434_ = bool();
-                                    phi_435_ = bool();
-                                    phi_437_ = false;
+                                    phi_439_ = bool();
+                                    phi_440_ = bool();
+                                    phi_442_ = false;
                                 }
-                                let _e266 = phi_434_;
-                                let _e268 = phi_435_;
-                                let _e270 = phi_437_;
-                                phi_438_ = _e266;
-                                phi_439_ = _e268;
-                                phi_440_ = select(true, false, _e105);
-                                phi_441_ = _e270;
+                                let _e270 = phi_439_;
+                                let _e272 = phi_440_;
+                                let _e274 = phi_442_;
+                                phi_443_ = _e270;
+                                phi_444_ = _e272;
+                                phi_445_ = select(true, false, _e105);
+                                phi_446_ = _e274;
                             } else {
-                                phi_438_ = bool();
-                                phi_439_ = bool();
-                                phi_440_ = true;
-                                phi_441_ = false;
+                                phi_443_ = bool();
+                                phi_444_ = bool();
+                                phi_445_ = true;
+                                phi_446_ = false;
                             }
-                            let _e273 = phi_438_;
-                            let _e275 = phi_439_;
-                            let _e277 = phi_440_;
-                            let _e279 = phi_441_;
-                            phi_442_ = _e273;
-                            phi_443_ = _e275;
-                            phi_444_ = _e277;
-                            phi_445_ = _e279;
+                            let _e277 = phi_443_;
+                            let _e279 = phi_444_;
+                            let _e281 = phi_445_;
+                            let _e283 = phi_446_;
+                            phi_447_ = _e277;
+                            phi_448_ = _e279;
+                            phi_449_ = _e281;
+                            phi_450_ = _e283;
                         } else {
-                            phi_442_ = bool();
-                            phi_443_ = bool();
-                            phi_444_ = true;
-                            phi_445_ = false;
+                            phi_447_ = bool();
+                            phi_448_ = bool();
+                            phi_449_ = true;
+                            phi_450_ = false;
                         }
-                        let _e281 = phi_442_;
-                        let _e283 = phi_443_;
-                        let _e285 = phi_444_;
-                        let _e287 = phi_445_;
-                        if select(_e283, select(_e281, false, _e285), select(_e287, true, _e285)) {
-                            let _e294 = global_3.member[_e41].member_4;
-                            if (_e294 == 0u) {
-                                let _e299 = global_3.member[_e41].member_2;
-                                let _e303 = global_3.member[_e41].member_3;
-                                let _e304 = (2f * _e303);
-                                if (_e299 > _e304) {
-                                    phi_484_ = 1i;
+                        let _e285 = phi_447_;
+                        let _e287 = phi_448_;
+                        let _e289 = phi_449_;
+                        let _e291 = phi_450_;
+                        if select(_e287, select(_e285, false, _e289), select(_e291, true, _e289)) {
+                            let _e298 = global_3.member[_e41].member_4;
+                            if (_e298 == 0u) {
+                                let _e303 = global_3.member[_e41].member_2;
+                                let _e307 = global_3.member[_e41].member_3;
+                                let _e308 = (2f * _e307);
+                                if (_e303 > _e308) {
+                                    phi_489_ = 1i;
                                 } else {
-                                    phi_484_ = select(0i, -1i, (-(_e299) > _e304));
+                                    phi_489_ = select(0i, -1i, (-(_e303) > _e308));
                                 }
-                                let _e310 = phi_484_;
-                                phi_485_ = _e310;
+                                let _e314 = phi_489_;
+                                phi_490_ = _e314;
                             } else {
-                                phi_485_ = 0i;
+                                phi_490_ = 0i;
                             }
-                            let _e312 = phi_485_;
-                            phi_486_ = _e312;
+                            let _e316 = phi_490_;
+                            phi_491_ = _e316;
                         } else {
-                            phi_486_ = 0i;
+                            phi_491_ = 0i;
                         }
-                        let _e314 = phi_486_;
+                        let _e318 = phi_491_;
                         if _e48 {
                         } else {
                             break;
                         }
-                        global_4.member[_e47] = _e314;
+                        global_4.member[_e47] = _e318;
                     }
                 }
             }

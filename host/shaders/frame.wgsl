@@ -11,31 +11,31 @@ struct type_10 {
     member: vec4<u32>,
 }
 
-struct type_17 {
+struct type_15 {
+    member: vec3<f32>,
+    member_1: vec3<f32>,
+}
+
+struct type_18 {
     member: array<array<f32, 6>>,
 }
 
-struct type_19 {
+struct type_20 {
     member: i32,
     member_1: i32,
     member_2: u32,
 }
 
-struct type_21 {
-    member: array<type_19, 3>,
+struct type_22 {
+    member: array<type_20, 3>,
     member_1: u32,
 }
 
-struct type_23 {
-    member: array<type_21>,
+struct type_24 {
+    member: array<type_22>,
 }
 
-struct type_25 {
-    member: vec3<f32>,
-    member_1: vec3<f32>,
-}
-
-struct type_28 {
+struct type_26 {
     member: vec3<f32>,
     member_1: vec3<f32>,
 }
@@ -52,26 +52,26 @@ var<private> global: u32;
 @group(0) @binding(0) 
 var<uniform> global_1: type_10;
 @group(0) @binding(1) 
-var<storage> global_2: type_17;
+var<storage> global_2: type_18;
 @group(0) @binding(2) 
-var<storage, read_write> global_3: type_23;
+var<storage, read_write> global_3: type_24;
 @group(0) @binding(3) 
 var<storage, read_write> global_4: type_3;
 @group(0) @binding(4) 
-var<storage, read_write> global_5: type_17;
-var<workgroup> global_6: array<type_25, 64>;
+var<storage, read_write> global_5: type_18;
+var<workgroup> global_6: array<type_26, 64>;
 
 fn function_() {
     var phi_127_: u32;
     var phi_130_: type_6;
-    var phi_133_: type_28;
+    var phi_133_: type_15;
     var phi_131_: type_6;
     var phi_156_: type_6;
-    var phi_224_: type_28;
-    var phi_134_: type_28;
+    var phi_224_: type_15;
+    var phi_134_: type_15;
     var phi_1483_: bool;
-    var local: type_28;
-    var local_1: type_28;
+    var local: type_15;
+    var local_1: type_15;
     var phi_237_: type_6;
     var phi_240_: u32;
     var phi_238_: type_6;
@@ -140,7 +140,7 @@ fn function_() {
     var phi_1041_: u32;
     var phi_1043_: u32;
     var phi_1092_: u32;
-    var phi_1094_: type_21;
+    var phi_1094_: type_22;
     var phi_1252_: i32;
     var phi_1255_: i32;
     var phi_1256_: i32;
@@ -161,7 +161,7 @@ fn function_() {
             }
             let _e63 = phi_127_;
             phi_130_ = type_6(0u, _e63);
-            phi_133_ = type_28(vec3<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec3<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
+            phi_133_ = type_15(vec3<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec3<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
             loop {
                 let _e66 = phi_130_;
                 let _e68 = phi_133_;
@@ -187,14 +187,14 @@ fn function_() {
                             break;
                         }
                         let _e93 = global_2.member[_e89];
-                        phi_224_ = type_28(vec3<f32>(select(_e93[0], _e68.member.x, (_e68.member.x < _e93[0])), select(_e93[1], _e68.member.y, (_e68.member.y < _e93[1])), select(_e93[2], _e68.member.z, (_e68.member.z < _e93[2]))), vec3<f32>(select(_e93[3], _e68.member_1.x, (_e68.member_1.x > _e93[3])), select(_e93[4], _e68.member_1.y, (_e68.member_1.y > _e93[4])), select(_e93[5], _e68.member_1.z, (_e68.member_1.z > _e93[5]))));
+                        phi_224_ = type_15(vec3<f32>(select(_e93[0], _e68.member.x, (_e68.member.x < _e93[0])), select(_e93[1], _e68.member.y, (_e68.member.y < _e93[1])), select(_e93[2], _e68.member.z, (_e68.member.z < _e93[2]))), vec3<f32>(select(_e93[3], _e68.member_1.x, (_e68.member_1.x > _e93[3])), select(_e93[4], _e68.member_1.y, (_e68.member_1.y > _e93[4])), select(_e93[5], _e68.member_1.z, (_e68.member_1.z > _e93[5]))));
                     } else {
                         phi_224_ = _e68;
                     }
                     let _e124 = phi_224_;
                     phi_134_ = _e124;
                 } else {
-                    phi_134_ = type_28();
+                    phi_134_ = type_15();
                 }
                 let _e126 = phi_134_;
                 continue;
@@ -217,7 +217,7 @@ fn function_() {
             }
             let _e134 = local;
             let _e137 = local_1;
-            global_6[_e130] = type_25(_e134.member, _e137.member_1);
+            global_6[_e130] = type_26(_e134.member, _e137.member_1);
             workgroupBarrier();
             phi_237_ = type_6(0u, 6u);
             phi_240_ = 32u;
@@ -254,7 +254,7 @@ fn function_() {
                             phi_1495_ = true;
                             break;
                         }
-                        global_6[_e130] = type_25(vec3<f32>(select(_e170.member.x, _e163.member.x, (_e163.member.x < _e170.member.x)), select(_e170.member.y, _e163.member.y, (_e163.member.y < _e170.member.y)), select(_e170.member.z, _e163.member.z, (_e163.member.z < _e170.member.z))), vec3<f32>(select(_e170.member_1.x, _e163.member_1.x, (_e163.member_1.x > _e170.member_1.x)), select(_e170.member_1.y, _e163.member_1.y, (_e163.member_1.y > _e170.member_1.y)), select(_e170.member_1.z, _e163.member_1.z, (_e163.member_1.z > _e170.member_1.z))));
+                        global_6[_e130] = type_26(vec3<f32>(select(_e170.member.x, _e163.member.x, (_e163.member.x < _e170.member.x)), select(_e170.member.y, _e163.member.y, (_e163.member.y < _e170.member.y)), select(_e170.member.z, _e163.member.z, (_e163.member.z < _e170.member.z))), vec3<f32>(select(_e170.member_1.x, _e163.member_1.x, (_e163.member_1.x > _e170.member_1.x)), select(_e170.member_1.y, _e163.member_1.y, (_e163.member_1.y > _e170.member_1.y)), select(_e170.member_1.z, _e163.member_1.z, (_e163.member_1.z > _e170.member_1.z))));
                     }
                     workgroupBarrier();
                     phi_241_ = (_e143 / 2u);
@@ -285,7 +285,7 @@ fn function_() {
                             let _e216 = global_1.member[0u];
                             let _e219 = (_e211.member.x > _e211.member_1.x);
                             if _e219 {
-                                phi_1094_ = type_21(array<type_19, 3>(type_19(0i, 0i, 0u), type_19(0i, 0i, 0u), type_19(0i, 0i, 0u)), 0u);
+                                phi_1094_ = type_22(array<type_20, 3>(type_20(0i, 0i, 0u), type_20(0i, 0i, 0u), type_20(0i, 0i, 0u)), 0u);
                             } else {
                                 let _e220 = bitcast<u32>(_e211.member.x);
                                 let _e222 = bitcast<f32>((_e220 & 2147483647u));
@@ -691,7 +691,7 @@ fn function_() {
                                     phi_1092_ = _e945;
                                 }
                                 let _e781 = phi_1092_;
-                                phi_1094_ = type_21(array<type_19, 3>(type_19(_e248, _e289, (_e339 | (select(_e689, 31u, _e691) << bitcast<u32>(16i)))), type_19(_e376, _e417, (_e467 | (select(_e706, 31u, _e708) << bitcast<u32>(16i)))), type_19(_e504, _e545, (_e595 | (select(_e723, 31u, _e725) << bitcast<u32>(16i))))), _e781);
+                                phi_1094_ = type_22(array<type_20, 3>(type_20(_e248, _e289, (_e339 | (select(_e689, 31u, _e691) << bitcast<u32>(16i)))), type_20(_e376, _e417, (_e467 | (select(_e706, 31u, _e708) << bitcast<u32>(16i)))), type_20(_e504, _e545, (_e595 | (select(_e723, 31u, _e725) << bitcast<u32>(16i))))), _e781);
                             }
                             let _e784 = phi_1094_;
                             if (0u < _e53) {

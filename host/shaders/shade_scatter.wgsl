@@ -14,46 +14,49 @@ struct type_19 {
     member: array<array<u32, 3>>,
 }
 
-struct type_27 {
+struct type_28 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_29 {
-    member: array<type_27>,
+struct type_30 {
+    member: array<type_28>,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
     member_3: f32,
 }
 
-struct type_32 {
-    member: type_31,
+struct type_33 {
+    member: type_32,
     member_1: array<f32, 3>,
     member_2: u32,
     member_3: array<f32, 3>,
     member_4: u32,
 }
 
-struct type_34 {
-    member: array<type_32>,
+struct type_35 {
+    member: array<type_33>,
 }
 
-struct type_38 {
+struct type_39 {
     member: array<f32, 3>,
     member_1: f32,
+    member_2: f32,
+    member_3: f32,
+    member_4: array<u32, 2>,
 }
 
-struct type_40 {
-    member: array<type_38>,
+struct type_41 {
+    member: array<type_39>,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -64,8 +67,13 @@ struct type_43 {
     member_7: u32,
 }
 
-struct type_45 {
-    member: array<type_43>,
+struct type_46 {
+    member: array<type_44>,
+}
+
+struct type_48 {
+    member: vec3<f32>,
+    member_1: vec3<f32>,
 }
 
 var<private> global: vec3<u32>;
@@ -80,505 +88,773 @@ var<storage> global_4: type_15;
 @group(0) @binding(4) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
-var<storage> global_6: type_40;
+var<storage> global_6: type_41;
 @group(0) @binding(6) 
-var<storage> global_7: type_45;
+var<storage> global_7: type_46;
 @group(0) @binding(7) 
-var<storage> global_8: type_29;
+var<storage> global_8: type_30;
 @group(0) @binding(8) 
-var<storage, read_write> global_9: type_34;
+var<storage, read_write> global_9: type_35;
 
 fn function_() {
-    var phi_1179_: i32;
-    var phi_1210_: i32;
-    var phi_1229_: vec3<f32>;
-    var phi_440_: array<u32, 3>;
-    var phi_455_: array<f32, 3>;
-    var phi_473_: array<f32, 3>;
-    var phi_491_: array<f32, 3>;
-    var phi_578_: array<u32, 3>;
-    var phi_595_: vec3<f32>;
-    var phi_612_: vec3<f32>;
-    var phi_629_: vec3<f32>;
-    var phi_763_: i32;
-    var phi_794_: i32;
-    var phi_813_: vec3<f32>;
-    var phi_896_: i32;
-    var phi_927_: i32;
-    var phi_946_: vec3<f32>;
-    var phi_988_: u32;
-    var phi_1111_: vec3<f32>;
+    var phi_1530_: i32;
+    var phi_1561_: i32;
+    var phi_1580_: vec3<f32>;
+    var phi_208_: i32;
+    var phi_232_: array<u32, 3>;
+    var phi_247_: array<f32, 3>;
+    var phi_265_: array<f32, 3>;
+    var phi_283_: array<f32, 3>;
+    var phi_366_: array<u32, 3>;
+    var phi_383_: vec3<f32>;
+    var phi_400_: vec3<f32>;
+    var phi_417_: vec3<f32>;
+    var phi_549_: i32;
+    var phi_580_: i32;
+    var phi_599_: vec3<f32>;
+    var phi_682_: i32;
+    var phi_713_: i32;
+    var phi_732_: vec3<f32>;
+    var phi_762_: u32;
+    var phi_796_: f32;
+    var phi_833_: f32;
+    var phi_855_: f32;
+    var phi_894_: i32;
+    var phi_925_: i32;
+    var phi_944_: vec3<f32>;
+    var phi_984_: vec3<f32>;
+    var phi_1030_: vec3<f32>;
+    var phi_1031_: vec3<f32>;
+    var phi_1118_: f32;
+    var phi_1119_: f32;
+    var phi_1121_: f32;
+    var phi_1095_: f32;
+    var phi_1096_: f32;
+    var phi_1122_: f32;
+    var phi_1166_: f32;
+    var phi_1167_: f32;
+    var phi_1169_: f32;
+    var phi_1143_: f32;
+    var phi_1144_: f32;
+    var phi_1170_: f32;
+    var phi_1214_: f32;
+    var phi_1215_: f32;
+    var phi_1217_: f32;
+    var phi_1191_: f32;
+    var phi_1192_: f32;
+    var phi_1218_: f32;
+    var phi_1221_: type_48;
+    var phi_1223_: type_48;
+    var phi_1224_: bool;
+    var phi_1299_: f32;
+    var phi_1300_: f32;
+    var phi_1302_: f32;
+    var phi_1276_: f32;
+    var phi_1277_: f32;
+    var phi_1303_: f32;
+    var phi_1347_: f32;
+    var phi_1348_: f32;
+    var phi_1350_: f32;
+    var phi_1324_: f32;
+    var phi_1325_: f32;
+    var phi_1351_: f32;
     var phi_1395_: f32;
-    var phi_1397_: f32;
-    var phi_1401_: f32;
+    var phi_1396_: f32;
+    var phi_1398_: f32;
+    var phi_1372_: f32;
     var phi_1373_: f32;
-    var phi_1375_: f32;
-    var phi_1403_: f32;
-    var phi_1446_: f32;
-    var phi_1448_: f32;
-    var phi_1452_: f32;
-    var phi_1424_: f32;
-    var phi_1426_: f32;
-    var phi_1454_: f32;
-    var phi_1497_: f32;
-    var phi_1499_: f32;
-    var phi_1503_: f32;
-    var phi_1475_: f32;
-    var phi_1477_: f32;
-    var phi_1505_: f32;
-    var phi_1131_: type_32;
-    var phi_1286_: type_32;
+    var phi_1399_: f32;
+    var phi_1442_: vec3<f32>;
+    var phi_1444_: type_48;
+    var phi_1464_: vec3<f32>;
+    var phi_1482_: type_33;
+    var phi_1637_: type_33;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e41 = global;
-            let _e44 = arrayLength((&global_2.member));
-            let _e49 = arrayLength((&global_4.member));
-            let _e53 = arrayLength((&global_6.member));
-            let _e55 = arrayLength((&global_7.member));
-            let _e63 = (_e41.x + (_e41.y * 2097152u));
-            let _e64 = (_e63 < arrayLength((&global_9.member)));
-            if _e64 {
-                let _e65 = (_e63 < arrayLength((&global_8.member)));
-                if _e65 {
-                    if (_e53 == 0u) {
+            let _e45 = global;
+            let _e48 = arrayLength((&global_2.member));
+            let _e53 = arrayLength((&global_4.member));
+            let _e57 = arrayLength((&global_6.member));
+            let _e59 = arrayLength((&global_7.member));
+            let _e67 = (_e45.x + (_e45.y * 2097152u));
+            let _e68 = (_e67 < arrayLength((&global_9.member)));
+            if _e68 {
+                let _e69 = (_e67 < arrayLength((&global_8.member)));
+                if _e69 {
+                    if (_e57 == 0u) {
                     } else {
-                        if (_e55 == 0u) {
+                        if (_e59 == 0u) {
                         } else {
-                            if _e64 {
+                            if _e68 {
                             } else {
                                 break;
                             }
-                            let _e70 = global_9.member[_e63];
-                            if _e65 {
+                            let _e74 = global_9.member[_e67];
+                            if _e69 {
                             } else {
                                 break;
                             }
-                            let _e73 = global_8.member[_e63];
-                            if (_e70.member.member_1 <= _e70.member.member_3) {
-                                if (_e73.member_3 != 4294967295u) {
-                                    let _e221 = global_1.member[0u];
-                                    let _e222 = bitcast<i32>(_e221);
-                                    let _e223 = (_e222 / 2i);
-                                    let _e228 = bitcast<f32>((bitcast<u32>((_e223 + 127i)) << bitcast<u32>(23i)));
-                                    let _e234 = bitcast<f32>((bitcast<u32>(((_e222 - _e223) + 127i)) << bitcast<u32>(23i)));
-                                    let _e235 = (_e73.member_3 < arrayLength((&global_3.member)));
-                                    if _e235 {
-                                        if _e235 {
+                            let _e77 = global_8.member[_e67];
+                            if (_e74.member.member_1 <= _e74.member.member_3) {
+                                if (_e77.member_3 != 4294967295u) {
+                                    let _e225 = global_1.member[0u];
+                                    let _e226 = bitcast<i32>(_e225);
+                                    if (_e226 < -126i) {
+                                        phi_208_ = -126i;
+                                    } else {
+                                        phi_208_ = select(_e226, 127i, (_e226 > 127i));
+                                    }
+                                    let _e231 = phi_208_;
+                                    let _e236 = bitcast<f32>((bitcast<u32>((_e231 + 127i)) << bitcast<u32>(23i)));
+                                    let _e242 = bitcast<f32>((bitcast<u32>(((_e226 - _e231) + 127i)) << bitcast<u32>(23i)));
+                                    let _e243 = (_e77.member_3 < arrayLength((&global_3.member)));
+                                    if _e243 {
+                                        if _e243 {
                                         } else {
                                             break;
                                         }
-                                        let _e237 = global_3.member[_e73.member_3];
-                                        phi_440_ = _e237;
+                                        let _e245 = global_3.member[_e77.member_3];
+                                        phi_232_ = _e245;
                                     } else {
-                                        phi_440_ = array<u32, 3>(0u, 0u, 0u);
+                                        phi_232_ = array<u32, 3>(0u, 0u, 0u);
                                     }
-                                    let _e239 = phi_440_;
-                                    let _e241 = (_e239[0] < _e44);
-                                    if _e241 {
-                                        if _e241 {
+                                    let _e247 = phi_232_;
+                                    let _e249 = (_e247[0] < _e48);
+                                    if _e249 {
+                                        if _e249 {
                                         } else {
                                             break;
                                         }
-                                        let _e243 = global_2.member[_e239[0]];
-                                        phi_455_ = _e243;
+                                        let _e251 = global_2.member[_e247[0]];
+                                        phi_247_ = _e251;
                                     } else {
-                                        phi_455_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_247_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e245 = phi_455_;
-                                    let _e250 = (_e239[1] < _e44);
-                                    if _e250 {
-                                        if _e250 {
+                                    let _e253 = phi_247_;
+                                    let _e258 = (_e247[1] < _e48);
+                                    if _e258 {
+                                        if _e258 {
                                         } else {
                                             break;
                                         }
-                                        let _e252 = global_2.member[_e239[1]];
-                                        phi_473_ = _e252;
+                                        let _e260 = global_2.member[_e247[1]];
+                                        phi_265_ = _e260;
                                     } else {
-                                        phi_473_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_265_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e254 = phi_473_;
-                                    let _e259 = (_e239[2] < _e44);
-                                    if _e259 {
-                                        if _e259 {
+                                    let _e262 = phi_265_;
+                                    let _e267 = (_e247[2] < _e48);
+                                    if _e267 {
+                                        if _e267 {
                                         } else {
                                             break;
                                         }
-                                        let _e261 = global_2.member[_e239[2]];
-                                        phi_491_ = _e261;
+                                        let _e269 = global_2.member[_e247[2]];
+                                        phi_283_ = _e269;
                                     } else {
-                                        phi_491_ = array<f32, 3>(0f, 0f, 0f);
+                                        phi_283_ = array<f32, 3>(0f, 0f, 0f);
                                     }
-                                    let _e263 = phi_491_;
-                                    let _e268 = ((_e245[0] * _e228) * _e234);
-                                    let _e270 = select(_e268, 0f, (_e268 == 0f));
-                                    let _e272 = ((_e245[1] * _e228) * _e234);
-                                    let _e274 = select(_e272, 0f, (_e272 == 0f));
-                                    let _e276 = ((_e245[2] * _e228) * _e234);
+                                    let _e271 = phi_283_;
+                                    let _e276 = ((_e253[0] * _e236) * _e242);
                                     let _e278 = select(_e276, 0f, (_e276 == 0f));
-                                    let _e280 = ((_e254[0] * _e228) * _e234);
+                                    let _e280 = ((_e253[1] * _e236) * _e242);
                                     let _e282 = select(_e280, 0f, (_e280 == 0f));
-                                    let _e284 = ((_e254[1] * _e228) * _e234);
+                                    let _e284 = ((_e253[2] * _e236) * _e242);
                                     let _e286 = select(_e284, 0f, (_e284 == 0f));
-                                    let _e288 = ((_e254[2] * _e228) * _e234);
+                                    let _e288 = ((_e262[0] * _e236) * _e242);
                                     let _e290 = select(_e288, 0f, (_e288 == 0f));
-                                    let _e292 = ((_e263[0] * _e228) * _e234);
+                                    let _e292 = ((_e262[1] * _e236) * _e242);
                                     let _e294 = select(_e292, 0f, (_e292 == 0f));
-                                    let _e296 = ((_e263[1] * _e228) * _e234);
+                                    let _e296 = ((_e262[2] * _e236) * _e242);
                                     let _e298 = select(_e296, 0f, (_e296 == 0f));
-                                    let _e300 = ((_e263[2] * _e228) * _e234);
+                                    let _e300 = ((_e271[0] * _e236) * _e242);
                                     let _e302 = select(_e300, 0f, (_e300 == 0f));
-                                    if _e235 {
-                                        if _e235 {
+                                    let _e304 = ((_e271[1] * _e236) * _e242);
+                                    let _e306 = select(_e304, 0f, (_e304 == 0f));
+                                    let _e308 = ((_e271[2] * _e236) * _e242);
+                                    let _e310 = select(_e308, 0f, (_e308 == 0f));
+                                    if _e243 {
+                                        if _e243 {
                                         } else {
                                             break;
                                         }
-                                        let _e304 = global_3.member[_e73.member_3];
-                                        phi_578_ = _e304;
+                                        let _e312 = global_3.member[_e77.member_3];
+                                        phi_366_ = _e312;
                                     } else {
-                                        phi_578_ = array<u32, 3>(0u, 0u, 0u);
+                                        phi_366_ = array<u32, 3>(0u, 0u, 0u);
                                     }
-                                    let _e306 = phi_578_;
-                                    let _e308 = (_e306[0] < _e49);
-                                    if _e308 {
-                                        if _e308 {
+                                    let _e314 = phi_366_;
+                                    let _e316 = (_e314[0] < _e53);
+                                    if _e316 {
+                                        if _e316 {
                                         } else {
                                             break;
                                         }
-                                        let _e311 = global_4.member[_e306[0]];
-                                        phi_595_ = vec3<f32>(_e311[0], _e311[1], _e311[2]);
+                                        let _e319 = global_4.member[_e314[0]];
+                                        phi_383_ = vec3<f32>(_e319[0], _e319[1], _e319[2]);
                                     } else {
-                                        phi_595_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_383_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e317 = phi_595_;
-                                    let _e319 = (_e306[1] < _e49);
-                                    if _e319 {
-                                        if _e319 {
+                                    let _e325 = phi_383_;
+                                    let _e327 = (_e314[1] < _e53);
+                                    if _e327 {
+                                        if _e327 {
                                         } else {
                                             break;
                                         }
-                                        let _e322 = global_4.member[_e306[1]];
-                                        phi_612_ = vec3<f32>(_e322[0], _e322[1], _e322[2]);
+                                        let _e330 = global_4.member[_e314[1]];
+                                        phi_400_ = vec3<f32>(_e330[0], _e330[1], _e330[2]);
                                     } else {
-                                        phi_612_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_400_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e328 = phi_612_;
-                                    let _e330 = (_e306[2] < _e49);
-                                    if _e330 {
-                                        if _e330 {
+                                    let _e336 = phi_400_;
+                                    let _e338 = (_e314[2] < _e53);
+                                    if _e338 {
+                                        if _e338 {
                                         } else {
                                             break;
                                         }
-                                        let _e333 = global_4.member[_e306[2]];
-                                        phi_629_ = vec3<f32>(_e333[0], _e333[1], _e333[2]);
+                                        let _e341 = global_4.member[_e314[2]];
+                                        phi_417_ = vec3<f32>(_e341[0], _e341[1], _e341[2]);
                                     } else {
-                                        phi_629_ = vec3<f32>(0f, 0f, 0f);
+                                        phi_417_ = vec3<f32>(0f, 0f, 0f);
                                     }
-                                    let _e339 = phi_629_;
-                                    let _e348 = ((1f - _e73.member_1) - _e73.member_2);
-                                    let _e350 = select(0f, _e348, (_e348 > 0f));
-                                    let _e352 = select(1f, _e73.member_1, (_e73.member_1 < 1f));
-                                    let _e354 = select(1f, _e73.member_2, (_e73.member_2 < 1f));
-                                    let _e355 = (_e270 * _e350);
-                                    let _e356 = (_e274 * _e350);
-                                    let _e357 = (_e278 * _e350);
-                                    let _e358 = (_e282 * _e352);
-                                    let _e359 = (_e286 * _e352);
-                                    let _e360 = (_e290 * _e352);
-                                    let _e361 = (_e294 * _e354);
-                                    let _e362 = (_e298 * _e354);
-                                    let _e363 = (_e302 * _e354);
-                                    let _e403 = (((bitcast<f32>((bitcast<u32>(_e355) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e358) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e361) & 2147483647u))) * 0.00000071525625f);
-                                    let _e404 = (((bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e359) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e362) & 2147483647u))) * 0.00000071525625f);
-                                    let _e405 = (((bitcast<f32>((bitcast<u32>(_e357) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e360) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e363) & 2147483647u))) * 0.00000071525625f);
-                                    let _e406 = (_e282 - _e270);
-                                    let _e407 = (_e286 - _e274);
-                                    let _e408 = (_e290 - _e278);
-                                    let _e409 = (_e294 - _e270);
-                                    let _e410 = (_e298 - _e274);
-                                    let _e411 = (_e302 - _e278);
-                                    let _e414 = ((_e407 * _e411) - (_e410 * _e408));
-                                    let _e417 = ((_e408 * _e409) - (_e411 * _e406));
-                                    let _e420 = ((_e406 * _e410) - (_e409 * _e407));
-                                    let _e423 = bitcast<f32>((bitcast<u32>(_e414) & 2147483647u));
-                                    let _e426 = bitcast<f32>((bitcast<u32>(_e417) & 2147483647u));
-                                    let _e428 = select(_e426, _e423, (_e423 > _e426));
-                                    let _e431 = bitcast<f32>((bitcast<u32>(_e420) & 2147483647u));
-                                    let _e433 = select(_e431, _e428, (_e428 > _e431));
-                                    if (_e433 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_813_ = vec3<f32>(0f, 0f, 0f);
+                                    let _e347 = phi_417_;
+                                    let _e356 = ((1f - _e77.member_1) - _e77.member_2);
+                                    let _e358 = select(0f, _e356, (_e356 > 0f));
+                                    let _e360 = select(1f, _e77.member_1, (_e77.member_1 < 1f));
+                                    let _e362 = select(1f, _e77.member_2, (_e77.member_2 < 1f));
+                                    let _e363 = (_e278 * _e358);
+                                    let _e364 = (_e282 * _e358);
+                                    let _e365 = (_e286 * _e358);
+                                    let _e366 = (_e290 * _e360);
+                                    let _e367 = (_e294 * _e360);
+                                    let _e368 = (_e298 * _e360);
+                                    let _e369 = (_e302 * _e362);
+                                    let _e370 = (_e306 * _e362);
+                                    let _e371 = (_e310 * _e362);
+                                    let _e375 = ((_e363 + _e366) + _e369);
+                                    let _e376 = ((_e364 + _e367) + _e370);
+                                    let _e377 = ((_e365 + _e368) + _e371);
+                                    let _e411 = (((bitcast<f32>((bitcast<u32>(_e363) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e366) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e369) & 2147483647u))) * 0.00000071525625f);
+                                    let _e412 = (((bitcast<f32>((bitcast<u32>(_e364) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e367) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e370) & 2147483647u))) * 0.00000071525625f);
+                                    let _e413 = (((bitcast<f32>((bitcast<u32>(_e365) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e368) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e371) & 2147483647u))) * 0.00000071525625f);
+                                    let _e414 = (_e290 - _e278);
+                                    let _e415 = (_e294 - _e282);
+                                    let _e416 = (_e298 - _e286);
+                                    let _e417 = (_e302 - _e278);
+                                    let _e418 = (_e306 - _e282);
+                                    let _e419 = (_e310 - _e286);
+                                    let _e422 = ((_e415 * _e419) - (_e418 * _e416));
+                                    let _e425 = ((_e416 * _e417) - (_e419 * _e414));
+                                    let _e428 = ((_e414 * _e418) - (_e417 * _e415));
+                                    let _e431 = bitcast<f32>((bitcast<u32>(_e422) & 2147483647u));
+                                    let _e434 = bitcast<f32>((bitcast<u32>(_e425) & 2147483647u));
+                                    let _e436 = select(_e434, _e431, (_e431 > _e434));
+                                    let _e439 = bitcast<f32>((bitcast<u32>(_e428) & 2147483647u));
+                                    let _e441 = select(_e439, _e436, (_e436 > _e439));
+                                    if (_e441 < 0.000000000000000000000000000000000000011754944f) {
+                                        phi_599_ = vec3<f32>(0f, 0f, 0f);
                                     } else {
-                                        let _e436 = (bitcast<u32>(_e433) & 2147483647u);
-                                        let _e437 = (_e436 >= 8388608u);
-                                        if _e437 {
-                                            phi_763_ = (bitcast<i32>((_e436 >> bitcast<u32>(23i))) - 127i);
+                                        let _e444 = (bitcast<u32>(_e441) & 2147483647u);
+                                        let _e445 = (_e444 >= 8388608u);
+                                        if _e445 {
+                                            phi_549_ = (bitcast<i32>((_e444 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_763_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e436)), 32u, (_e436 == 0u))));
+                                            phi_549_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e444)), 32u, (_e444 == 0u))));
                                         }
-                                        let _e450 = phi_763_;
-                                        let _e457 = bitcast<f32>((bitcast<u32>(((_e450 / -2i) + 127i)) << bitcast<u32>(23i)));
-                                        if _e437 {
-                                            phi_794_ = (bitcast<i32>((_e436 >> bitcast<u32>(23i))) - 127i);
+                                        let _e458 = phi_549_;
+                                        let _e465 = bitcast<f32>((bitcast<u32>(((_e458 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                        if _e445 {
+                                            phi_580_ = (bitcast<i32>((_e444 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_794_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e436)), 32u, (_e436 == 0u))));
+                                            phi_580_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e444)), 32u, (_e444 == 0u))));
                                         }
-                                        let _e473 = phi_794_;
-                                        let _e479 = bitcast<f32>((bitcast<u32>((((_e450 / 2i) - _e473) + 127i)) << bitcast<u32>(23i)));
-                                        let _e480 = ((_e414 * _e457) * _e479);
-                                        let _e481 = ((_e417 * _e457) * _e479);
-                                        let _e482 = ((_e420 * _e457) * _e479);
-                                        let _e488 = sqrt((((_e480 * _e480) + (_e481 * _e481)) + (_e482 * _e482)));
-                                        phi_813_ = vec3<f32>((_e480 / _e488), (_e481 / _e488), (_e482 / _e488));
+                                        let _e481 = phi_580_;
+                                        let _e487 = bitcast<f32>((bitcast<u32>((((_e458 / 2i) - _e481) + 127i)) << bitcast<u32>(23i)));
+                                        let _e488 = ((_e422 * _e465) * _e487);
+                                        let _e489 = ((_e425 * _e465) * _e487);
+                                        let _e490 = ((_e428 * _e465) * _e487);
+                                        let _e496 = sqrt((((_e488 * _e488) + (_e489 * _e489)) + (_e490 * _e490)));
+                                        phi_599_ = vec3<f32>((_e488 / _e496), (_e489 / _e496), (_e490 / _e496));
                                     }
-                                    let _e494 = phi_813_;
-                                    let _e504 = select(1f, -1f, ((((_e494.x * _e70.member.member_2[0]) + (_e494.y * _e70.member.member_2[1])) + (_e494.z * _e70.member.member_2[2])) > 0f));
-                                    let _e508 = (_e494 * _e504);
-                                    let _e530 = (((_e317.x * _e350) + (_e328.x * _e352)) + (_e339.x * _e354));
-                                    let _e531 = (((_e317.y * _e350) + (_e328.y * _e352)) + (_e339.y * _e354));
-                                    let _e532 = (((_e317.z * _e350) + (_e328.z * _e352)) + (_e339.z * _e354));
-                                    let _e535 = bitcast<f32>((bitcast<u32>(_e530) & 2147483647u));
-                                    let _e538 = bitcast<f32>((bitcast<u32>(_e531) & 2147483647u));
-                                    let _e540 = select(_e538, _e535, (_e535 > _e538));
-                                    let _e543 = bitcast<f32>((bitcast<u32>(_e532) & 2147483647u));
-                                    let _e545 = select(_e543, _e540, (_e540 > _e543));
-                                    if (_e545 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_946_ = vec3<f32>(0f, 0f, 0f);
+                                    let _e502 = phi_599_;
+                                    let _e512 = select(1f, -1f, ((((_e502.x * _e74.member.member_2[0]) + (_e502.y * _e74.member.member_2[1])) + (_e502.z * _e74.member.member_2[2])) > 0f));
+                                    let _e513 = (_e502.x * _e512);
+                                    let _e514 = (_e502.y * _e512);
+                                    let _e515 = (_e502.z * _e512);
+                                    let _e538 = (((_e325.x * _e358) + (_e336.x * _e360)) + (_e347.x * _e362));
+                                    let _e539 = (((_e325.y * _e358) + (_e336.y * _e360)) + (_e347.y * _e362));
+                                    let _e540 = (((_e325.z * _e358) + (_e336.z * _e360)) + (_e347.z * _e362));
+                                    let _e543 = bitcast<f32>((bitcast<u32>(_e538) & 2147483647u));
+                                    let _e546 = bitcast<f32>((bitcast<u32>(_e539) & 2147483647u));
+                                    let _e548 = select(_e546, _e543, (_e543 > _e546));
+                                    let _e551 = bitcast<f32>((bitcast<u32>(_e540) & 2147483647u));
+                                    let _e553 = select(_e551, _e548, (_e548 > _e551));
+                                    if (_e553 < 0.000000000000000000000000000000000000011754944f) {
+                                        phi_732_ = vec3<f32>(0f, 0f, 0f);
                                     } else {
-                                        let _e548 = (bitcast<u32>(_e545) & 2147483647u);
-                                        let _e549 = (_e548 >= 8388608u);
-                                        if _e549 {
-                                            phi_896_ = (bitcast<i32>((_e548 >> bitcast<u32>(23i))) - 127i);
+                                        let _e556 = (bitcast<u32>(_e553) & 2147483647u);
+                                        let _e557 = (_e556 >= 8388608u);
+                                        if _e557 {
+                                            phi_682_ = (bitcast<i32>((_e556 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_896_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e548)), 32u, (_e548 == 0u))));
+                                            phi_682_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e556)), 32u, (_e556 == 0u))));
                                         }
-                                        let _e562 = phi_896_;
-                                        let _e569 = bitcast<f32>((bitcast<u32>(((_e562 / -2i) + 127i)) << bitcast<u32>(23i)));
-                                        if _e549 {
-                                            phi_927_ = (bitcast<i32>((_e548 >> bitcast<u32>(23i))) - 127i);
+                                        let _e570 = phi_682_;
+                                        let _e577 = bitcast<f32>((bitcast<u32>(((_e570 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                        if _e557 {
+                                            phi_713_ = (bitcast<i32>((_e556 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_927_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e548)), 32u, (_e548 == 0u))));
+                                            phi_713_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e556)), 32u, (_e556 == 0u))));
                                         }
-                                        let _e585 = phi_927_;
-                                        let _e591 = bitcast<f32>((bitcast<u32>((((_e562 / 2i) - _e585) + 127i)) << bitcast<u32>(23i)));
-                                        let _e592 = ((_e530 * _e569) * _e591);
-                                        let _e593 = ((_e531 * _e569) * _e591);
-                                        let _e594 = ((_e532 * _e569) * _e591);
-                                        let _e600 = sqrt((((_e592 * _e592) + (_e593 * _e593)) + (_e594 * _e594)));
-                                        phi_946_ = vec3<f32>((_e592 / _e600), (_e593 / _e600), (_e594 / _e600));
+                                        let _e593 = phi_713_;
+                                        let _e599 = bitcast<f32>((bitcast<u32>((((_e570 / 2i) - _e593) + 127i)) << bitcast<u32>(23i)));
+                                        let _e600 = ((_e538 * _e577) * _e599);
+                                        let _e601 = ((_e539 * _e577) * _e599);
+                                        let _e602 = ((_e540 * _e577) * _e599);
+                                        let _e608 = sqrt((((_e600 * _e600) + (_e601 * _e601)) + (_e602 * _e602)));
+                                        phi_732_ = vec3<f32>((_e600 / _e608), (_e601 / _e608), (_e602 / _e608));
                                     }
-                                    let _e606 = phi_946_;
-                                    let _e621 = select(_e508, (_e606 * _e504), vec3((((((_e606.x * _e504) * (_e494.x * _e504)) + ((_e606.y * _e504) * (_e494.y * _e504))) + ((_e606.z * _e504) * (_e494.z * _e504))) > 0f)));
-                                    let _e622 = (_e73.member_3 < arrayLength((&global_5.member)));
-                                    if _e622 {
-                                        if _e622 {
+                                    let _e614 = phi_732_;
+                                    let _e629 = select((_e502 * _e512), (_e614 * _e512), vec3((((((_e614.x * _e512) * _e513) + ((_e614.y * _e512) * _e514)) + ((_e614.z * _e512) * _e515)) > 0f)));
+                                    let _e630 = (_e77.member_3 < arrayLength((&global_5.member)));
+                                    if _e630 {
+                                        if _e630 {
                                         } else {
                                             break;
                                         }
-                                        let _e625 = global_5.member[_e73.member_3];
-                                        phi_988_ = _e625;
+                                        let _e633 = global_5.member[_e77.member_3];
+                                        phi_762_ = _e633;
                                     } else {
-                                        phi_988_ = 0u;
+                                        phi_762_ = 0u;
                                     }
-                                    let _e627 = phi_988_;
-                                    let _e629 = select(_e627, 0u, (_e627 >= _e53));
-                                    if (_e629 < _e53) {
+                                    let _e635 = phi_762_;
+                                    let _e637 = select(_e635, 0u, (_e635 >= _e57));
+                                    if (_e637 < _e57) {
                                     } else {
                                         break;
                                     }
-                                    let _e633 = global_6.member[_e629];
-                                    if (0u < _e55) {
+                                    let _e641 = global_6.member[_e637];
+                                    if (0u < _e59) {
                                     } else {
                                         break;
                                     }
-                                    let _e638 = global_7.member[0u].member;
-                                    let _e648 = ((1f - _e633.member_1) * 0.31830987f);
-                                    let _e669 = array<f32, 3>((_e70.member_3[0] + ((_e638[0] * (_e633.member[0] * _e648)) * _e70.member_1[0])), (_e70.member_3[1] + ((_e638[1] * (_e633.member[1] * _e648)) * _e70.member_1[1])), (_e70.member_3[2] + ((_e638[2] * (_e633.member[2] * _e648)) * _e70.member_1[2])));
-                                    if (_e633.member_1 <= 0f) {
-                                        phi_1131_ = type_32(type_31(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e70.member_1, _e70.member_2, _e669, _e70.member_4);
+                                    let _e646 = global_7.member[0u].member;
+                                    let _e655 = (_e641.member_2 > 0f);
+                                    if _e655 {
+                                        phi_796_ = _e641.member_2;
                                     } else {
-                                        let _e686 = (2f * (((_e70.member.member_2[0] * _e621.x) + (_e70.member.member_2[1] * _e621.y)) + (_e70.member.member_2[2] * _e621.z)));
-                                        let _e690 = (_e70.member.member_2[0] - (_e621.x * _e686));
-                                        let _e691 = (_e70.member.member_2[1] - (_e621.y * _e686));
-                                        let _e692 = (_e70.member.member_2[2] - (_e621.z * _e686));
-                                        if ((((_e690 * _e508.x) + (_e691 * _e508.y)) + (_e692 * _e508.z)) > 0f) {
-                                            phi_1111_ = vec3<f32>(_e690, _e691, _e692);
-                                        } else {
-                                            let _e708 = (2f * (((_e70.member.member_2[0] * _e508.x) + (_e70.member.member_2[1] * _e508.y)) + (_e70.member.member_2[2] * _e508.z)));
-                                            phi_1111_ = vec3<f32>((_e70.member.member_2[0] - (_e508.x * _e708)), (_e70.member.member_2[1] - (_e508.y * _e708)), (_e70.member.member_2[2] - (_e508.z * _e708)));
-                                        }
-                                        let _e717 = phi_1111_;
-                                        let _e722 = select(_e404, _e403, (_e403 > _e404));
-                                        let _e736 = (select(_e405, _e722, (_e722 > _e405)) * ((bitcast<f32>((bitcast<u32>(_e508.x) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e508.y) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e508.z) & 2147483647u))));
-                                        let _e740 = (((_e355 + _e358) + _e361) + (_e508.x * _e736));
-                                        let _e741 = (((_e356 + _e359) + _e362) + (_e508.y * _e736));
-                                        let _e742 = (((_e357 + _e360) + _e363) + (_e508.z * _e736));
-                                        if (_e508.x > 0f) {
-                                            let _e763 = bitcast<u32>(_e740);
-                                            if ((_e763 & 2147483647u) == 0u) {
-                                                phi_1375_ = 0.000000000000000000000000000000000000000000001f;
-                                            } else {
-                                                if ((_e763 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1373_ = bitcast<f32>((_e763 + 1u));
-                                                } else {
-                                                    phi_1373_ = bitcast<f32>((_e763 - 1u));
-                                                }
-                                                let _e774 = phi_1373_;
-                                                phi_1375_ = _e774;
-                                            }
-                                            let _e776 = phi_1375_;
-                                            phi_1403_ = _e776;
-                                        } else {
-                                            if (_e508.x < 0f) {
-                                                let _e746 = bitcast<u32>(-(_e740));
-                                                if ((_e746 & 2147483647u) == 0u) {
-                                                    phi_1397_ = 0.000000000000000000000000000000000000000000001f;
-                                                } else {
-                                                    if ((_e746 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_1395_ = bitcast<f32>((_e746 + 1u));
-                                                    } else {
-                                                        phi_1395_ = bitcast<f32>((_e746 - 1u));
-                                                    }
-                                                    let _e757 = phi_1395_;
-                                                    phi_1397_ = _e757;
-                                                }
-                                                let _e759 = phi_1397_;
-                                                phi_1401_ = -(_e759);
-                                            } else {
-                                                phi_1401_ = _e740;
-                                            }
-                                            let _e762 = phi_1401_;
-                                            phi_1403_ = _e762;
-                                        }
-                                        let _e778 = phi_1403_;
-                                        if (_e508.y > 0f) {
-                                            let _e799 = bitcast<u32>(_e741);
-                                            if ((_e799 & 2147483647u) == 0u) {
-                                                phi_1426_ = 0.000000000000000000000000000000000000000000001f;
-                                            } else {
-                                                if ((_e799 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1424_ = bitcast<f32>((_e799 + 1u));
-                                                } else {
-                                                    phi_1424_ = bitcast<f32>((_e799 - 1u));
-                                                }
-                                                let _e810 = phi_1424_;
-                                                phi_1426_ = _e810;
-                                            }
-                                            let _e812 = phi_1426_;
-                                            phi_1454_ = _e812;
-                                        } else {
-                                            if (_e508.y < 0f) {
-                                                let _e782 = bitcast<u32>(-(_e741));
-                                                if ((_e782 & 2147483647u) == 0u) {
-                                                    phi_1448_ = 0.000000000000000000000000000000000000000000001f;
-                                                } else {
-                                                    if ((_e782 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_1446_ = bitcast<f32>((_e782 + 1u));
-                                                    } else {
-                                                        phi_1446_ = bitcast<f32>((_e782 - 1u));
-                                                    }
-                                                    let _e793 = phi_1446_;
-                                                    phi_1448_ = _e793;
-                                                }
-                                                let _e795 = phi_1448_;
-                                                phi_1452_ = -(_e795);
-                                            } else {
-                                                phi_1452_ = _e741;
-                                            }
-                                            let _e798 = phi_1452_;
-                                            phi_1454_ = _e798;
-                                        }
-                                        let _e814 = phi_1454_;
-                                        if (_e508.z > 0f) {
-                                            let _e835 = bitcast<u32>(_e742);
-                                            if ((_e835 & 2147483647u) == 0u) {
-                                                phi_1477_ = 0.000000000000000000000000000000000000000000001f;
-                                            } else {
-                                                if ((_e835 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1475_ = bitcast<f32>((_e835 + 1u));
-                                                } else {
-                                                    phi_1475_ = bitcast<f32>((_e835 - 1u));
-                                                }
-                                                let _e846 = phi_1475_;
-                                                phi_1477_ = _e846;
-                                            }
-                                            let _e848 = phi_1477_;
-                                            phi_1505_ = _e848;
-                                        } else {
-                                            if (_e508.z < 0f) {
-                                                let _e818 = bitcast<u32>(-(_e742));
-                                                if ((_e818 & 2147483647u) == 0u) {
-                                                    phi_1499_ = 0.000000000000000000000000000000000000000000001f;
-                                                } else {
-                                                    if ((_e818 >> bitcast<u32>(31i)) == 0u) {
-                                                        phi_1497_ = bitcast<f32>((_e818 + 1u));
-                                                    } else {
-                                                        phi_1497_ = bitcast<f32>((_e818 - 1u));
-                                                    }
-                                                    let _e829 = phi_1497_;
-                                                    phi_1499_ = _e829;
-                                                }
-                                                let _e831 = phi_1499_;
-                                                phi_1503_ = -(_e831);
-                                            } else {
-                                                phi_1503_ = _e742;
-                                            }
-                                            let _e834 = phi_1503_;
-                                            phi_1505_ = _e834;
-                                        }
-                                        let _e850 = phi_1505_;
-                                        phi_1131_ = type_32(type_31(array<f32, 3>(_e778, _e814, _e850), 0f, array<f32, 3>(_e717.x, _e717.y, _e717.z), 340282350000000000000000000000000000000f), array<f32, 3>((_e70.member_1[0] * _e633.member_1), (_e70.member_1[1] * _e633.member_1), (_e70.member_1[2] * _e633.member_1)), _e73.member_3, _e669, _e70.member_4);
+                                        phi_796_ = _e641.member_1;
                                     }
-                                    let _e861 = phi_1131_;
-                                    phi_1286_ = _e861;
+                                    let _e658 = phi_796_;
+                                    let _e660 = ((1f - _e658) * 0.31830987f);
+                                    let _e681 = array<f32, 3>((_e74.member_3[0] + ((_e646[0] * (_e641.member[0] * _e660)) * _e74.member_1[0])), (_e74.member_3[1] + ((_e646[1] * (_e641.member[1] * _e660)) * _e74.member_1[1])), (_e74.member_3[2] + ((_e646[2] * (_e641.member[2] * _e660)) * _e74.member_1[2])));
+                                    if _e655 {
+                                        phi_833_ = _e641.member_2;
+                                    } else {
+                                        phi_833_ = _e641.member_1;
+                                    }
+                                    let _e687 = phi_833_;
+                                    if (_e687 <= 0f) {
+                                        phi_1482_ = type_33(type_32(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e74.member_1, _e74.member_2, _e681, _e74.member_4);
+                                    } else {
+                                        if _e655 {
+                                            if (_e512 > 0f) {
+                                                phi_855_ = (1f / _e641.member_3);
+                                            } else {
+                                                phi_855_ = _e641.member_3;
+                                            }
+                                            let _e698 = phi_855_;
+                                            let _e701 = bitcast<f32>((bitcast<u32>(_e74.member.member_2[0]) & 2147483647u));
+                                            let _e704 = bitcast<f32>((bitcast<u32>(_e74.member.member_2[1]) & 2147483647u));
+                                            let _e706 = select(_e704, _e701, (_e701 > _e704));
+                                            let _e709 = bitcast<f32>((bitcast<u32>(_e74.member.member_2[2]) & 2147483647u));
+                                            let _e711 = select(_e709, _e706, (_e706 > _e709));
+                                            if (_e711 < 0.000000000000000000000000000000000000011754944f) {
+                                                phi_944_ = vec3<f32>(0f, 0f, 0f);
+                                            } else {
+                                                let _e714 = (bitcast<u32>(_e711) & 2147483647u);
+                                                let _e715 = (_e714 >= 8388608u);
+                                                if _e715 {
+                                                    phi_894_ = (bitcast<i32>((_e714 >> bitcast<u32>(23i))) - 127i);
+                                                } else {
+                                                    phi_894_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e714)), 32u, (_e714 == 0u))));
+                                                }
+                                                let _e728 = phi_894_;
+                                                let _e735 = bitcast<f32>((bitcast<u32>(((_e728 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                                if _e715 {
+                                                    phi_925_ = (bitcast<i32>((_e714 >> bitcast<u32>(23i))) - 127i);
+                                                } else {
+                                                    phi_925_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e714)), 32u, (_e714 == 0u))));
+                                                }
+                                                let _e751 = phi_925_;
+                                                let _e757 = bitcast<f32>((bitcast<u32>((((_e728 / 2i) - _e751) + 127i)) << bitcast<u32>(23i)));
+                                                let _e758 = ((_e74.member.member_2[0] * _e735) * _e757);
+                                                let _e759 = ((_e74.member.member_2[1] * _e735) * _e757);
+                                                let _e760 = ((_e74.member.member_2[2] * _e735) * _e757);
+                                                let _e766 = sqrt((((_e758 * _e758) + (_e759 * _e759)) + (_e760 * _e760)));
+                                                phi_944_ = vec3<f32>((_e758 / _e766), (_e759 / _e766), (_e760 / _e766));
+                                            }
+                                            let _e772 = phi_944_;
+                                            let _e783 = (((_e629.x * _e772.x) + (_e629.y * _e772.y)) + (_e629.z * _e772.z));
+                                            let _e784 = (_e698 * _e698);
+                                            let _e788 = (1f - (_e784 * (1f - (_e783 * _e783))));
+                                            if (_e788 >= 0f) {
+                                                let _e795 = ((_e698 * _e783) + sqrt(_e788));
+                                                phi_984_ = vec3<f32>(((_e698 * _e772.x) - (_e795 * _e629.x)), ((_e698 * _e772.y) - (_e795 * _e629.y)), ((_e698 * _e772.z) - (_e795 * _e629.z)));
+                                            } else {
+                                                phi_984_ = vec3<f32>(0f, 0f, 0f);
+                                            }
+                                            let _e804 = phi_984_;
+                                            if ((((_e804.x * _e513) + (_e804.y * _e514)) + (_e804.z * _e515)) > 0f) {
+                                                let _e818 = (((_e513 * _e772.x) + (_e514 * _e772.y)) + (_e515 * _e772.z));
+                                                let _e822 = (1f - (_e784 * (1f - (_e818 * _e818))));
+                                                if (_e822 >= 0f) {
+                                                    let _e829 = ((_e698 * _e818) + sqrt(_e822));
+                                                    phi_1030_ = vec3<f32>(((_e698 * _e772.x) - (_e829 * _e513)), ((_e698 * _e772.y) - (_e829 * _e514)), ((_e698 * _e772.z) - (_e829 * _e515)));
+                                                } else {
+                                                    phi_1030_ = vec3<f32>(0f, 0f, 0f);
+                                                }
+                                                let _e838 = phi_1030_;
+                                                phi_1031_ = _e838;
+                                            } else {
+                                                phi_1031_ = _e804;
+                                            }
+                                            let _e840 = phi_1031_;
+                                            let _e849 = ((((_e840.x * _e513) + (_e840.y * _e514)) + (_e840.z * _e515)) < 0f);
+                                            if _e849 {
+                                                let _e850 = -(_e513);
+                                                let _e851 = -(_e514);
+                                                let _e852 = -(_e515);
+                                                let _e854 = select(_e412, _e411, (_e411 > _e412));
+                                                let _e868 = (select(_e413, _e854, (_e854 > _e413)) * ((bitcast<f32>((bitcast<u32>(_e850) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e851) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e852) & 2147483647u))));
+                                                let _e872 = (_e375 + (_e850 * _e868));
+                                                let _e873 = (_e376 + (_e851 * _e868));
+                                                let _e874 = (_e377 + (_e852 * _e868));
+                                                if (_e850 > 0f) {
+                                                    let _e895 = bitcast<u32>(_e872);
+                                                    if ((_e895 & 2147483647u) == 0u) {
+                                                        phi_1096_ = 0.000000000000000000000000000000000000000000001f;
+                                                    } else {
+                                                        if ((_e895 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1095_ = bitcast<f32>((_e895 + 1u));
+                                                        } else {
+                                                            phi_1095_ = bitcast<f32>((_e895 - 1u));
+                                                        }
+                                                        let _e906 = phi_1095_;
+                                                        phi_1096_ = _e906;
+                                                    }
+                                                    let _e908 = phi_1096_;
+                                                    phi_1122_ = _e908;
+                                                } else {
+                                                    if (_e850 < 0f) {
+                                                        let _e878 = bitcast<u32>(-(_e872));
+                                                        if ((_e878 & 2147483647u) == 0u) {
+                                                            phi_1119_ = 0.000000000000000000000000000000000000000000001f;
+                                                        } else {
+                                                            if ((_e878 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_1118_ = bitcast<f32>((_e878 + 1u));
+                                                            } else {
+                                                                phi_1118_ = bitcast<f32>((_e878 - 1u));
+                                                            }
+                                                            let _e889 = phi_1118_;
+                                                            phi_1119_ = _e889;
+                                                        }
+                                                        let _e891 = phi_1119_;
+                                                        phi_1121_ = -(_e891);
+                                                    } else {
+                                                        phi_1121_ = _e872;
+                                                    }
+                                                    let _e894 = phi_1121_;
+                                                    phi_1122_ = _e894;
+                                                }
+                                                let _e910 = phi_1122_;
+                                                if (_e851 > 0f) {
+                                                    let _e931 = bitcast<u32>(_e873);
+                                                    if ((_e931 & 2147483647u) == 0u) {
+                                                        phi_1144_ = 0.000000000000000000000000000000000000000000001f;
+                                                    } else {
+                                                        if ((_e931 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1143_ = bitcast<f32>((_e931 + 1u));
+                                                        } else {
+                                                            phi_1143_ = bitcast<f32>((_e931 - 1u));
+                                                        }
+                                                        let _e942 = phi_1143_;
+                                                        phi_1144_ = _e942;
+                                                    }
+                                                    let _e944 = phi_1144_;
+                                                    phi_1170_ = _e944;
+                                                } else {
+                                                    if (_e851 < 0f) {
+                                                        let _e914 = bitcast<u32>(-(_e873));
+                                                        if ((_e914 & 2147483647u) == 0u) {
+                                                            phi_1167_ = 0.000000000000000000000000000000000000000000001f;
+                                                        } else {
+                                                            if ((_e914 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_1166_ = bitcast<f32>((_e914 + 1u));
+                                                            } else {
+                                                                phi_1166_ = bitcast<f32>((_e914 - 1u));
+                                                            }
+                                                            let _e925 = phi_1166_;
+                                                            phi_1167_ = _e925;
+                                                        }
+                                                        let _e927 = phi_1167_;
+                                                        phi_1169_ = -(_e927);
+                                                    } else {
+                                                        phi_1169_ = _e873;
+                                                    }
+                                                    let _e930 = phi_1169_;
+                                                    phi_1170_ = _e930;
+                                                }
+                                                let _e946 = phi_1170_;
+                                                if (_e852 > 0f) {
+                                                    let _e967 = bitcast<u32>(_e874);
+                                                    if ((_e967 & 2147483647u) == 0u) {
+                                                        phi_1192_ = 0.000000000000000000000000000000000000000000001f;
+                                                    } else {
+                                                        if ((_e967 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1191_ = bitcast<f32>((_e967 + 1u));
+                                                        } else {
+                                                            phi_1191_ = bitcast<f32>((_e967 - 1u));
+                                                        }
+                                                        let _e978 = phi_1191_;
+                                                        phi_1192_ = _e978;
+                                                    }
+                                                    let _e980 = phi_1192_;
+                                                    phi_1218_ = _e980;
+                                                } else {
+                                                    if (_e852 < 0f) {
+                                                        let _e950 = bitcast<u32>(-(_e874));
+                                                        if ((_e950 & 2147483647u) == 0u) {
+                                                            phi_1215_ = 0.000000000000000000000000000000000000000000001f;
+                                                        } else {
+                                                            if ((_e950 >> bitcast<u32>(31i)) == 0u) {
+                                                                phi_1214_ = bitcast<f32>((_e950 + 1u));
+                                                            } else {
+                                                                phi_1214_ = bitcast<f32>((_e950 - 1u));
+                                                            }
+                                                            let _e961 = phi_1214_;
+                                                            phi_1215_ = _e961;
+                                                        }
+                                                        let _e963 = phi_1215_;
+                                                        phi_1217_ = -(_e963);
+                                                    } else {
+                                                        phi_1217_ = _e874;
+                                                    }
+                                                    let _e966 = phi_1217_;
+                                                    phi_1218_ = _e966;
+                                                }
+                                                let _e982 = phi_1218_;
+                                                phi_1221_ = type_48(vec3<f32>(_e910, _e946, _e982), _e840);
+                                            } else {
+                                                phi_1221_ = type_48();
+                                            }
+                                            let _e986 = phi_1221_;
+                                            phi_1223_ = _e986;
+                                            phi_1224_ = select(true, false, _e849);
+                                        } else {
+                                            phi_1223_ = type_48();
+                                            phi_1224_ = true;
+                                        }
+                                        let _e989 = phi_1223_;
+                                        let _e991 = phi_1224_;
+                                        if _e991 {
+                                            let _e993 = select(_e412, _e411, (_e411 > _e412));
+                                            let _e1007 = (select(_e413, _e993, (_e993 > _e413)) * ((bitcast<f32>((bitcast<u32>(_e513) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e514) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e515) & 2147483647u))));
+                                            let _e1011 = (_e375 + (_e513 * _e1007));
+                                            let _e1012 = (_e376 + (_e514 * _e1007));
+                                            let _e1013 = (_e377 + (_e515 * _e1007));
+                                            if (_e513 > 0f) {
+                                                let _e1034 = bitcast<u32>(_e1011);
+                                                if ((_e1034 & 2147483647u) == 0u) {
+                                                    phi_1277_ = 0.000000000000000000000000000000000000000000001f;
+                                                } else {
+                                                    if ((_e1034 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_1276_ = bitcast<f32>((_e1034 + 1u));
+                                                    } else {
+                                                        phi_1276_ = bitcast<f32>((_e1034 - 1u));
+                                                    }
+                                                    let _e1045 = phi_1276_;
+                                                    phi_1277_ = _e1045;
+                                                }
+                                                let _e1047 = phi_1277_;
+                                                phi_1303_ = _e1047;
+                                            } else {
+                                                if (_e513 < 0f) {
+                                                    let _e1017 = bitcast<u32>(-(_e1011));
+                                                    if ((_e1017 & 2147483647u) == 0u) {
+                                                        phi_1300_ = 0.000000000000000000000000000000000000000000001f;
+                                                    } else {
+                                                        if ((_e1017 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1299_ = bitcast<f32>((_e1017 + 1u));
+                                                        } else {
+                                                            phi_1299_ = bitcast<f32>((_e1017 - 1u));
+                                                        }
+                                                        let _e1028 = phi_1299_;
+                                                        phi_1300_ = _e1028;
+                                                    }
+                                                    let _e1030 = phi_1300_;
+                                                    phi_1302_ = -(_e1030);
+                                                } else {
+                                                    phi_1302_ = _e1011;
+                                                }
+                                                let _e1033 = phi_1302_;
+                                                phi_1303_ = _e1033;
+                                            }
+                                            let _e1049 = phi_1303_;
+                                            if (_e514 > 0f) {
+                                                let _e1070 = bitcast<u32>(_e1012);
+                                                if ((_e1070 & 2147483647u) == 0u) {
+                                                    phi_1325_ = 0.000000000000000000000000000000000000000000001f;
+                                                } else {
+                                                    if ((_e1070 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_1324_ = bitcast<f32>((_e1070 + 1u));
+                                                    } else {
+                                                        phi_1324_ = bitcast<f32>((_e1070 - 1u));
+                                                    }
+                                                    let _e1081 = phi_1324_;
+                                                    phi_1325_ = _e1081;
+                                                }
+                                                let _e1083 = phi_1325_;
+                                                phi_1351_ = _e1083;
+                                            } else {
+                                                if (_e514 < 0f) {
+                                                    let _e1053 = bitcast<u32>(-(_e1012));
+                                                    if ((_e1053 & 2147483647u) == 0u) {
+                                                        phi_1348_ = 0.000000000000000000000000000000000000000000001f;
+                                                    } else {
+                                                        if ((_e1053 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1347_ = bitcast<f32>((_e1053 + 1u));
+                                                        } else {
+                                                            phi_1347_ = bitcast<f32>((_e1053 - 1u));
+                                                        }
+                                                        let _e1064 = phi_1347_;
+                                                        phi_1348_ = _e1064;
+                                                    }
+                                                    let _e1066 = phi_1348_;
+                                                    phi_1350_ = -(_e1066);
+                                                } else {
+                                                    phi_1350_ = _e1012;
+                                                }
+                                                let _e1069 = phi_1350_;
+                                                phi_1351_ = _e1069;
+                                            }
+                                            let _e1085 = phi_1351_;
+                                            if (_e515 > 0f) {
+                                                let _e1106 = bitcast<u32>(_e1013);
+                                                if ((_e1106 & 2147483647u) == 0u) {
+                                                    phi_1373_ = 0.000000000000000000000000000000000000000000001f;
+                                                } else {
+                                                    if ((_e1106 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_1372_ = bitcast<f32>((_e1106 + 1u));
+                                                    } else {
+                                                        phi_1372_ = bitcast<f32>((_e1106 - 1u));
+                                                    }
+                                                    let _e1117 = phi_1372_;
+                                                    phi_1373_ = _e1117;
+                                                }
+                                                let _e1119 = phi_1373_;
+                                                phi_1399_ = _e1119;
+                                            } else {
+                                                if (_e515 < 0f) {
+                                                    let _e1089 = bitcast<u32>(-(_e1013));
+                                                    if ((_e1089 & 2147483647u) == 0u) {
+                                                        phi_1396_ = 0.000000000000000000000000000000000000000000001f;
+                                                    } else {
+                                                        if ((_e1089 >> bitcast<u32>(31i)) == 0u) {
+                                                            phi_1395_ = bitcast<f32>((_e1089 + 1u));
+                                                        } else {
+                                                            phi_1395_ = bitcast<f32>((_e1089 - 1u));
+                                                        }
+                                                        let _e1100 = phi_1395_;
+                                                        phi_1396_ = _e1100;
+                                                    }
+                                                    let _e1102 = phi_1396_;
+                                                    phi_1398_ = -(_e1102);
+                                                } else {
+                                                    phi_1398_ = _e1013;
+                                                }
+                                                let _e1105 = phi_1398_;
+                                                phi_1399_ = _e1105;
+                                            }
+                                            let _e1121 = phi_1399_;
+                                            let _e1131 = (2f * (((_e74.member.member_2[0] * _e629.x) + (_e74.member.member_2[1] * _e629.y)) + (_e74.member.member_2[2] * _e629.z)));
+                                            let _e1135 = (_e74.member.member_2[0] - (_e629.x * _e1131));
+                                            let _e1136 = (_e74.member.member_2[1] - (_e629.y * _e1131));
+                                            let _e1137 = (_e74.member.member_2[2] - (_e629.z * _e1131));
+                                            if ((((_e1135 * _e513) + (_e1136 * _e514)) + (_e1137 * _e515)) > 0f) {
+                                                phi_1442_ = vec3<f32>(_e1135, _e1136, _e1137);
+                                            } else {
+                                                let _e1150 = (2f * (((_e74.member.member_2[0] * _e513) + (_e74.member.member_2[1] * _e514)) + (_e74.member.member_2[2] * _e515)));
+                                                phi_1442_ = vec3<f32>((_e74.member.member_2[0] - (_e513 * _e1150)), (_e74.member.member_2[1] - (_e514 * _e1150)), (_e74.member.member_2[2] - (_e515 * _e1150)));
+                                            }
+                                            let _e1159 = phi_1442_;
+                                            phi_1444_ = type_48(vec3<f32>(_e1049, _e1085, _e1121), _e1159);
+                                        } else {
+                                            phi_1444_ = _e989;
+                                        }
+                                        let _e1162 = phi_1444_;
+                                        if _e655 {
+                                            phi_1464_ = vec3<f32>((_e641.member[0] * _e641.member_2), (_e641.member[1] * _e641.member_2), (_e641.member[2] * _e641.member_2));
+                                        } else {
+                                            phi_1464_ = vec3(_e641.member_1);
+                                        }
+                                        let _e1170 = phi_1464_;
+                                        phi_1482_ = type_33(type_32(array<f32, 3>(_e1162.member.x, _e1162.member.y, _e1162.member.z), 0f, array<f32, 3>(_e1162.member_1.x, _e1162.member_1.y, _e1162.member_1.z), 340282350000000000000000000000000000000f), array<f32, 3>((_e74.member_1[0] * _e1170.x), (_e74.member_1[1] * _e1170.y), (_e74.member_1[2] * _e1170.z)), _e77.member_3, _e681, _e74.member_4);
+                                    }
+                                    let _e1196 = phi_1482_;
+                                    phi_1637_ = _e1196;
                                 } else {
-                                    if (0u < _e55) {
+                                    if (0u < _e59) {
                                     } else {
                                         break;
                                     }
-                                    let _e89 = bitcast<f32>((bitcast<u32>(_e70.member.member_2[0]) & 2147483647u));
-                                    let _e92 = bitcast<f32>((bitcast<u32>(_e70.member.member_2[1]) & 2147483647u));
-                                    let _e94 = select(_e92, _e89, (_e89 > _e92));
-                                    let _e97 = bitcast<f32>((bitcast<u32>(_e70.member.member_2[2]) & 2147483647u));
-                                    let _e99 = select(_e97, _e94, (_e94 > _e97));
-                                    if (_e99 < 0.000000000000000000000000000000000000011754944f) {
-                                        phi_1229_ = vec3<f32>(0f, 0f, 0f);
+                                    let _e93 = bitcast<f32>((bitcast<u32>(_e74.member.member_2[0]) & 2147483647u));
+                                    let _e96 = bitcast<f32>((bitcast<u32>(_e74.member.member_2[1]) & 2147483647u));
+                                    let _e98 = select(_e96, _e93, (_e93 > _e96));
+                                    let _e101 = bitcast<f32>((bitcast<u32>(_e74.member.member_2[2]) & 2147483647u));
+                                    let _e103 = select(_e101, _e98, (_e98 > _e101));
+                                    if (_e103 < 0.000000000000000000000000000000000000011754944f) {
+                                        phi_1580_ = vec3<f32>(0f, 0f, 0f);
                                     } else {
-                                        let _e102 = (bitcast<u32>(_e99) & 2147483647u);
-                                        let _e103 = (_e102 >= 8388608u);
-                                        if _e103 {
-                                            phi_1179_ = (bitcast<i32>((_e102 >> bitcast<u32>(23i))) - 127i);
+                                        let _e106 = (bitcast<u32>(_e103) & 2147483647u);
+                                        let _e107 = (_e106 >= 8388608u);
+                                        if _e107 {
+                                            phi_1530_ = (bitcast<i32>((_e106 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_1179_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e102)), 32u, (_e102 == 0u))));
+                                            phi_1530_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e106)), 32u, (_e106 == 0u))));
                                         }
-                                        let _e116 = phi_1179_;
-                                        let _e123 = bitcast<f32>((bitcast<u32>(((_e116 / -2i) + 127i)) << bitcast<u32>(23i)));
-                                        if _e103 {
-                                            phi_1210_ = (bitcast<i32>((_e102 >> bitcast<u32>(23i))) - 127i);
+                                        let _e120 = phi_1530_;
+                                        let _e127 = bitcast<f32>((bitcast<u32>(((_e120 / -2i) + 127i)) << bitcast<u32>(23i)));
+                                        if _e107 {
+                                            phi_1561_ = (bitcast<i32>((_e106 >> bitcast<u32>(23i))) - 127i);
                                         } else {
-                                            phi_1210_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e102)), 32u, (_e102 == 0u))));
+                                            phi_1561_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e106)), 32u, (_e106 == 0u))));
                                         }
-                                        let _e139 = phi_1210_;
-                                        let _e145 = bitcast<f32>((bitcast<u32>((((_e116 / 2i) - _e139) + 127i)) << bitcast<u32>(23i)));
-                                        let _e146 = ((_e70.member.member_2[0] * _e123) * _e145);
-                                        let _e147 = ((_e70.member.member_2[1] * _e123) * _e145);
-                                        let _e148 = ((_e70.member.member_2[2] * _e123) * _e145);
-                                        let _e154 = sqrt((((_e146 * _e146) + (_e147 * _e147)) + (_e148 * _e148)));
-                                        phi_1229_ = vec3<f32>((_e146 / _e154), (_e147 / _e154), (_e148 / _e154));
+                                        let _e143 = phi_1561_;
+                                        let _e149 = bitcast<f32>((bitcast<u32>((((_e120 / 2i) - _e143) + 127i)) << bitcast<u32>(23i)));
+                                        let _e150 = ((_e74.member.member_2[0] * _e127) * _e149);
+                                        let _e151 = ((_e74.member.member_2[1] * _e127) * _e149);
+                                        let _e152 = ((_e74.member.member_2[2] * _e127) * _e149);
+                                        let _e158 = sqrt((((_e150 * _e150) + (_e151 * _e151)) + (_e152 * _e152)));
+                                        phi_1580_ = vec3<f32>((_e150 / _e158), (_e151 / _e158), (_e152 / _e158));
                                     }
-                                    let _e160 = phi_1229_;
-                                    let _e164 = global_7.member[0u].member_6;
-                                    let _e175 = (((_e160.x * _e164[0]) + (_e160.y * _e164[1])) + (_e160.z * _e164[2]));
-                                    let _e177 = select(0f, _e175, (_e175 > 0f));
-                                    let _e181 = global_7.member[0u].member_4;
-                                    let _e188 = global_7.member[0u].member_2;
-                                    phi_1286_ = type_32(type_31(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e70.member_1, _e70.member_2, array<f32, 3>((_e70.member_3[0] + ((_e181[0] + ((_e188[0] - _e181[0]) * _e177)) * _e70.member_1[0])), (_e70.member_3[1] + ((_e181[1] + ((_e188[1] - _e181[1]) * _e177)) * _e70.member_1[1])), (_e70.member_3[2] + ((_e181[2] + ((_e188[2] - _e181[2]) * _e177)) * _e70.member_1[2]))), _e70.member_4);
+                                    let _e164 = phi_1580_;
+                                    let _e168 = global_7.member[0u].member_6;
+                                    let _e179 = (((_e164.x * _e168[0]) + (_e164.y * _e168[1])) + (_e164.z * _e168[2]));
+                                    let _e181 = select(0f, _e179, (_e179 > 0f));
+                                    let _e185 = global_7.member[0u].member_4;
+                                    let _e192 = global_7.member[0u].member_2;
+                                    phi_1637_ = type_33(type_32(array<f32, 3>(0f, 0f, 0f), 1f, array<f32, 3>(0f, 0f, 0f), 0f), _e74.member_1, _e74.member_2, array<f32, 3>((_e74.member_3[0] + ((_e185[0] + ((_e192[0] - _e185[0]) * _e181)) * _e74.member_1[0])), (_e74.member_3[1] + ((_e185[1] + ((_e192[1] - _e185[1]) * _e181)) * _e74.member_1[1])), (_e74.member_3[2] + ((_e185[2] + ((_e192[2] - _e185[2]) * _e181)) * _e74.member_1[2]))), _e74.member_4);
                                 }
-                                let _e863 = phi_1286_;
-                                if _e64 {
+                                let _e1198 = phi_1637_;
+                                if _e68 {
                                 } else {
                                     break;
                                 }
-                                global_9.member[_e63] = _e863;
+                                global_9.member[_e67] = _e1198;
                             }
                         }
                     }

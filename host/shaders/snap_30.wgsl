@@ -42,10 +42,11 @@ var<storage, read_write> global_5: type_24;
 var<storage, read_write> global_6: type_4;
 
 fn function_() {
-    var phi_155_: array<u32, 3>;
-    var phi_170_: array<f32, 3>;
-    var phi_188_: array<f32, 3>;
-    var phi_206_: array<f32, 3>;
+    var phi_117_: i32;
+    var phi_156_: array<u32, 3>;
+    var phi_171_: array<f32, 3>;
+    var phi_189_: array<f32, 3>;
+    var phi_207_: array<f32, 3>;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -60,82 +61,87 @@ fn function_() {
                     if _e39 {
                         let _e42 = global_1.member[0u];
                         let _e43 = bitcast<i32>(_e42);
-                        let _e44 = (_e43 / 2i);
-                        let _e49 = bitcast<f32>((bitcast<u32>((_e44 + 127i)) << bitcast<u32>(23i)));
-                        let _e55 = bitcast<f32>((bitcast<u32>(((_e43 - _e44) + 127i)) << bitcast<u32>(23i)));
+                        if (_e43 < -126i) {
+                            phi_117_ = -126i;
+                        } else {
+                            phi_117_ = select(_e43, 127i, (_e43 > 127i));
+                        }
+                        let _e48 = phi_117_;
+                        let _e53 = bitcast<f32>((bitcast<u32>((_e48 + 127i)) << bitcast<u32>(23i)));
+                        let _e59 = bitcast<f32>((bitcast<u32>(((_e43 - _e48) + 127i)) << bitcast<u32>(23i)));
                         if _e38 {
                         } else {
                             break;
                         }
-                        let _e59 = global_4.member[_e36][0u];
-                        let _e63 = global_4.member[_e36][1u];
-                        let _e64 = (_e63 < arrayLength((&global_3.member)));
-                        if _e64 {
-                            if _e64 {
+                        let _e63 = global_4.member[_e36][0u];
+                        let _e67 = global_4.member[_e36][1u];
+                        let _e68 = (_e67 < arrayLength((&global_3.member)));
+                        if _e68 {
+                            if _e68 {
                             } else {
                                 break;
                             }
-                            let _e66 = global_3.member[_e63];
-                            phi_155_ = _e66;
+                            let _e70 = global_3.member[_e67];
+                            phi_156_ = _e70;
                         } else {
-                            phi_155_ = array<u32, 3>(0u, 0u, 0u);
+                            phi_156_ = array<u32, 3>(0u, 0u, 0u);
                         }
-                        let _e68 = phi_155_;
-                        let _e70 = (_e68[0] < _e23);
-                        if _e70 {
-                            if _e70 {
+                        let _e72 = phi_156_;
+                        let _e74 = (_e72[0] < _e23);
+                        if _e74 {
+                            if _e74 {
                             } else {
                                 break;
                             }
-                            let _e72 = global_2.member[_e68[0]];
-                            phi_170_ = _e72;
+                            let _e76 = global_2.member[_e72[0]];
+                            phi_171_ = _e76;
                         } else {
-                            phi_170_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_171_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e74 = phi_170_;
-                        let _e79 = (_e68[1] < _e23);
-                        if _e79 {
-                            if _e79 {
+                        let _e78 = phi_171_;
+                        let _e83 = (_e72[1] < _e23);
+                        if _e83 {
+                            if _e83 {
                             } else {
                                 break;
                             }
-                            let _e81 = global_2.member[_e68[1]];
-                            phi_188_ = _e81;
+                            let _e85 = global_2.member[_e72[1]];
+                            phi_189_ = _e85;
                         } else {
-                            phi_188_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_189_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e83 = phi_188_;
-                        let _e88 = (_e68[2] < _e23);
-                        if _e88 {
-                            if _e88 {
+                        let _e87 = phi_189_;
+                        let _e92 = (_e72[2] < _e23);
+                        if _e92 {
+                            if _e92 {
                             } else {
                                 break;
                             }
-                            let _e90 = global_2.member[_e68[2]];
-                            phi_206_ = _e90;
+                            let _e94 = global_2.member[_e72[2]];
+                            phi_207_ = _e94;
                         } else {
-                            phi_206_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_207_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e92 = phi_206_;
-                        let _e97 = ((_e74[0] * _e49) * _e55);
-                        let _e101 = ((_e74[1] * _e49) * _e55);
-                        let _e105 = ((_e74[2] * _e49) * _e55);
-                        let _e109 = ((_e83[0] * _e49) * _e55);
-                        let _e113 = ((_e83[1] * _e49) * _e55);
-                        let _e117 = ((_e83[2] * _e49) * _e55);
-                        let _e121 = ((_e92[0] * _e49) * _e55);
-                        let _e125 = ((_e92[1] * _e49) * _e55);
-                        let _e129 = ((_e92[2] * _e49) * _e55);
+                        let _e96 = phi_207_;
+                        let _e101 = ((_e78[0] * _e53) * _e59);
+                        let _e105 = ((_e78[1] * _e53) * _e59);
+                        let _e109 = ((_e78[2] * _e53) * _e59);
+                        let _e113 = ((_e87[0] * _e53) * _e59);
+                        let _e117 = ((_e87[1] * _e53) * _e59);
+                        let _e121 = ((_e87[2] * _e53) * _e59);
+                        let _e125 = ((_e96[0] * _e53) * _e59);
+                        let _e129 = ((_e96[1] * _e53) * _e59);
+                        let _e133 = ((_e96[2] * _e53) * _e59);
                         if _e37 {
                         } else {
                             break;
                         }
-                        global_5.member[_e36] = type_22(array<f32, 9>(select(_e97, 0f, (_e97 == 0f)), select(_e101, 0f, (_e101 == 0f)), select(_e105, 0f, (_e105 == 0f)), select(_e109, 0f, (_e109 == 0f)), select(_e113, 0f, (_e113 == 0f)), select(_e117, 0f, (_e117 == 0f)), select(_e121, 0f, (_e121 == 0f)), select(_e125, 0f, (_e125 == 0f)), select(_e129, 0f, (_e129 == 0f))), _e63);
+                        global_5.member[_e36] = type_22(array<f32, 9>(select(_e101, 0f, (_e101 == 0f)), select(_e105, 0f, (_e105 == 0f)), select(_e109, 0f, (_e109 == 0f)), select(_e113, 0f, (_e113 == 0f)), select(_e117, 0f, (_e117 == 0f)), select(_e121, 0f, (_e121 == 0f)), select(_e125, 0f, (_e125 == 0f)), select(_e129, 0f, (_e129 == 0f)), select(_e133, 0f, (_e133 == 0f))), _e67);
                         if _e39 {
                         } else {
                             break;
                         }
-                        global_6.member[_e36] = _e59;
+                        global_6.member[_e36] = _e63;
                     }
                 }
             }

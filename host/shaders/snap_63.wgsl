@@ -38,10 +38,11 @@ var<storage> global_5: type_16;
 var<storage, read_write> global_6: type_31;
 
 fn function_() {
-    var phi_155_: array<u32, 3>;
-    var phi_170_: array<f32, 3>;
-    var phi_188_: array<f32, 3>;
-    var phi_206_: array<f32, 3>;
+    var phi_113_: i32;
+    var phi_156_: array<u32, 3>;
+    var phi_171_: array<f32, 3>;
+    var phi_189_: array<f32, 3>;
+    var phi_207_: array<f32, 3>;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -56,84 +57,89 @@ fn function_() {
                     if _e39 {
                         let _e42 = global_1.member[0u];
                         let _e43 = bitcast<i32>(_e42);
-                        let _e44 = (_e43 / 2i);
-                        let _e49 = bitcast<f32>((bitcast<u32>((_e44 + 127i)) << bitcast<u32>(23i)));
-                        let _e55 = bitcast<f32>((bitcast<u32>(((_e43 - _e44) + 127i)) << bitcast<u32>(23i)));
+                        if (_e43 < -126i) {
+                            phi_113_ = -126i;
+                        } else {
+                            phi_113_ = select(_e43, 127i, (_e43 > 127i));
+                        }
+                        let _e48 = phi_113_;
+                        let _e53 = bitcast<f32>((bitcast<u32>((_e48 + 127i)) << bitcast<u32>(23i)));
+                        let _e59 = bitcast<f32>((bitcast<u32>(((_e43 - _e48) + 127i)) << bitcast<u32>(23i)));
                         if _e38 {
                         } else {
                             break;
                         }
-                        let _e59 = global_5.member[_e36][0u];
-                        let _e63 = global_5.member[_e36][1u];
-                        let _e67 = global_5.member[_e36][2u];
-                        let _e68 = (_e67 < arrayLength((&global_3.member)));
-                        if _e68 {
-                            if _e68 {
+                        let _e63 = global_5.member[_e36][0u];
+                        let _e67 = global_5.member[_e36][1u];
+                        let _e71 = global_5.member[_e36][2u];
+                        let _e72 = (_e71 < arrayLength((&global_3.member)));
+                        if _e72 {
+                            if _e72 {
                             } else {
                                 break;
                             }
-                            let _e70 = global_3.member[_e67];
-                            phi_155_ = _e70;
+                            let _e74 = global_3.member[_e71];
+                            phi_156_ = _e74;
                         } else {
-                            phi_155_ = array<u32, 3>(0u, 0u, 0u);
+                            phi_156_ = array<u32, 3>(0u, 0u, 0u);
                         }
-                        let _e72 = phi_155_;
-                        let _e74 = (_e72[0] < _e23);
-                        if _e74 {
-                            if _e74 {
+                        let _e76 = phi_156_;
+                        let _e78 = (_e76[0] < _e23);
+                        if _e78 {
+                            if _e78 {
                             } else {
                                 break;
                             }
-                            let _e76 = global_2.member[_e72[0]];
-                            phi_170_ = _e76;
+                            let _e80 = global_2.member[_e76[0]];
+                            phi_171_ = _e80;
                         } else {
-                            phi_170_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_171_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e78 = phi_170_;
-                        let _e83 = (_e72[1] < _e23);
-                        if _e83 {
-                            if _e83 {
+                        let _e82 = phi_171_;
+                        let _e87 = (_e76[1] < _e23);
+                        if _e87 {
+                            if _e87 {
                             } else {
                                 break;
                             }
-                            let _e85 = global_2.member[_e72[1]];
-                            phi_188_ = _e85;
+                            let _e89 = global_2.member[_e76[1]];
+                            phi_189_ = _e89;
                         } else {
-                            phi_188_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_189_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e87 = phi_188_;
-                        let _e92 = (_e72[2] < _e23);
-                        if _e92 {
-                            if _e92 {
+                        let _e91 = phi_189_;
+                        let _e96 = (_e76[2] < _e23);
+                        if _e96 {
+                            if _e96 {
                             } else {
                                 break;
                             }
-                            let _e94 = global_2.member[_e72[2]];
-                            phi_206_ = _e94;
+                            let _e98 = global_2.member[_e76[2]];
+                            phi_207_ = _e98;
                         } else {
-                            phi_206_ = array<f32, 3>(0f, 0f, 0f);
+                            phi_207_ = array<f32, 3>(0f, 0f, 0f);
                         }
-                        let _e96 = phi_206_;
-                        let _e101 = ((_e78[0] * _e49) * _e55);
-                        let _e105 = ((_e78[1] * _e49) * _e55);
-                        let _e109 = ((_e78[2] * _e49) * _e55);
-                        let _e113 = ((_e87[0] * _e49) * _e55);
-                        let _e117 = ((_e87[1] * _e49) * _e55);
-                        let _e121 = ((_e87[2] * _e49) * _e55);
-                        let _e125 = ((_e96[0] * _e49) * _e55);
-                        let _e129 = ((_e96[1] * _e49) * _e55);
-                        let _e133 = ((_e96[2] * _e49) * _e55);
+                        let _e100 = phi_207_;
+                        let _e105 = ((_e82[0] * _e53) * _e59);
+                        let _e109 = ((_e82[1] * _e53) * _e59);
+                        let _e113 = ((_e82[2] * _e53) * _e59);
+                        let _e117 = ((_e91[0] * _e53) * _e59);
+                        let _e121 = ((_e91[1] * _e53) * _e59);
+                        let _e125 = ((_e91[2] * _e53) * _e59);
+                        let _e129 = ((_e100[0] * _e53) * _e59);
+                        let _e133 = ((_e100[1] * _e53) * _e59);
+                        let _e137 = ((_e100[2] * _e53) * _e59);
                         if _e37 {
                         } else {
                             break;
                         }
-                        global_4.member[_e36] = type_19(array<f32, 9>(select(_e101, 0f, (_e101 == 0f)), select(_e105, 0f, (_e105 == 0f)), select(_e109, 0f, (_e109 == 0f)), select(_e113, 0f, (_e113 == 0f)), select(_e117, 0f, (_e117 == 0f)), select(_e121, 0f, (_e121 == 0f)), select(_e125, 0f, (_e125 == 0f)), select(_e129, 0f, (_e129 == 0f)), select(_e133, 0f, (_e133 == 0f))), _e67);
+                        global_4.member[_e36] = type_19(array<f32, 9>(select(_e105, 0f, (_e105 == 0f)), select(_e109, 0f, (_e109 == 0f)), select(_e113, 0f, (_e113 == 0f)), select(_e117, 0f, (_e117 == 0f)), select(_e121, 0f, (_e121 == 0f)), select(_e125, 0f, (_e125 == 0f)), select(_e129, 0f, (_e129 == 0f)), select(_e133, 0f, (_e133 == 0f)), select(_e137, 0f, (_e137 == 0f))), _e71);
                         if _e39 {
                         } else {
                             break;
                         }
-                        global_6.member[_e36][0u] = _e59;
-                        global_6.member[_e36][1u] = _e63;
+                        global_6.member[_e36][0u] = _e63;
+                        global_6.member[_e36][1u] = _e67;
                     }
                 }
             }

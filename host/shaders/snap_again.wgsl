@@ -30,10 +30,11 @@ var<storage> global_3: type_16;
 var<storage, read_write> global_4: type_21;
 
 fn function_() {
-    var phi_126_: array<u32, 3>;
-    var phi_141_: array<f32, 3>;
-    var phi_159_: array<f32, 3>;
-    var phi_177_: array<f32, 3>;
+    var phi_92_: i32;
+    var phi_127_: array<u32, 3>;
+    var phi_142_: array<f32, 3>;
+    var phi_160_: array<f32, 3>;
+    var phi_178_: array<f32, 3>;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -44,76 +45,81 @@ fn function_() {
             if _e30 {
                 let _e33 = global_1.member[0u];
                 let _e34 = bitcast<i32>(_e33);
-                let _e35 = (_e34 / 2i);
-                let _e40 = bitcast<f32>((bitcast<u32>((_e35 + 127i)) << bitcast<u32>(23i)));
-                let _e46 = bitcast<f32>((bitcast<u32>(((_e34 - _e35) + 127i)) << bitcast<u32>(23i)));
+                if (_e34 < -126i) {
+                    phi_92_ = -126i;
+                } else {
+                    phi_92_ = select(_e34, 127i, (_e34 > 127i));
+                }
+                let _e39 = phi_92_;
+                let _e44 = bitcast<f32>((bitcast<u32>((_e39 + 127i)) << bitcast<u32>(23i)));
+                let _e50 = bitcast<f32>((bitcast<u32>(((_e34 - _e39) + 127i)) << bitcast<u32>(23i)));
                 if _e30 {
                 } else {
                     break;
                 }
-                let _e52 = global_4.member[_e29].member_1;
-                let _e53 = (_e52 < arrayLength((&global_3.member)));
-                if _e53 {
-                    if _e53 {
+                let _e56 = global_4.member[_e29].member_1;
+                let _e57 = (_e56 < arrayLength((&global_3.member)));
+                if _e57 {
+                    if _e57 {
                     } else {
                         break;
                     }
-                    let _e55 = global_3.member[_e52];
-                    phi_126_ = _e55;
+                    let _e59 = global_3.member[_e56];
+                    phi_127_ = _e59;
                 } else {
-                    phi_126_ = array<u32, 3>(0u, 0u, 0u);
+                    phi_127_ = array<u32, 3>(0u, 0u, 0u);
                 }
-                let _e57 = phi_126_;
-                let _e59 = (_e57[0] < _e20);
-                if _e59 {
-                    if _e59 {
+                let _e61 = phi_127_;
+                let _e63 = (_e61[0] < _e20);
+                if _e63 {
+                    if _e63 {
                     } else {
                         break;
                     }
-                    let _e61 = global_2.member[_e57[0]];
-                    phi_141_ = _e61;
+                    let _e65 = global_2.member[_e61[0]];
+                    phi_142_ = _e65;
                 } else {
-                    phi_141_ = array<f32, 3>(0f, 0f, 0f);
+                    phi_142_ = array<f32, 3>(0f, 0f, 0f);
                 }
-                let _e63 = phi_141_;
-                let _e68 = (_e57[1] < _e20);
-                if _e68 {
-                    if _e68 {
+                let _e67 = phi_142_;
+                let _e72 = (_e61[1] < _e20);
+                if _e72 {
+                    if _e72 {
                     } else {
                         break;
                     }
-                    let _e70 = global_2.member[_e57[1]];
-                    phi_159_ = _e70;
+                    let _e74 = global_2.member[_e61[1]];
+                    phi_160_ = _e74;
                 } else {
-                    phi_159_ = array<f32, 3>(0f, 0f, 0f);
+                    phi_160_ = array<f32, 3>(0f, 0f, 0f);
                 }
-                let _e72 = phi_159_;
-                let _e77 = (_e57[2] < _e20);
-                if _e77 {
-                    if _e77 {
+                let _e76 = phi_160_;
+                let _e81 = (_e61[2] < _e20);
+                if _e81 {
+                    if _e81 {
                     } else {
                         break;
                     }
-                    let _e79 = global_2.member[_e57[2]];
-                    phi_177_ = _e79;
+                    let _e83 = global_2.member[_e61[2]];
+                    phi_178_ = _e83;
                 } else {
-                    phi_177_ = array<f32, 3>(0f, 0f, 0f);
+                    phi_178_ = array<f32, 3>(0f, 0f, 0f);
                 }
-                let _e81 = phi_177_;
-                let _e86 = ((_e63[0] * _e40) * _e46);
-                let _e90 = ((_e63[1] * _e40) * _e46);
-                let _e94 = ((_e63[2] * _e40) * _e46);
-                let _e98 = ((_e72[0] * _e40) * _e46);
-                let _e102 = ((_e72[1] * _e40) * _e46);
-                let _e106 = ((_e72[2] * _e40) * _e46);
-                let _e110 = ((_e81[0] * _e40) * _e46);
-                let _e114 = ((_e81[1] * _e40) * _e46);
-                let _e118 = ((_e81[2] * _e40) * _e46);
+                let _e85 = phi_178_;
+                let _e90 = ((_e67[0] * _e44) * _e50);
+                let _e94 = ((_e67[1] * _e44) * _e50);
+                let _e98 = ((_e67[2] * _e44) * _e50);
+                let _e102 = ((_e76[0] * _e44) * _e50);
+                let _e106 = ((_e76[1] * _e44) * _e50);
+                let _e110 = ((_e76[2] * _e44) * _e50);
+                let _e114 = ((_e85[0] * _e44) * _e50);
+                let _e118 = ((_e85[1] * _e44) * _e50);
+                let _e122 = ((_e85[2] * _e44) * _e50);
                 if _e30 {
                 } else {
                     break;
                 }
-                global_4.member[_e29] = type_19(array<f32, 9>(select(_e86, 0f, (_e86 == 0f)), select(_e90, 0f, (_e90 == 0f)), select(_e94, 0f, (_e94 == 0f)), select(_e98, 0f, (_e98 == 0f)), select(_e102, 0f, (_e102 == 0f)), select(_e106, 0f, (_e106 == 0f)), select(_e110, 0f, (_e110 == 0f)), select(_e114, 0f, (_e114 == 0f)), select(_e118, 0f, (_e118 == 0f))), _e52);
+                global_4.member[_e29] = type_19(array<f32, 9>(select(_e90, 0f, (_e90 == 0f)), select(_e94, 0f, (_e94 == 0f)), select(_e98, 0f, (_e98 == 0f)), select(_e102, 0f, (_e102 == 0f)), select(_e106, 0f, (_e106 == 0f)), select(_e110, 0f, (_e110 == 0f)), select(_e114, 0f, (_e114 == 0f)), select(_e118, 0f, (_e118 == 0f)), select(_e122, 0f, (_e122 == 0f))), _e56);
             }
             break;
         }

@@ -76,950 +76,962 @@ var<storage, read_write> global_5: type_4;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_263_: i32;
     var phi_264_: i32;
-    var phi_274_: bool;
-    var phi_284_: u32;
+    var phi_265_: i32;
+    var phi_275_: bool;
     var phi_285_: u32;
-    var phi_287_: bool;
-    var phi_292_: u32;
-    var phi_336_: f32;
-    var phi_342_: f32;
-    var phi_353_: f32;
-    var phi_359_: f32;
-    var phi_382_: f32;
-    var phi_393_: f32;
-    var phi_402_: f32;
-    var phi_408_: f32;
-    var phi_419_: f32;
-    var phi_425_: f32;
-    var phi_448_: f32;
-    var phi_459_: f32;
-    var phi_468_: f32;
-    var phi_474_: f32;
-    var phi_485_: f32;
-    var phi_491_: f32;
-    var phi_514_: f32;
-    var phi_525_: f32;
-    var phi_625_: f32;
-    var phi_626_: f32;
-    var phi_2197_: bool;
-    var phi_900_: type_45;
-    var phi_903_: u32;
-    var phi_905_: u32;
-    var phi_907_: bool;
-    var phi_909_: u32;
-    var phi_920_: bool;
-    var phi_951_: u32;
-    var phi_952_: bool;
-    var phi_953_: u32;
-    var phi_1753_: type_41;
-    var phi_2097_: u32;
-    var phi_2124_: u32;
-    var phi_2125_: u32;
-    var phi_2126_: u32;
-    var phi_2128_: u32;
-    var phi_2129_: u32;
-    var phi_2130_: bool;
-    var phi_2139_: u32;
-    var phi_2144_: u32;
-    var phi_2145_: bool;
-    var phi_968_: type_45;
-    var phi_971_: type_7;
-    var phi_972_: type_7;
-    var phi_994_: type_7;
-    var phi_1015_: u32;
-    var phi_1104_: array<array<f32, 3>, 3>;
-    var phi_1575_: vec3<f32>;
-    var phi_1576_: vec3<f32>;
-    var phi_1607_: bool;
-    var phi_1616_: vec3<f32>;
-    var phi_1656_: type_26;
-    var phi_1658_: type_26;
-    var phi_1659_: bool;
+    var phi_286_: u32;
+    var phi_288_: bool;
+    var phi_293_: u32;
+    var phi_305_: i32;
+    var phi_325_: i32;
+    var phi_343_: f32;
+    var phi_349_: f32;
+    var phi_360_: f32;
+    var phi_366_: f32;
+    var phi_389_: f32;
+    var phi_400_: f32;
+    var phi_409_: f32;
+    var phi_415_: f32;
+    var phi_426_: f32;
+    var phi_432_: f32;
+    var phi_455_: f32;
+    var phi_466_: f32;
+    var phi_475_: f32;
+    var phi_481_: f32;
+    var phi_492_: f32;
+    var phi_498_: f32;
+    var phi_521_: f32;
+    var phi_532_: f32;
+    var phi_632_: f32;
+    var phi_633_: f32;
+    var phi_2204_: bool;
+    var phi_907_: type_45;
+    var phi_910_: u32;
+    var phi_912_: u32;
+    var phi_914_: bool;
+    var phi_916_: u32;
+    var phi_927_: bool;
+    var phi_958_: u32;
+    var phi_959_: bool;
+    var phi_960_: u32;
+    var phi_1760_: type_41;
+    var phi_2104_: u32;
+    var phi_2131_: u32;
+    var phi_2132_: u32;
+    var phi_2133_: u32;
+    var phi_2135_: u32;
+    var phi_2136_: u32;
+    var phi_2137_: bool;
+    var phi_2146_: u32;
+    var phi_2151_: u32;
+    var phi_2152_: bool;
+    var phi_975_: type_45;
+    var phi_978_: type_7;
+    var phi_979_: type_7;
+    var phi_1001_: type_7;
+    var phi_1022_: u32;
+    var phi_1111_: array<array<f32, 3>, 3>;
+    var phi_1582_: vec3<f32>;
+    var phi_1583_: vec3<f32>;
+    var phi_1614_: bool;
+    var phi_1623_: vec3<f32>;
     var phi_1663_: type_26;
-    var phi_1664_: type_26;
     var phi_1665_: type_26;
     var phi_1666_: bool;
     var phi_1670_: type_26;
-    var phi_1671_: bool;
-    var phi_1675_: type_26;
-    var phi_1676_: bool;
-    var phi_1680_: type_26;
-    var phi_1691_: type_45;
-    var phi_1692_: type_45;
-    var phi_969_: type_45;
-    var phi_2191_: bool;
+    var phi_1671_: type_26;
+    var phi_1672_: type_26;
+    var phi_1673_: bool;
+    var phi_1677_: type_26;
+    var phi_1678_: bool;
+    var phi_1682_: type_26;
+    var phi_1683_: bool;
+    var phi_1687_: type_26;
+    var phi_1698_: type_45;
+    var phi_1699_: type_45;
+    var phi_976_: type_45;
+    var phi_2198_: bool;
     var local_2: type_45;
-    var phi_2302_: bool;
-    var phi_2147_: type_45;
-    var phi_2148_: u32;
-    var phi_2149_: bool;
-    var phi_2150_: u32;
-    var phi_2301_: bool;
-    var phi_2151_: type_45;
-    var phi_2152_: u32;
-    var phi_2153_: u32;
-    var phi_2154_: bool;
+    var phi_2313_: bool;
+    var phi_2154_: type_45;
     var phi_2155_: u32;
-    var phi_2300_: bool;
-    var phi_2156_: type_45;
+    var phi_2156_: bool;
     var phi_2157_: u32;
-    var phi_2158_: u32;
-    var phi_2159_: bool;
+    var phi_2312_: bool;
+    var phi_2158_: type_45;
+    var phi_2159_: u32;
     var phi_2160_: u32;
-    var phi_2299_: bool;
-    var phi_901_: type_45;
-    var phi_904_: u32;
-    var phi_906_: u32;
-    var phi_908_: bool;
-    var phi_910_: u32;
     var phi_2161_: bool;
-    var phi_2298_: bool;
+    var phi_2162_: u32;
+    var phi_2311_: bool;
+    var phi_2163_: type_45;
+    var phi_2164_: u32;
+    var phi_2165_: u32;
+    var phi_2166_: bool;
+    var phi_2167_: u32;
+    var phi_2310_: bool;
+    var phi_908_: type_45;
+    var phi_911_: u32;
+    var phi_913_: u32;
+    var phi_915_: bool;
+    var phi_917_: u32;
+    var phi_2168_: bool;
+    var phi_2309_: bool;
     var local_3: type_45;
     var local_4: type_45;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e61 = global;
-            let _e63 = arrayLength((&global_2.member));
-            let _e65 = arrayLength((&global_3.member));
-            let _e73 = (_e61.x + (_e61.y * 2097152u));
-            let _e74 = (_e73 < arrayLength((&global_4.member)));
-            if _e74 {
-                let _e75 = (_e73 < arrayLength((&global_5.member)));
-                if _e75 {
-                    if _e74 {
-                    } else {
-                        break;
-                    }
-                    let _e78 = global_1.member[0u];
-                    let _e79 = bitcast<i32>(_e78);
-                    let _e87 = global_4.member[_e73].member_2[0u];
-                    let _e89 = (bitcast<u32>(_e87) & 2147483647u);
-                    let _e94 = global_4.member[_e73].member_2[1u];
-                    let _e96 = (bitcast<u32>(_e94) & 2147483647u);
-                    let _e101 = global_4.member[_e73].member_2[2u];
-                    let _e103 = (bitcast<u32>(_e101) & 2147483647u);
-                    let _e108 = global_4.member[_e73].member[0u];
-                    let _e110 = (bitcast<u32>(_e108) & 2147483647u);
-                    let _e115 = global_4.member[_e73].member[1u];
-                    let _e117 = (bitcast<u32>(_e115) & 2147483647u);
-                    let _e122 = global_4.member[_e73].member[2u];
-                    let _e124 = (bitcast<u32>(_e122) & 2147483647u);
-                    let _e126 = select(_e96, _e89, (_e96 < _e89));
-                    let _e128 = select(_e103, _e126, (_e103 < _e126));
-                    let _e130 = select(_e110, _e128, (_e110 < _e128));
-                    let _e132 = select(_e117, _e130, (_e117 < _e130));
-                    let _e134 = select(_e124, _e132, (_e124 < _e132));
-                    let _e138 = global_4.member[_e73].member_1;
-                    let _e140 = (bitcast<u32>(_e138) & 2147483647u);
-                    let _e147 = global_4.member[_e73].member_3;
-                    let _e153 = (((select(_e140, _e134, (_e140 < _e134)) < 2139095040u) && ((bitcast<u32>(_e147) & 2147483647u) <= 2139095040u)) && (_e128 > 0u));
-                    if _e153 {
-                        let _e156 = (bitcast<u32>(bitcast<f32>(_e128)) & 2147483647u);
-                        if (_e156 >= 8388608u) {
-                            phi_263_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
-                        } else {
-                            phi_263_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
-                        }
-                        let _e170 = phi_263_;
-                        phi_264_ = _e170;
-                    } else {
-                        phi_264_ = 0i;
-                    }
-                    let _e172 = phi_264_;
-                    let _e173 = (_e89 == _e128);
-                    if _e173 {
-                        phi_274_ = true;
-                    } else {
-                        phi_274_ = (_e96 == _e128);
-                    }
-                    let _e176 = phi_274_;
-                    let _e177 = select(1u, 0u, _e173);
-                    if _e176 {
-                        let _e178 = (_e177 + 1u);
-                        phi_284_ = _e178;
-                        phi_285_ = _e178;
-                        phi_287_ = select(true, false, (_e178 == 2u));
-                    } else {
-                        phi_284_ = u32();
-                        phi_285_ = 0u;
-                        phi_287_ = true;
-                    }
-                    let _e182 = phi_284_;
-                    let _e184 = phi_285_;
-                    let _e186 = phi_287_;
-                    if _e186 {
-                        phi_292_ = (_e184 + 1u);
-                    } else {
-                        phi_292_ = 0u;
-                    }
-                    let _e190 = phi_292_;
-                    let _e191 = select(_e182, _e184, _e186);
-                    let _e192 = select(_e177, select(2u, _e177, _e176), _e186);
-                    let _e193 = (_e79 / 2i);
-                    let _e198 = bitcast<f32>((bitcast<u32>((_e193 + 127i)) << bitcast<u32>(23i)));
-                    let _e204 = bitcast<f32>((bitcast<u32>(((_e79 - _e193) + 127i)) << bitcast<u32>(23i)));
-                    let _e205 = -(_e172);
-                    let _e206 = (_e205 / 2i);
-                    let _e211 = bitcast<f32>((bitcast<u32>((_e206 + 127i)) << bitcast<u32>(23i)));
-                    let _e217 = bitcast<f32>((bitcast<u32>(((_e205 - _e206) + 127i)) << bitcast<u32>(23i)));
-                    let _e221 = global_4.member[_e73].member;
-                    let _e222 = (_e191 == 0u);
-                    if _e222 {
-                        phi_336_ = _e221[0];
-                    } else {
-                        phi_336_ = _e221[1];
-                    }
-                    let _e226 = phi_336_;
-                    let _e227 = (_e191 == 2u);
-                    if _e227 {
-                        phi_342_ = _e221[2];
-                    } else {
-                        phi_342_ = _e226;
-                    }
-                    let _e230 = phi_342_;
-                    let _e232 = ((_e230 * _e198) * _e204);
-                    let _e233 = global_4.member[_e73].member_2;
-                    if _e222 {
-                        phi_353_ = _e233[0];
-                    } else {
-                        phi_353_ = _e233[1];
-                    }
-                    let _e237 = phi_353_;
-                    if _e227 {
-                        phi_359_ = _e233[2];
-                    } else {
-                        phi_359_ = _e237;
-                    }
-                    let _e240 = phi_359_;
-                    let _e242 = ((_e240 * _e211) * _e217);
-                    let _e246 = (bitcast<f32>((bitcast<u32>(_e242) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e246 {
-                        let _e250 = (bitcast<f32>((bitcast<u32>(_e232) & 2147483647u)) * 0.00000011920929f);
-                        phi_382_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
-                    } else {
-                        phi_382_ = 0f;
-                    }
-                    let _e254 = phi_382_;
-                    let _e255 = (_e232 + _e254);
-                    let _e256 = (_e232 - _e254);
-                    let _e257 = select(_e242, 0f, _e246);
-                    if _e246 {
-                        phi_393_ = 38685626000000000000000000f;
-                    } else {
-                        phi_393_ = (1f / _e242);
-                    }
-                    let _e260 = phi_393_;
-                    let _e261 = (_e190 == 0u);
-                    if _e261 {
-                        phi_402_ = _e221[0];
-                    } else {
-                        phi_402_ = _e221[1];
-                    }
-                    let _e265 = phi_402_;
-                    let _e266 = (_e190 == 2u);
-                    if _e266 {
-                        phi_408_ = _e221[2];
-                    } else {
-                        phi_408_ = _e265;
-                    }
-                    let _e269 = phi_408_;
-                    let _e271 = ((_e269 * _e198) * _e204);
-                    if _e261 {
-                        phi_419_ = _e233[0];
-                    } else {
-                        phi_419_ = _e233[1];
-                    }
-                    let _e275 = phi_419_;
-                    if _e266 {
-                        phi_425_ = _e233[2];
-                    } else {
-                        phi_425_ = _e275;
-                    }
-                    let _e278 = phi_425_;
-                    let _e280 = ((_e278 * _e211) * _e217);
-                    let _e284 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e284 {
-                        let _e288 = (bitcast<f32>((bitcast<u32>(_e271) & 2147483647u)) * 0.00000011920929f);
-                        phi_448_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
-                    } else {
-                        phi_448_ = 0f;
-                    }
-                    let _e292 = phi_448_;
-                    let _e293 = (_e271 + _e292);
-                    let _e294 = (_e271 - _e292);
-                    let _e295 = select(_e280, 0f, _e284);
-                    if _e284 {
-                        phi_459_ = 38685626000000000000000000f;
-                    } else {
-                        phi_459_ = (1f / _e280);
-                    }
-                    let _e298 = phi_459_;
-                    let _e299 = (_e192 == 0u);
-                    if _e299 {
-                        phi_468_ = _e221[0];
-                    } else {
-                        phi_468_ = _e221[1];
-                    }
-                    let _e303 = phi_468_;
-                    let _e304 = (_e192 == 2u);
-                    if _e304 {
-                        phi_474_ = _e221[2];
-                    } else {
-                        phi_474_ = _e303;
-                    }
-                    let _e307 = phi_474_;
-                    let _e309 = ((_e307 * _e198) * _e204);
-                    if _e299 {
-                        phi_485_ = _e233[0];
-                    } else {
-                        phi_485_ = _e233[1];
-                    }
-                    let _e313 = phi_485_;
-                    if _e304 {
-                        phi_491_ = _e233[2];
-                    } else {
-                        phi_491_ = _e313;
-                    }
-                    let _e316 = phi_491_;
-                    let _e318 = ((_e316 * _e211) * _e217);
-                    let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e322 {
-                        let _e326 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_514_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
-                    } else {
-                        phi_514_ = 0f;
-                    }
-                    let _e330 = phi_514_;
-                    let _e331 = (_e309 + _e330);
-                    let _e332 = (_e309 - _e330);
-                    let _e333 = select(_e318, 0f, _e322);
-                    if _e322 {
-                        phi_525_ = 38685626000000000000000000f;
-                    } else {
-                        phi_525_ = (1f / _e318);
-                    }
-                    let _e336 = phi_525_;
-                    let _e339 = bitcast<f32>((bitcast<u32>(_e232) & 2147483647u));
-                    let _e342 = bitcast<f32>((bitcast<u32>(_e271) & 2147483647u));
-                    let _e344 = select(_e342, _e339, (_e339 > _e342));
-                    let _e347 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
-                    let _e350 = (_e79 + _e172);
-                    if (_e153 && (select(_e347, _e344, (_e344 > _e347)) <= 1099511600000f)) {
-                        let _e353 = (_e350 / 3i);
-                        let _e360 = bitcast<f32>((bitcast<u32>((_e353 + 127i)) << bitcast<u32>(23i)));
-                        let _e367 = bitcast<f32>((bitcast<u32>(((_e350 - (2i * _e353)) + 127i)) << bitcast<u32>(23i)));
-                        let _e368 = (((_e138 * _e360) * _e360) * _e367);
-                        let _e370 = select(340282350000000000000000000000000000000f, _e368, (_e368 < 340282350000000000000000000000000000000f));
-                        let _e375 = (((_e147 * _e360) * _e360) * _e367);
-                        let _e377 = select(340282350000000000000000000000000000000f, _e375, (_e375 < 340282350000000000000000000000000000000f));
-                        phi_625_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
-                        phi_626_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
-                    } else {
-                        phi_625_ = 0f;
-                        phi_626_ = 1f;
-                    }
-                    let _e381 = phi_625_;
-                    let _e383 = phi_626_;
-                    local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2197_ = false;
-                    phi_900_ = type_45(_e381, false);
-                    phi_903_ = select(0u, 2147483648u, (_e63 == 0u));
-                    phi_905_ = ((3u * _e63) + 1u);
-                    phi_907_ = (_e383 <= _e381);
-                    phi_909_ = 0u;
-                    loop {
-                        let _e391 = phi_2197_;
-                        let _e393 = phi_900_;
-                        let _e395 = phi_903_;
-                        let _e397 = phi_905_;
-                        let _e399 = phi_907_;
-                        let _e401 = phi_909_;
-                        local_3 = _e393;
-                        if _e399 {
-                            phi_920_ = true;
-                        } else {
-                            phi_920_ = (_e401 > 0u);
-                        }
-                        let _e404 = phi_920_;
-                        if _e404 {
-                            let _e405 = (_e397 > 0u);
-                            if _e405 {
-                                if _e399 {
-                                    phi_951_ = _e395;
-                                    phi_952_ = _e399;
-                                    phi_953_ = _e401;
-                                } else {
-                                    let _e406 = (_e401 - 1u);
-                                    let _e407 = (_e406 % 128u);
-                                    let _e408 = (_e407 < 128u);
-                                    if _e408 {
-                                    } else {
-                                        phi_2298_ = true;
-                                        break;
-                                    }
-                                    let _e410 = local_1[_e407];
-                                    if _e408 {
-                                    } else {
-                                        phi_2298_ = true;
-                                        break;
-                                    }
-                                    let _e412 = local[_e407];
-                                    phi_951_ = _e410;
-                                    phi_952_ = (_e412 <= _e393.member);
-                                    phi_953_ = _e406;
-                                }
-                                let _e416 = phi_951_;
-                                let _e418 = phi_952_;
-                                let _e420 = phi_953_;
-                                if _e418 {
-                                    if ((_e416 & 2147483648u) != 0u) {
-                                        phi_968_ = _e393;
-                                        phi_971_ = type_7(0u, ((_e416 >> bitcast<u32>(28u)) & 7u));
-                                        loop {
-                                            let _e618 = phi_968_;
-                                            let _e620 = phi_971_;
-                                            local_2 = _e618;
-                                            local_4 = _e618;
-                                            if (_e620.member < _e620.member_1) {
-                                                phi_972_ = type_7((_e620.member + 1u), _e620.member_1);
-                                                phi_994_ = type_7(1u, _e620.member);
-                                            } else {
-                                                phi_972_ = _e620;
-                                                phi_994_ = type_7(0u, type_7().member_1);
-                                            }
-                                            let _e633 = phi_972_;
-                                            let _e635 = phi_994_;
-                                            let _e639 = (bitcast<i32>(_e635.member) != 0i);
-                                            if _e639 {
-                                                let _e640 = ((_e416 & 268435455u) + _e635.member_1);
-                                                let _e641 = (_e640 < _e65);
-                                                if _e641 {
-                                                    if _e641 {
-                                                    } else {
-                                                        phi_2191_ = true;
-                                                        break;
-                                                    }
-                                                    let _e645 = global_3.member[_e640].member_1;
-                                                    phi_1015_ = _e645;
-                                                } else {
-                                                    phi_1015_ = 4294967295u;
-                                                }
-                                                let _e647 = phi_1015_;
-                                                if (_e640 >= _e65) {
-                                                    phi_1104_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
-                                                } else {
-                                                    if _e641 {
-                                                    } else {
-                                                        phi_2191_ = true;
-                                                        break;
-                                                    }
-                                                    let _e649 = (_e191 % 3u);
-                                                    let _e650 = (_e190 % 3u);
-                                                    let _e651 = (_e192 % 3u);
-                                                    if (_e649 < 9u) {
-                                                    } else {
-                                                        phi_2191_ = true;
-                                                        break;
-                                                    }
-                                                    let _e657 = global_3.member[_e640].member[_e649];
-                                                    if (_e650 < 9u) {
-                                                    } else {
-                                                        phi_2191_ = true;
-                                                        break;
-                                                    }
-                                                    let _e663 = global_3.member[_e640].member[_e650];
-                                                    if (_e651 < 9u) {
-                                                    } else {
-                                                        phi_2191_ = true;
-                                                        break;
-                                                    }
-                                                    let _e669 = global_3.member[_e640].member[_e651];
-                                                    let _e671 = (3u + _e649);
-                                                    if (_e671 < 9u) {
-                                                    } else {
-                                                        phi_2191_ = true;
-                                                        break;
-                                                    }
-                                                    let _e677 = global_3.member[_e640].member[_e671];
-                                                    let _e678 = (3u + _e650);
-                                                    if (_e678 < 9u) {
-                                                    } else {
-                                                        phi_2191_ = true;
-                                                        break;
-                                                    }
-                                                    let _e684 = global_3.member[_e640].member[_e678];
-                                                    let _e685 = (3u + _e651);
-                                                    if (_e685 < 9u) {
-                                                    } else {
-                                                        phi_2191_ = true;
-                                                        break;
-                                                    }
-                                                    let _e691 = global_3.member[_e640].member[_e685];
-                                                    let _e693 = (6u + _e649);
-                                                    if (_e693 < 9u) {
-                                                    } else {
-                                                        phi_2191_ = true;
-                                                        break;
-                                                    }
-                                                    let _e699 = global_3.member[_e640].member[_e693];
-                                                    let _e700 = (6u + _e650);
-                                                    if (_e700 < 9u) {
-                                                    } else {
-                                                        phi_2191_ = true;
-                                                        break;
-                                                    }
-                                                    let _e706 = global_3.member[_e640].member[_e700];
-                                                    let _e707 = (6u + _e651);
-                                                    if (_e707 < 9u) {
-                                                    } else {
-                                                        phi_2191_ = true;
-                                                        break;
-                                                    }
-                                                    let _e713 = global_3.member[_e640].member[_e707];
-                                                    phi_1104_ = array<array<f32, 3>, 3>(array<f32, 3>(_e657, _e663, _e669), array<f32, 3>(_e677, _e684, _e691), array<f32, 3>(_e699, _e706, _e713));
-                                                }
-                                                let _e717 = phi_1104_;
-                                                let _e725 = (_e717[0][2] - _e309);
-                                                let _e728 = (((_e717[0][0] - _e232) * _e333) - (_e725 * _e257));
-                                                let _e731 = (((_e717[0][1] - _e271) * _e333) - (_e725 * _e295));
-                                                let _e738 = (_e717[1][2] - _e309);
-                                                let _e741 = (((_e717[1][0] - _e232) * _e333) - (_e738 * _e257));
-                                                let _e744 = (((_e717[1][1] - _e271) * _e333) - (_e738 * _e295));
-                                                let _e751 = (_e717[2][2] - _e309);
-                                                let _e754 = (((_e717[2][0] - _e232) * _e333) - (_e751 * _e257));
-                                                let _e757 = (((_e717[2][1] - _e271) * _e333) - (_e751 * _e295));
-                                                let _e758 = (_e754 * _e744);
-                                                let _e759 = (_e757 * _e741);
-                                                let _e760 = (_e728 * _e757);
-                                                let _e761 = (_e731 * _e754);
-                                                let _e762 = (_e741 * _e731);
-                                                let _e763 = (_e744 * _e728);
-                                                let _e768 = (((_e758 >= _e759) && (_e760 >= _e761)) && (_e762 >= _e763));
-                                                if (_e768 || (((_e758 <= _e759) && (_e760 <= _e761)) && (_e762 <= _e763))) {
-                                                    let _e775 = select(-1f, 1f, _e768);
-                                                    let _e777 = ((_e758 - _e759) * _e775);
-                                                    let _e779 = select(0f, _e777, (_e777 > 0f));
-                                                    let _e781 = ((_e760 - _e761) * _e775);
-                                                    let _e783 = select(0f, _e781, (_e781 > 0f));
-                                                    let _e785 = ((_e762 - _e763) * _e775);
-                                                    let _e787 = select(0f, _e785, (_e785 > 0f));
-                                                    let _e789 = ((_e779 + _e783) + _e787);
-                                                    if (_e789 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1670_ = type_26();
-                                                        phi_1671_ = true;
-                                                    } else {
-                                                        let _e792 = select(_e717[1][0], _e717[0][0], (_e717[0][0] < _e717[1][0]));
-                                                        let _e796 = select(_e717[1][0], _e717[0][0], (_e717[0][0] > _e717[1][0]));
-                                                        let _e800 = select(_e717[1][1], _e717[0][1], (_e717[0][1] < _e717[1][1]));
-                                                        let _e804 = select(_e717[1][1], _e717[0][1], (_e717[0][1] > _e717[1][1]));
-                                                        let _e808 = select(_e717[1][2], _e717[0][2], (_e717[0][2] < _e717[1][2]));
-                                                        let _e812 = select(_e717[1][2], _e717[0][2], (_e717[0][2] > _e717[1][2]));
-                                                        let _e817 = ((select(_e717[2][0], _e792, (_e792 < _e717[2][0])) - _e255) * _e260);
-                                                        let _e818 = ((select(_e717[2][0], _e796, (_e796 > _e717[2][0])) - _e256) * _e260);
-                                                        let _e821 = ((select(_e717[2][1], _e800, (_e800 < _e717[2][1])) - _e293) * _e298);
-                                                        let _e822 = ((select(_e717[2][1], _e804, (_e804 > _e717[2][1])) - _e294) * _e298);
-                                                        let _e825 = ((select(_e717[2][2], _e808, (_e808 < _e717[2][2])) - _e331) * _e336);
-                                                        let _e826 = ((select(_e717[2][2], _e812, (_e812 > _e717[2][2])) - _e332) * _e336);
-                                                        let _e828 = select(_e826, _e825, (_e825 < _e826));
-                                                        let _e830 = select(_e826, _e825, (_e825 > _e826));
-                                                        let _e832 = select(_e818, _e817, (_e817 < _e818));
-                                                        let _e834 = select(_e822, _e821, (_e821 < _e822));
-                                                        let _e836 = select(_e834, _e832, (_e832 > _e834));
-                                                        let _e838 = select(_e828, _e836, (_e836 > _e828));
-                                                        let _e840 = select(_e818, _e817, (_e817 > _e818));
-                                                        let _e842 = select(_e822, _e821, (_e821 > _e822));
-                                                        let _e844 = select(_e842, _e840, (_e840 < _e842));
-                                                        let _e846 = select(_e830, _e844, (_e844 < _e830));
-                                                        let _e847 = -(_e828);
-                                                        let _e853 = select(_e383, _e838, (_e838 > _e383));
-                                                        if (_e853 > (_e846 + (select(_e847, _e830, (_e830 > _e847)) * 0.0000019073523f))) {
-                                                            phi_1665_ = type_26();
-                                                            phi_1666_ = true;
-                                                        } else {
-                                                            let _e855 = (_e853 > _e618.member);
-                                                            if _e855 {
-                                                                phi_1664_ = type_26();
-                                                            } else {
-                                                                let _e859 = (_e717[1][0] - _e717[0][0]);
-                                                                let _e860 = (_e717[1][1] - _e717[0][1]);
-                                                                let _e861 = (_e717[1][2] - _e717[0][2]);
-                                                                let _e862 = vec3<f32>(_e859, _e860, _e861);
-                                                                let _e863 = (_e717[2][0] - _e717[1][0]);
-                                                                let _e864 = (_e717[2][1] - _e717[1][1]);
-                                                                let _e865 = (_e717[2][2] - _e717[1][2]);
-                                                                let _e866 = vec3<f32>(_e863, _e864, _e865);
-                                                                let _e867 = (_e717[0][0] - _e717[2][0]);
-                                                                let _e868 = (_e717[0][1] - _e717[2][1]);
-                                                                let _e869 = (_e717[0][2] - _e717[2][2]);
-                                                                let _e870 = vec3<f32>(_e867, _e868, _e869);
-                                                                let _e873 = bitcast<f32>((bitcast<u32>(_e859) & 2147483647u));
-                                                                let _e876 = bitcast<f32>((bitcast<u32>(_e860) & 2147483647u));
-                                                                let _e878 = select(_e876, _e873, (_e873 > _e876));
-                                                                let _e881 = bitcast<f32>((bitcast<u32>(_e861) & 2147483647u));
-                                                                let _e883 = select(_e881, _e878, (_e878 > _e881));
-                                                                let _e886 = bitcast<f32>((bitcast<u32>(_e863) & 2147483647u));
-                                                                let _e889 = bitcast<f32>((bitcast<u32>(_e864) & 2147483647u));
-                                                                let _e891 = select(_e889, _e886, (_e886 > _e889));
-                                                                let _e894 = bitcast<f32>((bitcast<u32>(_e865) & 2147483647u));
-                                                                let _e896 = select(_e894, _e891, (_e891 > _e894));
-                                                                let _e899 = bitcast<f32>((bitcast<u32>(_e867) & 2147483647u));
-                                                                let _e902 = bitcast<f32>((bitcast<u32>(_e868) & 2147483647u));
-                                                                let _e904 = select(_e902, _e899, (_e899 > _e902));
-                                                                let _e907 = bitcast<f32>((bitcast<u32>(_e869) & 2147483647u));
-                                                                let _e909 = select(_e907, _e904, (_e904 > _e907));
-                                                                let _e911 = select(_e896, _e883, (_e883 > _e896));
-                                                                let _e913 = select(_e909, _e911, (_e911 > _e909));
-                                                                if (_e883 == _e913) {
-                                                                    phi_1575_ = _e866;
-                                                                    phi_1576_ = _e870;
-                                                                } else {
-                                                                    let _e916 = vec3((_e896 == _e913));
-                                                                    phi_1575_ = select(_e862, _e870, _e916);
-                                                                    phi_1576_ = select(_e866, _e862, _e916);
-                                                                }
-                                                                let _e920 = phi_1575_;
-                                                                let _e922 = phi_1576_;
-                                                                let _e929 = ((_e920.y * _e922.z) - (_e922.y * _e920.z));
-                                                                let _e934 = ((_e920.z * _e922.x) - (_e922.z * _e920.x));
-                                                                let _e937 = ((_e920.x * _e922.y) - (_e922.x * _e920.y));
-                                                                if (_e779 >= _e783) {
-                                                                    phi_1607_ = select(true, false, (_e779 >= _e787));
-                                                                } else {
-                                                                    phi_1607_ = true;
-                                                                }
-                                                                let _e942 = phi_1607_;
-                                                                if _e942 {
-                                                                    phi_1616_ = select(vec3<f32>(_e717[2][0], _e717[2][1], _e717[2][2]), vec3<f32>(_e717[1][0], _e717[1][1], _e717[1][2]), vec3((_e783 >= _e787)));
-                                                                } else {
-                                                                    phi_1616_ = vec3<f32>(_e717[0][0], _e717[0][1], _e717[0][2]);
-                                                                }
-                                                                let _e947 = phi_1616_;
-                                                                let _e964 = ((((_e929 * (_e947.x - _e232)) + (_e934 * (_e947.y - _e271))) + (_e937 * (_e947.z - _e309))) / (((_e929 * _e257) + (_e934 * _e295)) + (_e937 * _e333)));
-                                                                let _e966 = select(_e846, _e964, (_e964 < _e846));
-                                                                let _e968 = select(_e838, _e966, (_e966 > _e838));
-                                                                if (_e968 >= _e383) {
-                                                                    let _e970 = (_e968 <= _e618.member);
-                                                                    if _e970 {
-                                                                        let _e971 = (1f / _e789);
-                                                                        phi_1656_ = type_26(_e968, (_e783 * _e971), (_e787 * _e971), _e647);
-                                                                    } else {
-                                                                        phi_1656_ = type_26();
-                                                                    }
-                                                                    let _e976 = phi_1656_;
-                                                                    phi_1658_ = _e976;
-                                                                    phi_1659_ = select(true, false, _e970);
-                                                                } else {
-                                                                    phi_1658_ = type_26();
-                                                                    phi_1659_ = true;
-                                                                }
-                                                                let _e979 = phi_1658_;
-                                                                let _e981 = phi_1659_;
-                                                                if _e981 {
-                                                                    phi_1663_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1663_ = _e979;
-                                                                }
-                                                                let _e983 = phi_1663_;
-                                                                phi_1664_ = _e983;
-                                                            }
-                                                            let _e985 = phi_1664_;
-                                                            phi_1665_ = _e985;
-                                                            phi_1666_ = _e855;
-                                                        }
-                                                        let _e987 = phi_1665_;
-                                                        let _e989 = phi_1666_;
-                                                        phi_1670_ = _e987;
-                                                        phi_1671_ = _e989;
-                                                    }
-                                                    let _e991 = phi_1670_;
-                                                    let _e993 = phi_1671_;
-                                                    phi_1675_ = _e991;
-                                                    phi_1676_ = _e993;
-                                                } else {
-                                                    phi_1675_ = type_26();
-                                                    phi_1676_ = true;
-                                                }
-                                                let _e995 = phi_1675_;
-                                                let _e997 = phi_1676_;
-                                                if _e997 {
-                                                    phi_1680_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_1680_ = _e995;
-                                                }
-                                                let _e999 = phi_1680_;
-                                                if (_e999.member_3 != 4294967295u) {
-                                                    if (_e647 != 4294967295u) {
-                                                        phi_1691_ = type_45(_e618.member, true);
-                                                    } else {
-                                                        phi_1691_ = _e618;
-                                                    }
-                                                    let _e1007 = phi_1691_;
-                                                    phi_1692_ = _e1007;
-                                                } else {
-                                                    phi_1692_ = _e618;
-                                                }
-                                                let _e1009 = phi_1692_;
-                                                phi_969_ = _e1009;
-                                            } else {
-                                                phi_969_ = type_45();
-                                            }
-                                            let _e1011 = phi_969_;
-                                            continue;
-                                            continuing {
-                                                phi_968_ = _e1011;
-                                                phi_971_ = _e633;
-                                                phi_2191_ = _e391;
-                                                break if !(_e639);
-                                            }
-                                        }
-                                        let _e1014 = phi_2191_;
-                                        phi_2298_ = _e1014;
-                                        if _e1014 {
-                                            break;
-                                        }
-                                        let _e1016 = local_2;
-                                        phi_2302_ = _e1014;
-                                        let _e1154 = local_4;
-                                        phi_2147_ = _e1154;
-                                        phi_2148_ = _e416;
-                                        phi_2149_ = false;
-                                        phi_2150_ = select(_e420, 0u, _e1016.member_1);
-                                    } else {
-                                        if (_e416 >= _e63) {
-                                            phi_1753_ = type_41(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
-                                        } else {
-                                            if (_e416 < _e63) {
-                                            } else {
-                                                phi_2298_ = true;
-                                                break;
-                                            }
-                                            let _e430 = (_e191 % 3u);
-                                            if (_e430 < 3u) {
-                                            } else {
-                                                phi_2298_ = true;
-                                                break;
-                                            }
-                                            let _e436 = global_2.member[_e416].member[_e430];
-                                            let _e442 = (_e190 % 3u);
-                                            if (_e442 < 3u) {
-                                            } else {
-                                                phi_2298_ = true;
-                                                break;
-                                            }
-                                            let _e448 = global_2.member[_e416].member[_e442];
-                                            let _e454 = (_e192 % 3u);
-                                            if (_e454 < 3u) {
-                                            } else {
-                                                phi_2298_ = true;
-                                                break;
-                                            }
-                                            let _e460 = global_2.member[_e416].member[_e454];
-                                            let _e470 = global_2.member[_e416].member_1;
-                                            let _e474 = global_2.member[_e416].member_2;
-                                            phi_1753_ = type_41(array<vec4<f32>, 3>(vec4<f32>(_e436[0], _e436[1], _e436[2], _e436[3]), vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3])), _e470, _e474);
-                                        }
-                                        let _e477 = phi_1753_;
-                                        let _e489 = ((_e477.member[0].x - _e255) * _e260);
-                                        let _e490 = ((_e477.member[0].y - _e255) * _e260);
-                                        let _e491 = ((_e477.member[0].z - _e256) * _e260);
-                                        let _e492 = ((_e477.member[0].w - _e256) * _e260);
-                                        let _e502 = ((_e477.member[1].x - _e293) * _e298);
-                                        let _e503 = ((_e477.member[1].y - _e293) * _e298);
-                                        let _e504 = ((_e477.member[1].z - _e294) * _e298);
-                                        let _e505 = ((_e477.member[1].w - _e294) * _e298);
-                                        let _e515 = ((_e477.member[2].x - _e331) * _e336);
-                                        let _e516 = ((_e477.member[2].y - _e331) * _e336);
-                                        let _e517 = ((_e477.member[2].z - _e332) * _e336);
-                                        let _e518 = ((_e477.member[2].w - _e332) * _e336);
-                                        let _e520 = select(_e517, _e515, (_e515 < _e517));
-                                        let _e522 = select(_e518, _e516, (_e516 < _e518));
-                                        let _e524 = select(_e517, _e515, (_e515 > _e517));
-                                        let _e526 = select(_e518, _e516, (_e516 > _e518));
-                                        let _e528 = select(_e491, _e489, (_e489 < _e491));
-                                        let _e530 = select(_e492, _e490, (_e490 < _e492));
-                                        let _e532 = select(_e504, _e502, (_e502 < _e504));
-                                        let _e534 = select(_e505, _e503, (_e503 < _e505));
-                                        let _e536 = select(_e532, _e528, (_e528 > _e532));
-                                        let _e538 = select(_e534, _e530, (_e530 > _e534));
-                                        let _e540 = select(_e520, _e536, (_e536 > _e520));
-                                        let _e542 = select(_e522, _e538, (_e538 > _e522));
-                                        let _e544 = select(_e491, _e489, (_e489 > _e491));
-                                        let _e546 = select(_e492, _e490, (_e490 > _e492));
-                                        let _e548 = select(_e504, _e502, (_e502 > _e504));
-                                        let _e550 = select(_e505, _e503, (_e503 > _e505));
-                                        let _e552 = select(_e548, _e544, (_e544 < _e548));
-                                        let _e554 = select(_e550, _e546, (_e546 < _e550));
-                                        let _e559 = -(_e520);
-                                        let _e560 = -(_e522);
-                                        let _e567 = (select(_e524, _e552, (_e552 < _e524)) + (select(_e559, _e524, (_e524 > _e559)) * 0.0000019073523f));
-                                        let _e568 = (select(_e526, _e554, (_e554 < _e526)) + (select(_e560, _e526, (_e526 > _e560)) * 0.0000019073523f));
-                                        let _e570 = select(_e383, _e540, (_e540 > _e383));
-                                        let _e572 = select(_e383, _e542, (_e542 > _e383));
-                                        let _e577 = (_e570 <= select(_e393.member, _e567, (_e567 < _e393.member)));
-                                        let _e578 = (_e572 <= select(_e393.member, _e568, (_e568 < _e393.member)));
-                                        let _e579 = (_e570 <= _e572);
-                                        if _e577 {
-                                            if _e578 {
-                                                if _e579 {
-                                                    phi_2097_ = _e477.member_2;
-                                                } else {
-                                                    phi_2097_ = _e477.member_1;
-                                                }
-                                                let _e583 = phi_2097_;
-                                                let _e584 = (_e420 % 128u);
-                                                let _e585 = (_e584 < 128u);
-                                                if _e585 {
-                                                } else {
-                                                    phi_2298_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e584] = _e583;
-                                                if _e585 {
-                                                } else {
-                                                    phi_2298_ = true;
-                                                    break;
-                                                }
-                                                local[_e584] = select(_e572, _e570, (_e570 > _e572));
-                                                if _e579 {
-                                                    phi_2124_ = _e477.member_1;
-                                                } else {
-                                                    phi_2124_ = _e477.member_2;
-                                                }
-                                                let _e594 = phi_2124_;
-                                                phi_2125_ = _e594;
-                                                phi_2126_ = (_e420 + 1u);
-                                            } else {
-                                                phi_2125_ = u32();
-                                                phi_2126_ = u32();
-                                            }
-                                            let _e596 = phi_2125_;
-                                            let _e598 = phi_2126_;
-                                            phi_2128_ = _e596;
-                                            phi_2129_ = _e598;
-                                            phi_2130_ = select(true, false, _e578);
-                                        } else {
-                                            phi_2128_ = u32();
-                                            phi_2129_ = u32();
-                                            phi_2130_ = true;
-                                        }
-                                        let _e601 = phi_2128_;
-                                        let _e603 = phi_2129_;
-                                        let _e605 = phi_2130_;
-                                        if _e605 {
-                                            if _e577 {
-                                                phi_2139_ = _e477.member_1;
-                                            } else {
-                                                phi_2139_ = _e477.member_2;
-                                            }
-                                            let _e609 = phi_2139_;
-                                            phi_2144_ = _e609;
-                                            phi_2145_ = select(_e578, true, _e577);
-                                        } else {
-                                            phi_2144_ = _e601;
-                                            phi_2145_ = _e418;
-                                        }
-                                        let _e612 = phi_2144_;
-                                        let _e614 = phi_2145_;
-                                        phi_2302_ = _e391;
-                                        phi_2147_ = _e393;
-                                        phi_2148_ = _e612;
-                                        phi_2149_ = _e614;
-                                        phi_2150_ = select(_e603, _e420, _e605);
-                                    }
-                                    let _e1020 = phi_2302_;
-                                    let _e1022 = phi_2147_;
-                                    let _e1024 = phi_2148_;
-                                    let _e1026 = phi_2149_;
-                                    let _e1028 = phi_2150_;
-                                    phi_2301_ = _e1020;
-                                    phi_2151_ = _e1022;
-                                    phi_2152_ = _e1024;
-                                    phi_2153_ = (_e397 - 1u);
-                                    phi_2154_ = _e1026;
-                                    phi_2155_ = _e1028;
-                                } else {
-                                    phi_2301_ = _e391;
-                                    phi_2151_ = _e393;
-                                    phi_2152_ = _e416;
-                                    phi_2153_ = _e397;
-                                    phi_2154_ = _e418;
-                                    phi_2155_ = _e420;
-                                }
-                                let _e1030 = phi_2301_;
-                                let _e1032 = phi_2151_;
-                                let _e1034 = phi_2152_;
-                                let _e1036 = phi_2153_;
-                                let _e1038 = phi_2154_;
-                                let _e1040 = phi_2155_;
-                                phi_2300_ = _e1030;
-                                phi_2156_ = _e1032;
-                                phi_2157_ = _e1034;
-                                phi_2158_ = _e1036;
-                                phi_2159_ = _e1038;
-                                phi_2160_ = _e1040;
-                            } else {
-                                phi_2300_ = _e391;
-                                phi_2156_ = type_45();
-                                phi_2157_ = u32();
-                                phi_2158_ = u32();
-                                phi_2159_ = bool();
-                                phi_2160_ = u32();
-                            }
-                            let _e1042 = phi_2300_;
-                            let _e1044 = phi_2156_;
-                            let _e1046 = phi_2157_;
-                            let _e1048 = phi_2158_;
-                            let _e1050 = phi_2159_;
-                            let _e1052 = phi_2160_;
-                            phi_2299_ = _e1042;
-                            phi_901_ = _e1044;
-                            phi_904_ = _e1046;
-                            phi_906_ = _e1048;
-                            phi_908_ = _e1050;
-                            phi_910_ = _e1052;
-                            phi_2161_ = _e405;
-                        } else {
-                            phi_2299_ = _e391;
-                            phi_901_ = type_45();
-                            phi_904_ = u32();
-                            phi_906_ = u32();
-                            phi_908_ = bool();
-                            phi_910_ = u32();
-                            phi_2161_ = false;
-                        }
-                        let _e1054 = phi_2299_;
-                        let _e1056 = phi_901_;
-                        let _e1058 = phi_904_;
-                        let _e1060 = phi_906_;
-                        let _e1062 = phi_908_;
-                        let _e1064 = phi_910_;
-                        let _e1066 = phi_2161_;
-                        continue;
-                        continuing {
-                            phi_2197_ = _e1054;
-                            phi_900_ = _e1056;
-                            phi_903_ = _e1058;
-                            phi_905_ = _e1060;
-                            phi_907_ = _e1062;
-                            phi_909_ = _e1064;
-                            phi_2298_ = _e1054;
-                            break if !(_e1066);
-                        }
-                    }
-                    let _e1069 = phi_2298_;
-                    if _e1069 {
-                        break;
-                    }
-                    let _e1071 = local_3;
+            let _e62 = global;
+            let _e64 = arrayLength((&global_2.member));
+            let _e66 = arrayLength((&global_3.member));
+            let _e74 = (_e62.x + (_e62.y * 2097152u));
+            let _e75 = (_e74 < arrayLength((&global_4.member)));
+            if _e75 {
+                let _e76 = (_e74 < arrayLength((&global_5.member)));
+                if _e76 {
                     if _e75 {
                     } else {
                         break;
                     }
-                    global_5.member[_e73] = select(0u, 1u, _e1071.member_1);
+                    let _e79 = global_1.member[0u];
+                    let _e80 = bitcast<i32>(_e79);
+                    let _e88 = global_4.member[_e74].member_2[0u];
+                    let _e90 = (bitcast<u32>(_e88) & 2147483647u);
+                    let _e95 = global_4.member[_e74].member_2[1u];
+                    let _e97 = (bitcast<u32>(_e95) & 2147483647u);
+                    let _e102 = global_4.member[_e74].member_2[2u];
+                    let _e104 = (bitcast<u32>(_e102) & 2147483647u);
+                    let _e109 = global_4.member[_e74].member[0u];
+                    let _e111 = (bitcast<u32>(_e109) & 2147483647u);
+                    let _e116 = global_4.member[_e74].member[1u];
+                    let _e118 = (bitcast<u32>(_e116) & 2147483647u);
+                    let _e123 = global_4.member[_e74].member[2u];
+                    let _e125 = (bitcast<u32>(_e123) & 2147483647u);
+                    let _e127 = select(_e97, _e90, (_e97 < _e90));
+                    let _e129 = select(_e104, _e127, (_e104 < _e127));
+                    let _e131 = select(_e111, _e129, (_e111 < _e129));
+                    let _e133 = select(_e118, _e131, (_e118 < _e131));
+                    let _e135 = select(_e125, _e133, (_e125 < _e133));
+                    let _e139 = global_4.member[_e74].member_1;
+                    let _e141 = (bitcast<u32>(_e139) & 2147483647u);
+                    let _e148 = global_4.member[_e74].member_3;
+                    let _e154 = (((select(_e141, _e135, (_e141 < _e135)) < 2139095040u) && ((bitcast<u32>(_e148) & 2147483647u) <= 2139095040u)) && (_e129 > 0u));
+                    if _e154 {
+                        let _e157 = (bitcast<u32>(bitcast<f32>(_e129)) & 2147483647u);
+                        if (_e157 >= 8388608u) {
+                            phi_264_ = (bitcast<i32>((_e157 >> bitcast<u32>(23i))) - 127i);
+                        } else {
+                            phi_264_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e157)), 32u, (_e157 == 0u))));
+                        }
+                        let _e171 = phi_264_;
+                        phi_265_ = _e171;
+                    } else {
+                        phi_265_ = 0i;
+                    }
+                    let _e173 = phi_265_;
+                    let _e174 = (_e90 == _e129);
+                    if _e174 {
+                        phi_275_ = true;
+                    } else {
+                        phi_275_ = (_e97 == _e129);
+                    }
+                    let _e177 = phi_275_;
+                    let _e178 = select(1u, 0u, _e174);
+                    if _e177 {
+                        let _e179 = (_e178 + 1u);
+                        phi_285_ = _e179;
+                        phi_286_ = _e179;
+                        phi_288_ = select(true, false, (_e179 == 2u));
+                    } else {
+                        phi_285_ = u32();
+                        phi_286_ = 0u;
+                        phi_288_ = true;
+                    }
+                    let _e183 = phi_285_;
+                    let _e185 = phi_286_;
+                    let _e187 = phi_288_;
+                    if _e187 {
+                        phi_293_ = (_e185 + 1u);
+                    } else {
+                        phi_293_ = 0u;
+                    }
+                    let _e191 = phi_293_;
+                    let _e192 = select(_e183, _e185, _e187);
+                    let _e193 = select(_e178, select(2u, _e178, _e177), _e187);
+                    if (_e80 < -126i) {
+                        phi_305_ = -126i;
+                    } else {
+                        phi_305_ = select(_e80, 127i, (_e80 > 127i));
+                    }
+                    let _e198 = phi_305_;
+                    let _e203 = bitcast<f32>((bitcast<u32>((_e198 + 127i)) << bitcast<u32>(23i)));
+                    let _e209 = bitcast<f32>((bitcast<u32>(((_e80 - _e198) + 127i)) << bitcast<u32>(23i)));
+                    let _e210 = -(_e173);
+                    if (_e210 < -126i) {
+                        phi_325_ = -126i;
+                    } else {
+                        phi_325_ = select(_e210, 127i, (_e210 > 127i));
+                    }
+                    let _e215 = phi_325_;
+                    let _e220 = bitcast<f32>((bitcast<u32>((_e215 + 127i)) << bitcast<u32>(23i)));
+                    let _e226 = bitcast<f32>((bitcast<u32>(((_e210 - _e215) + 127i)) << bitcast<u32>(23i)));
+                    let _e230 = global_4.member[_e74].member;
+                    let _e231 = (_e192 == 0u);
+                    if _e231 {
+                        phi_343_ = _e230[0];
+                    } else {
+                        phi_343_ = _e230[1];
+                    }
+                    let _e235 = phi_343_;
+                    let _e236 = (_e192 == 2u);
+                    if _e236 {
+                        phi_349_ = _e230[2];
+                    } else {
+                        phi_349_ = _e235;
+                    }
+                    let _e239 = phi_349_;
+                    let _e241 = ((_e239 * _e203) * _e209);
+                    let _e242 = global_4.member[_e74].member_2;
+                    if _e231 {
+                        phi_360_ = _e242[0];
+                    } else {
+                        phi_360_ = _e242[1];
+                    }
+                    let _e246 = phi_360_;
+                    if _e236 {
+                        phi_366_ = _e242[2];
+                    } else {
+                        phi_366_ = _e246;
+                    }
+                    let _e249 = phi_366_;
+                    let _e251 = ((_e249 * _e220) * _e226);
+                    let _e255 = (bitcast<f32>((bitcast<u32>(_e251) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e255 {
+                        let _e259 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) * 0.00000011920929f);
+                        phi_389_ = select(0.00000000000011368684f, _e259, (_e259 > 0.00000000000011368684f));
+                    } else {
+                        phi_389_ = 0f;
+                    }
+                    let _e263 = phi_389_;
+                    let _e264 = (_e241 + _e263);
+                    let _e265 = (_e241 - _e263);
+                    let _e266 = select(_e251, 0f, _e255);
+                    if _e255 {
+                        phi_400_ = 38685626000000000000000000f;
+                    } else {
+                        phi_400_ = (1f / _e251);
+                    }
+                    let _e269 = phi_400_;
+                    let _e270 = (_e191 == 0u);
+                    if _e270 {
+                        phi_409_ = _e230[0];
+                    } else {
+                        phi_409_ = _e230[1];
+                    }
+                    let _e274 = phi_409_;
+                    let _e275 = (_e191 == 2u);
+                    if _e275 {
+                        phi_415_ = _e230[2];
+                    } else {
+                        phi_415_ = _e274;
+                    }
+                    let _e278 = phi_415_;
+                    let _e280 = ((_e278 * _e203) * _e209);
+                    if _e270 {
+                        phi_426_ = _e242[0];
+                    } else {
+                        phi_426_ = _e242[1];
+                    }
+                    let _e284 = phi_426_;
+                    if _e275 {
+                        phi_432_ = _e242[2];
+                    } else {
+                        phi_432_ = _e284;
+                    }
+                    let _e287 = phi_432_;
+                    let _e289 = ((_e287 * _e220) * _e226);
+                    let _e293 = (bitcast<f32>((bitcast<u32>(_e289) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e293 {
+                        let _e297 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) * 0.00000011920929f);
+                        phi_455_ = select(0.00000000000011368684f, _e297, (_e297 > 0.00000000000011368684f));
+                    } else {
+                        phi_455_ = 0f;
+                    }
+                    let _e301 = phi_455_;
+                    let _e302 = (_e280 + _e301);
+                    let _e303 = (_e280 - _e301);
+                    let _e304 = select(_e289, 0f, _e293);
+                    if _e293 {
+                        phi_466_ = 38685626000000000000000000f;
+                    } else {
+                        phi_466_ = (1f / _e289);
+                    }
+                    let _e307 = phi_466_;
+                    let _e308 = (_e193 == 0u);
+                    if _e308 {
+                        phi_475_ = _e230[0];
+                    } else {
+                        phi_475_ = _e230[1];
+                    }
+                    let _e312 = phi_475_;
+                    let _e313 = (_e193 == 2u);
+                    if _e313 {
+                        phi_481_ = _e230[2];
+                    } else {
+                        phi_481_ = _e312;
+                    }
+                    let _e316 = phi_481_;
+                    let _e318 = ((_e316 * _e203) * _e209);
+                    if _e308 {
+                        phi_492_ = _e242[0];
+                    } else {
+                        phi_492_ = _e242[1];
+                    }
+                    let _e322 = phi_492_;
+                    if _e313 {
+                        phi_498_ = _e242[2];
+                    } else {
+                        phi_498_ = _e322;
+                    }
+                    let _e325 = phi_498_;
+                    let _e327 = ((_e325 * _e220) * _e226);
+                    let _e331 = (bitcast<f32>((bitcast<u32>(_e327) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e331 {
+                        let _e335 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) * 0.00000011920929f);
+                        phi_521_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
+                    } else {
+                        phi_521_ = 0f;
+                    }
+                    let _e339 = phi_521_;
+                    let _e340 = (_e318 + _e339);
+                    let _e341 = (_e318 - _e339);
+                    let _e342 = select(_e327, 0f, _e331);
+                    if _e331 {
+                        phi_532_ = 38685626000000000000000000f;
+                    } else {
+                        phi_532_ = (1f / _e327);
+                    }
+                    let _e345 = phi_532_;
+                    let _e348 = bitcast<f32>((bitcast<u32>(_e241) & 2147483647u));
+                    let _e351 = bitcast<f32>((bitcast<u32>(_e280) & 2147483647u));
+                    let _e353 = select(_e351, _e348, (_e348 > _e351));
+                    let _e356 = bitcast<f32>((bitcast<u32>(_e318) & 2147483647u));
+                    let _e359 = (_e80 + _e173);
+                    if (_e154 && (select(_e356, _e353, (_e353 > _e356)) <= 1099511600000f)) {
+                        let _e362 = (_e359 / 3i);
+                        let _e369 = bitcast<f32>((bitcast<u32>((_e362 + 127i)) << bitcast<u32>(23i)));
+                        let _e376 = bitcast<f32>((bitcast<u32>(((_e359 - (2i * _e362)) + 127i)) << bitcast<u32>(23i)));
+                        let _e377 = (((_e139 * _e369) * _e369) * _e376);
+                        let _e379 = select(340282350000000000000000000000000000000f, _e377, (_e377 < 340282350000000000000000000000000000000f));
+                        let _e384 = (((_e148 * _e369) * _e369) * _e376);
+                        let _e386 = select(340282350000000000000000000000000000000f, _e384, (_e384 < 340282350000000000000000000000000000000f));
+                        phi_632_ = select(-340282350000000000000000000000000000000f, _e386, (_e386 > -340282350000000000000000000000000000000f));
+                        phi_633_ = select(-340282350000000000000000000000000000000f, _e379, (_e379 > -340282350000000000000000000000000000000f));
+                    } else {
+                        phi_632_ = 0f;
+                        phi_633_ = 1f;
+                    }
+                    let _e390 = phi_632_;
+                    let _e392 = phi_633_;
+                    local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_2204_ = false;
+                    phi_907_ = type_45(_e390, false);
+                    phi_910_ = select(0u, 2147483648u, (_e64 == 0u));
+                    phi_912_ = ((3u * _e64) + 1u);
+                    phi_914_ = (_e392 <= _e390);
+                    phi_916_ = 0u;
+                    loop {
+                        let _e400 = phi_2204_;
+                        let _e402 = phi_907_;
+                        let _e404 = phi_910_;
+                        let _e406 = phi_912_;
+                        let _e408 = phi_914_;
+                        let _e410 = phi_916_;
+                        local_3 = _e402;
+                        if _e408 {
+                            phi_927_ = true;
+                        } else {
+                            phi_927_ = (_e410 > 0u);
+                        }
+                        let _e413 = phi_927_;
+                        if _e413 {
+                            let _e414 = (_e406 > 0u);
+                            if _e414 {
+                                if _e408 {
+                                    phi_958_ = _e404;
+                                    phi_959_ = _e408;
+                                    phi_960_ = _e410;
+                                } else {
+                                    let _e415 = (_e410 - 1u);
+                                    let _e416 = (_e415 % 128u);
+                                    let _e417 = (_e416 < 128u);
+                                    if _e417 {
+                                    } else {
+                                        phi_2309_ = true;
+                                        break;
+                                    }
+                                    let _e419 = local_1[_e416];
+                                    if _e417 {
+                                    } else {
+                                        phi_2309_ = true;
+                                        break;
+                                    }
+                                    let _e421 = local[_e416];
+                                    phi_958_ = _e419;
+                                    phi_959_ = (_e421 <= _e402.member);
+                                    phi_960_ = _e415;
+                                }
+                                let _e425 = phi_958_;
+                                let _e427 = phi_959_;
+                                let _e429 = phi_960_;
+                                if _e427 {
+                                    if ((_e425 & 2147483648u) != 0u) {
+                                        phi_975_ = _e402;
+                                        phi_978_ = type_7(0u, ((_e425 >> bitcast<u32>(28u)) & 7u));
+                                        loop {
+                                            let _e627 = phi_975_;
+                                            let _e629 = phi_978_;
+                                            local_2 = _e627;
+                                            local_4 = _e627;
+                                            if (_e629.member < _e629.member_1) {
+                                                phi_979_ = type_7((_e629.member + 1u), _e629.member_1);
+                                                phi_1001_ = type_7(1u, _e629.member);
+                                            } else {
+                                                phi_979_ = _e629;
+                                                phi_1001_ = type_7(0u, type_7().member_1);
+                                            }
+                                            let _e642 = phi_979_;
+                                            let _e644 = phi_1001_;
+                                            let _e648 = (bitcast<i32>(_e644.member) != 0i);
+                                            if _e648 {
+                                                let _e649 = ((_e425 & 268435455u) + _e644.member_1);
+                                                let _e650 = (_e649 < _e66);
+                                                if _e650 {
+                                                    if _e650 {
+                                                    } else {
+                                                        phi_2198_ = true;
+                                                        break;
+                                                    }
+                                                    let _e654 = global_3.member[_e649].member_1;
+                                                    phi_1022_ = _e654;
+                                                } else {
+                                                    phi_1022_ = 4294967295u;
+                                                }
+                                                let _e656 = phi_1022_;
+                                                if (_e649 >= _e66) {
+                                                    phi_1111_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                } else {
+                                                    if _e650 {
+                                                    } else {
+                                                        phi_2198_ = true;
+                                                        break;
+                                                    }
+                                                    let _e658 = (_e192 % 3u);
+                                                    let _e659 = (_e191 % 3u);
+                                                    let _e660 = (_e193 % 3u);
+                                                    if (_e658 < 9u) {
+                                                    } else {
+                                                        phi_2198_ = true;
+                                                        break;
+                                                    }
+                                                    let _e666 = global_3.member[_e649].member[_e658];
+                                                    if (_e659 < 9u) {
+                                                    } else {
+                                                        phi_2198_ = true;
+                                                        break;
+                                                    }
+                                                    let _e672 = global_3.member[_e649].member[_e659];
+                                                    if (_e660 < 9u) {
+                                                    } else {
+                                                        phi_2198_ = true;
+                                                        break;
+                                                    }
+                                                    let _e678 = global_3.member[_e649].member[_e660];
+                                                    let _e680 = (3u + _e658);
+                                                    if (_e680 < 9u) {
+                                                    } else {
+                                                        phi_2198_ = true;
+                                                        break;
+                                                    }
+                                                    let _e686 = global_3.member[_e649].member[_e680];
+                                                    let _e687 = (3u + _e659);
+                                                    if (_e687 < 9u) {
+                                                    } else {
+                                                        phi_2198_ = true;
+                                                        break;
+                                                    }
+                                                    let _e693 = global_3.member[_e649].member[_e687];
+                                                    let _e694 = (3u + _e660);
+                                                    if (_e694 < 9u) {
+                                                    } else {
+                                                        phi_2198_ = true;
+                                                        break;
+                                                    }
+                                                    let _e700 = global_3.member[_e649].member[_e694];
+                                                    let _e702 = (6u + _e658);
+                                                    if (_e702 < 9u) {
+                                                    } else {
+                                                        phi_2198_ = true;
+                                                        break;
+                                                    }
+                                                    let _e708 = global_3.member[_e649].member[_e702];
+                                                    let _e709 = (6u + _e659);
+                                                    if (_e709 < 9u) {
+                                                    } else {
+                                                        phi_2198_ = true;
+                                                        break;
+                                                    }
+                                                    let _e715 = global_3.member[_e649].member[_e709];
+                                                    let _e716 = (6u + _e660);
+                                                    if (_e716 < 9u) {
+                                                    } else {
+                                                        phi_2198_ = true;
+                                                        break;
+                                                    }
+                                                    let _e722 = global_3.member[_e649].member[_e716];
+                                                    phi_1111_ = array<array<f32, 3>, 3>(array<f32, 3>(_e666, _e672, _e678), array<f32, 3>(_e686, _e693, _e700), array<f32, 3>(_e708, _e715, _e722));
+                                                }
+                                                let _e726 = phi_1111_;
+                                                let _e734 = (_e726[0][2] - _e318);
+                                                let _e737 = (((_e726[0][0] - _e241) * _e342) - (_e734 * _e266));
+                                                let _e740 = (((_e726[0][1] - _e280) * _e342) - (_e734 * _e304));
+                                                let _e747 = (_e726[1][2] - _e318);
+                                                let _e750 = (((_e726[1][0] - _e241) * _e342) - (_e747 * _e266));
+                                                let _e753 = (((_e726[1][1] - _e280) * _e342) - (_e747 * _e304));
+                                                let _e760 = (_e726[2][2] - _e318);
+                                                let _e763 = (((_e726[2][0] - _e241) * _e342) - (_e760 * _e266));
+                                                let _e766 = (((_e726[2][1] - _e280) * _e342) - (_e760 * _e304));
+                                                let _e767 = (_e763 * _e753);
+                                                let _e768 = (_e766 * _e750);
+                                                let _e769 = (_e737 * _e766);
+                                                let _e770 = (_e740 * _e763);
+                                                let _e771 = (_e750 * _e740);
+                                                let _e772 = (_e753 * _e737);
+                                                let _e777 = (((_e767 >= _e768) && (_e769 >= _e770)) && (_e771 >= _e772));
+                                                if (_e777 || (((_e767 <= _e768) && (_e769 <= _e770)) && (_e771 <= _e772))) {
+                                                    let _e784 = select(-1f, 1f, _e777);
+                                                    let _e786 = ((_e767 - _e768) * _e784);
+                                                    let _e788 = select(0f, _e786, (_e786 > 0f));
+                                                    let _e790 = ((_e769 - _e770) * _e784);
+                                                    let _e792 = select(0f, _e790, (_e790 > 0f));
+                                                    let _e794 = ((_e771 - _e772) * _e784);
+                                                    let _e796 = select(0f, _e794, (_e794 > 0f));
+                                                    let _e798 = ((_e788 + _e792) + _e796);
+                                                    if (_e798 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1677_ = type_26();
+                                                        phi_1678_ = true;
+                                                    } else {
+                                                        let _e801 = select(_e726[1][0], _e726[0][0], (_e726[0][0] < _e726[1][0]));
+                                                        let _e805 = select(_e726[1][0], _e726[0][0], (_e726[0][0] > _e726[1][0]));
+                                                        let _e809 = select(_e726[1][1], _e726[0][1], (_e726[0][1] < _e726[1][1]));
+                                                        let _e813 = select(_e726[1][1], _e726[0][1], (_e726[0][1] > _e726[1][1]));
+                                                        let _e817 = select(_e726[1][2], _e726[0][2], (_e726[0][2] < _e726[1][2]));
+                                                        let _e821 = select(_e726[1][2], _e726[0][2], (_e726[0][2] > _e726[1][2]));
+                                                        let _e826 = ((select(_e726[2][0], _e801, (_e801 < _e726[2][0])) - _e264) * _e269);
+                                                        let _e827 = ((select(_e726[2][0], _e805, (_e805 > _e726[2][0])) - _e265) * _e269);
+                                                        let _e830 = ((select(_e726[2][1], _e809, (_e809 < _e726[2][1])) - _e302) * _e307);
+                                                        let _e831 = ((select(_e726[2][1], _e813, (_e813 > _e726[2][1])) - _e303) * _e307);
+                                                        let _e834 = ((select(_e726[2][2], _e817, (_e817 < _e726[2][2])) - _e340) * _e345);
+                                                        let _e835 = ((select(_e726[2][2], _e821, (_e821 > _e726[2][2])) - _e341) * _e345);
+                                                        let _e837 = select(_e835, _e834, (_e834 < _e835));
+                                                        let _e839 = select(_e835, _e834, (_e834 > _e835));
+                                                        let _e841 = select(_e827, _e826, (_e826 < _e827));
+                                                        let _e843 = select(_e831, _e830, (_e830 < _e831));
+                                                        let _e845 = select(_e843, _e841, (_e841 > _e843));
+                                                        let _e847 = select(_e837, _e845, (_e845 > _e837));
+                                                        let _e849 = select(_e827, _e826, (_e826 > _e827));
+                                                        let _e851 = select(_e831, _e830, (_e830 > _e831));
+                                                        let _e853 = select(_e851, _e849, (_e849 < _e851));
+                                                        let _e855 = select(_e839, _e853, (_e853 < _e839));
+                                                        let _e856 = -(_e837);
+                                                        let _e862 = select(_e392, _e847, (_e847 > _e392));
+                                                        if (_e862 > (_e855 + (select(_e856, _e839, (_e839 > _e856)) * 0.0000019073523f))) {
+                                                            phi_1672_ = type_26();
+                                                            phi_1673_ = true;
+                                                        } else {
+                                                            let _e864 = (_e862 > _e627.member);
+                                                            if _e864 {
+                                                                phi_1671_ = type_26();
+                                                            } else {
+                                                                let _e868 = (_e726[1][0] - _e726[0][0]);
+                                                                let _e869 = (_e726[1][1] - _e726[0][1]);
+                                                                let _e870 = (_e726[1][2] - _e726[0][2]);
+                                                                let _e871 = vec3<f32>(_e868, _e869, _e870);
+                                                                let _e872 = (_e726[2][0] - _e726[1][0]);
+                                                                let _e873 = (_e726[2][1] - _e726[1][1]);
+                                                                let _e874 = (_e726[2][2] - _e726[1][2]);
+                                                                let _e875 = vec3<f32>(_e872, _e873, _e874);
+                                                                let _e876 = (_e726[0][0] - _e726[2][0]);
+                                                                let _e877 = (_e726[0][1] - _e726[2][1]);
+                                                                let _e878 = (_e726[0][2] - _e726[2][2]);
+                                                                let _e879 = vec3<f32>(_e876, _e877, _e878);
+                                                                let _e882 = bitcast<f32>((bitcast<u32>(_e868) & 2147483647u));
+                                                                let _e885 = bitcast<f32>((bitcast<u32>(_e869) & 2147483647u));
+                                                                let _e887 = select(_e885, _e882, (_e882 > _e885));
+                                                                let _e890 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
+                                                                let _e892 = select(_e890, _e887, (_e887 > _e890));
+                                                                let _e895 = bitcast<f32>((bitcast<u32>(_e872) & 2147483647u));
+                                                                let _e898 = bitcast<f32>((bitcast<u32>(_e873) & 2147483647u));
+                                                                let _e900 = select(_e898, _e895, (_e895 > _e898));
+                                                                let _e903 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
+                                                                let _e905 = select(_e903, _e900, (_e900 > _e903));
+                                                                let _e908 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
+                                                                let _e911 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
+                                                                let _e913 = select(_e911, _e908, (_e908 > _e911));
+                                                                let _e916 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
+                                                                let _e918 = select(_e916, _e913, (_e913 > _e916));
+                                                                let _e920 = select(_e905, _e892, (_e892 > _e905));
+                                                                let _e922 = select(_e918, _e920, (_e920 > _e918));
+                                                                if (_e892 == _e922) {
+                                                                    phi_1582_ = _e875;
+                                                                    phi_1583_ = _e879;
+                                                                } else {
+                                                                    let _e925 = vec3((_e905 == _e922));
+                                                                    phi_1582_ = select(_e871, _e879, _e925);
+                                                                    phi_1583_ = select(_e875, _e871, _e925);
+                                                                }
+                                                                let _e929 = phi_1582_;
+                                                                let _e931 = phi_1583_;
+                                                                let _e938 = ((_e929.y * _e931.z) - (_e931.y * _e929.z));
+                                                                let _e943 = ((_e929.z * _e931.x) - (_e931.z * _e929.x));
+                                                                let _e946 = ((_e929.x * _e931.y) - (_e931.x * _e929.y));
+                                                                if (_e788 >= _e792) {
+                                                                    phi_1614_ = select(true, false, (_e788 >= _e796));
+                                                                } else {
+                                                                    phi_1614_ = true;
+                                                                }
+                                                                let _e951 = phi_1614_;
+                                                                if _e951 {
+                                                                    phi_1623_ = select(vec3<f32>(_e726[2][0], _e726[2][1], _e726[2][2]), vec3<f32>(_e726[1][0], _e726[1][1], _e726[1][2]), vec3((_e792 >= _e796)));
+                                                                } else {
+                                                                    phi_1623_ = vec3<f32>(_e726[0][0], _e726[0][1], _e726[0][2]);
+                                                                }
+                                                                let _e956 = phi_1623_;
+                                                                let _e973 = ((((_e938 * (_e956.x - _e241)) + (_e943 * (_e956.y - _e280))) + (_e946 * (_e956.z - _e318))) / (((_e938 * _e266) + (_e943 * _e304)) + (_e946 * _e342)));
+                                                                let _e975 = select(_e855, _e973, (_e973 < _e855));
+                                                                let _e977 = select(_e847, _e975, (_e975 > _e847));
+                                                                if (_e977 >= _e392) {
+                                                                    let _e979 = (_e977 <= _e627.member);
+                                                                    if _e979 {
+                                                                        let _e980 = (1f / _e798);
+                                                                        phi_1663_ = type_26(_e977, (_e792 * _e980), (_e796 * _e980), _e656);
+                                                                    } else {
+                                                                        phi_1663_ = type_26();
+                                                                    }
+                                                                    let _e985 = phi_1663_;
+                                                                    phi_1665_ = _e985;
+                                                                    phi_1666_ = select(true, false, _e979);
+                                                                } else {
+                                                                    phi_1665_ = type_26();
+                                                                    phi_1666_ = true;
+                                                                }
+                                                                let _e988 = phi_1665_;
+                                                                let _e990 = phi_1666_;
+                                                                if _e990 {
+                                                                    phi_1670_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                } else {
+                                                                    phi_1670_ = _e988;
+                                                                }
+                                                                let _e992 = phi_1670_;
+                                                                phi_1671_ = _e992;
+                                                            }
+                                                            let _e994 = phi_1671_;
+                                                            phi_1672_ = _e994;
+                                                            phi_1673_ = _e864;
+                                                        }
+                                                        let _e996 = phi_1672_;
+                                                        let _e998 = phi_1673_;
+                                                        phi_1677_ = _e996;
+                                                        phi_1678_ = _e998;
+                                                    }
+                                                    let _e1000 = phi_1677_;
+                                                    let _e1002 = phi_1678_;
+                                                    phi_1682_ = _e1000;
+                                                    phi_1683_ = _e1002;
+                                                } else {
+                                                    phi_1682_ = type_26();
+                                                    phi_1683_ = true;
+                                                }
+                                                let _e1004 = phi_1682_;
+                                                let _e1006 = phi_1683_;
+                                                if _e1006 {
+                                                    phi_1687_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                } else {
+                                                    phi_1687_ = _e1004;
+                                                }
+                                                let _e1008 = phi_1687_;
+                                                if (_e1008.member_3 != 4294967295u) {
+                                                    if (_e656 != 4294967295u) {
+                                                        phi_1698_ = type_45(_e627.member, true);
+                                                    } else {
+                                                        phi_1698_ = _e627;
+                                                    }
+                                                    let _e1016 = phi_1698_;
+                                                    phi_1699_ = _e1016;
+                                                } else {
+                                                    phi_1699_ = _e627;
+                                                }
+                                                let _e1018 = phi_1699_;
+                                                phi_976_ = _e1018;
+                                            } else {
+                                                phi_976_ = type_45();
+                                            }
+                                            let _e1020 = phi_976_;
+                                            continue;
+                                            continuing {
+                                                phi_975_ = _e1020;
+                                                phi_978_ = _e642;
+                                                phi_2198_ = _e400;
+                                                break if !(_e648);
+                                            }
+                                        }
+                                        let _e1023 = phi_2198_;
+                                        phi_2309_ = _e1023;
+                                        if _e1023 {
+                                            break;
+                                        }
+                                        let _e1025 = local_2;
+                                        phi_2313_ = _e1023;
+                                        let _e1165 = local_4;
+                                        phi_2154_ = _e1165;
+                                        phi_2155_ = _e425;
+                                        phi_2156_ = false;
+                                        phi_2157_ = select(_e429, 0u, _e1025.member_1);
+                                    } else {
+                                        if (_e425 >= _e64) {
+                                            phi_1760_ = type_41(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        } else {
+                                            if (_e425 < _e64) {
+                                            } else {
+                                                phi_2309_ = true;
+                                                break;
+                                            }
+                                            let _e439 = (_e192 % 3u);
+                                            if (_e439 < 3u) {
+                                            } else {
+                                                phi_2309_ = true;
+                                                break;
+                                            }
+                                            let _e445 = global_2.member[_e425].member[_e439];
+                                            let _e451 = (_e191 % 3u);
+                                            if (_e451 < 3u) {
+                                            } else {
+                                                phi_2309_ = true;
+                                                break;
+                                            }
+                                            let _e457 = global_2.member[_e425].member[_e451];
+                                            let _e463 = (_e193 % 3u);
+                                            if (_e463 < 3u) {
+                                            } else {
+                                                phi_2309_ = true;
+                                                break;
+                                            }
+                                            let _e469 = global_2.member[_e425].member[_e463];
+                                            let _e479 = global_2.member[_e425].member_1;
+                                            let _e483 = global_2.member[_e425].member_2;
+                                            phi_1760_ = type_41(array<vec4<f32>, 3>(vec4<f32>(_e445[0], _e445[1], _e445[2], _e445[3]), vec4<f32>(_e457[0], _e457[1], _e457[2], _e457[3]), vec4<f32>(_e469[0], _e469[1], _e469[2], _e469[3])), _e479, _e483);
+                                        }
+                                        let _e486 = phi_1760_;
+                                        let _e498 = ((_e486.member[0].x - _e264) * _e269);
+                                        let _e499 = ((_e486.member[0].y - _e264) * _e269);
+                                        let _e500 = ((_e486.member[0].z - _e265) * _e269);
+                                        let _e501 = ((_e486.member[0].w - _e265) * _e269);
+                                        let _e511 = ((_e486.member[1].x - _e302) * _e307);
+                                        let _e512 = ((_e486.member[1].y - _e302) * _e307);
+                                        let _e513 = ((_e486.member[1].z - _e303) * _e307);
+                                        let _e514 = ((_e486.member[1].w - _e303) * _e307);
+                                        let _e524 = ((_e486.member[2].x - _e340) * _e345);
+                                        let _e525 = ((_e486.member[2].y - _e340) * _e345);
+                                        let _e526 = ((_e486.member[2].z - _e341) * _e345);
+                                        let _e527 = ((_e486.member[2].w - _e341) * _e345);
+                                        let _e529 = select(_e526, _e524, (_e524 < _e526));
+                                        let _e531 = select(_e527, _e525, (_e525 < _e527));
+                                        let _e533 = select(_e526, _e524, (_e524 > _e526));
+                                        let _e535 = select(_e527, _e525, (_e525 > _e527));
+                                        let _e537 = select(_e500, _e498, (_e498 < _e500));
+                                        let _e539 = select(_e501, _e499, (_e499 < _e501));
+                                        let _e541 = select(_e513, _e511, (_e511 < _e513));
+                                        let _e543 = select(_e514, _e512, (_e512 < _e514));
+                                        let _e545 = select(_e541, _e537, (_e537 > _e541));
+                                        let _e547 = select(_e543, _e539, (_e539 > _e543));
+                                        let _e549 = select(_e529, _e545, (_e545 > _e529));
+                                        let _e551 = select(_e531, _e547, (_e547 > _e531));
+                                        let _e553 = select(_e500, _e498, (_e498 > _e500));
+                                        let _e555 = select(_e501, _e499, (_e499 > _e501));
+                                        let _e557 = select(_e513, _e511, (_e511 > _e513));
+                                        let _e559 = select(_e514, _e512, (_e512 > _e514));
+                                        let _e561 = select(_e557, _e553, (_e553 < _e557));
+                                        let _e563 = select(_e559, _e555, (_e555 < _e559));
+                                        let _e568 = -(_e529);
+                                        let _e569 = -(_e531);
+                                        let _e576 = (select(_e533, _e561, (_e561 < _e533)) + (select(_e568, _e533, (_e533 > _e568)) * 0.0000019073523f));
+                                        let _e577 = (select(_e535, _e563, (_e563 < _e535)) + (select(_e569, _e535, (_e535 > _e569)) * 0.0000019073523f));
+                                        let _e579 = select(_e392, _e549, (_e549 > _e392));
+                                        let _e581 = select(_e392, _e551, (_e551 > _e392));
+                                        let _e586 = (_e579 <= select(_e402.member, _e576, (_e576 < _e402.member)));
+                                        let _e587 = (_e581 <= select(_e402.member, _e577, (_e577 < _e402.member)));
+                                        let _e588 = (_e579 <= _e581);
+                                        if _e586 {
+                                            if _e587 {
+                                                if _e588 {
+                                                    phi_2104_ = _e486.member_2;
+                                                } else {
+                                                    phi_2104_ = _e486.member_1;
+                                                }
+                                                let _e592 = phi_2104_;
+                                                let _e593 = (_e429 % 128u);
+                                                let _e594 = (_e593 < 128u);
+                                                if _e594 {
+                                                } else {
+                                                    phi_2309_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e593] = _e592;
+                                                if _e594 {
+                                                } else {
+                                                    phi_2309_ = true;
+                                                    break;
+                                                }
+                                                local[_e593] = select(_e581, _e579, (_e579 > _e581));
+                                                if _e588 {
+                                                    phi_2131_ = _e486.member_1;
+                                                } else {
+                                                    phi_2131_ = _e486.member_2;
+                                                }
+                                                let _e603 = phi_2131_;
+                                                phi_2132_ = _e603;
+                                                phi_2133_ = (_e429 + 1u);
+                                            } else {
+                                                phi_2132_ = u32();
+                                                phi_2133_ = u32();
+                                            }
+                                            let _e605 = phi_2132_;
+                                            let _e607 = phi_2133_;
+                                            phi_2135_ = _e605;
+                                            phi_2136_ = _e607;
+                                            phi_2137_ = select(true, false, _e587);
+                                        } else {
+                                            phi_2135_ = u32();
+                                            phi_2136_ = u32();
+                                            phi_2137_ = true;
+                                        }
+                                        let _e610 = phi_2135_;
+                                        let _e612 = phi_2136_;
+                                        let _e614 = phi_2137_;
+                                        if _e614 {
+                                            if _e586 {
+                                                phi_2146_ = _e486.member_1;
+                                            } else {
+                                                phi_2146_ = _e486.member_2;
+                                            }
+                                            let _e618 = phi_2146_;
+                                            phi_2151_ = _e618;
+                                            phi_2152_ = select(_e587, true, _e586);
+                                        } else {
+                                            phi_2151_ = _e610;
+                                            phi_2152_ = _e427;
+                                        }
+                                        let _e621 = phi_2151_;
+                                        let _e623 = phi_2152_;
+                                        phi_2313_ = _e400;
+                                        phi_2154_ = _e402;
+                                        phi_2155_ = _e621;
+                                        phi_2156_ = _e623;
+                                        phi_2157_ = select(_e612, _e429, _e614);
+                                    }
+                                    let _e1029 = phi_2313_;
+                                    let _e1031 = phi_2154_;
+                                    let _e1033 = phi_2155_;
+                                    let _e1035 = phi_2156_;
+                                    let _e1037 = phi_2157_;
+                                    phi_2312_ = _e1029;
+                                    phi_2158_ = _e1031;
+                                    phi_2159_ = _e1033;
+                                    phi_2160_ = (_e406 - 1u);
+                                    phi_2161_ = _e1035;
+                                    phi_2162_ = _e1037;
+                                } else {
+                                    phi_2312_ = _e400;
+                                    phi_2158_ = _e402;
+                                    phi_2159_ = _e425;
+                                    phi_2160_ = _e406;
+                                    phi_2161_ = _e427;
+                                    phi_2162_ = _e429;
+                                }
+                                let _e1039 = phi_2312_;
+                                let _e1041 = phi_2158_;
+                                let _e1043 = phi_2159_;
+                                let _e1045 = phi_2160_;
+                                let _e1047 = phi_2161_;
+                                let _e1049 = phi_2162_;
+                                phi_2311_ = _e1039;
+                                phi_2163_ = _e1041;
+                                phi_2164_ = _e1043;
+                                phi_2165_ = _e1045;
+                                phi_2166_ = _e1047;
+                                phi_2167_ = _e1049;
+                            } else {
+                                phi_2311_ = _e400;
+                                phi_2163_ = type_45();
+                                phi_2164_ = u32();
+                                phi_2165_ = u32();
+                                phi_2166_ = bool();
+                                phi_2167_ = u32();
+                            }
+                            let _e1051 = phi_2311_;
+                            let _e1053 = phi_2163_;
+                            let _e1055 = phi_2164_;
+                            let _e1057 = phi_2165_;
+                            let _e1059 = phi_2166_;
+                            let _e1061 = phi_2167_;
+                            phi_2310_ = _e1051;
+                            phi_908_ = _e1053;
+                            phi_911_ = _e1055;
+                            phi_913_ = _e1057;
+                            phi_915_ = _e1059;
+                            phi_917_ = _e1061;
+                            phi_2168_ = _e414;
+                        } else {
+                            phi_2310_ = _e400;
+                            phi_908_ = type_45();
+                            phi_911_ = u32();
+                            phi_913_ = u32();
+                            phi_915_ = bool();
+                            phi_917_ = u32();
+                            phi_2168_ = false;
+                        }
+                        let _e1063 = phi_2310_;
+                        let _e1065 = phi_908_;
+                        let _e1067 = phi_911_;
+                        let _e1069 = phi_913_;
+                        let _e1071 = phi_915_;
+                        let _e1073 = phi_917_;
+                        let _e1075 = phi_2168_;
+                        continue;
+                        continuing {
+                            phi_2204_ = _e1063;
+                            phi_907_ = _e1065;
+                            phi_910_ = _e1067;
+                            phi_912_ = _e1069;
+                            phi_914_ = _e1071;
+                            phi_916_ = _e1073;
+                            phi_2309_ = _e1063;
+                            break if !(_e1075);
+                        }
+                    }
+                    let _e1078 = phi_2309_;
+                    if _e1078 {
+                        break;
+                    }
+                    let _e1080 = local_3;
+                    if _e76 {
+                    } else {
+                        break;
+                    }
+                    global_5.member[_e74] = select(0u, 1u, _e1080.member_1);
                 }
             }
             break;

@@ -82,973 +82,985 @@ var<storage, read_write> global_5: type_21;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_266_: i32;
     var phi_267_: i32;
-    var phi_277_: bool;
-    var phi_287_: u32;
+    var phi_268_: i32;
+    var phi_278_: bool;
     var phi_288_: u32;
-    var phi_290_: bool;
-    var phi_295_: u32;
-    var phi_339_: f32;
-    var phi_345_: f32;
-    var phi_356_: f32;
-    var phi_362_: f32;
-    var phi_385_: f32;
-    var phi_396_: f32;
-    var phi_405_: f32;
-    var phi_411_: f32;
-    var phi_422_: f32;
-    var phi_428_: f32;
-    var phi_451_: f32;
-    var phi_462_: f32;
-    var phi_471_: f32;
-    var phi_477_: f32;
-    var phi_488_: f32;
-    var phi_494_: f32;
-    var phi_517_: f32;
-    var phi_528_: f32;
-    var phi_628_: f32;
-    var phi_629_: f32;
-    var phi_2231_: bool;
-    var phi_904_: type_47;
-    var phi_907_: u32;
-    var phi_909_: u32;
-    var phi_911_: bool;
-    var phi_913_: u32;
-    var phi_924_: bool;
-    var phi_955_: u32;
-    var phi_956_: bool;
-    var phi_957_: u32;
-    var phi_1785_: type_43;
-    var phi_2129_: u32;
-    var phi_2156_: u32;
-    var phi_2157_: u32;
-    var phi_2158_: u32;
-    var phi_2160_: u32;
-    var phi_2161_: u32;
-    var phi_2162_: bool;
-    var phi_2171_: u32;
-    var phi_2176_: u32;
-    var phi_2177_: bool;
-    var phi_972_: type_47;
-    var phi_975_: type_4;
-    var phi_976_: type_4;
-    var phi_998_: type_4;
-    var phi_1022_: u32;
-    var phi_1111_: array<array<f32, 3>, 3>;
-    var phi_1582_: vec3<f32>;
-    var phi_1583_: vec3<f32>;
-    var phi_1614_: bool;
-    var phi_1623_: vec3<f32>;
-    var phi_1663_: type_27;
-    var phi_1665_: type_27;
-    var phi_1666_: bool;
+    var phi_289_: u32;
+    var phi_291_: bool;
+    var phi_296_: u32;
+    var phi_308_: i32;
+    var phi_328_: i32;
+    var phi_346_: f32;
+    var phi_352_: f32;
+    var phi_363_: f32;
+    var phi_369_: f32;
+    var phi_392_: f32;
+    var phi_403_: f32;
+    var phi_412_: f32;
+    var phi_418_: f32;
+    var phi_429_: f32;
+    var phi_435_: f32;
+    var phi_458_: f32;
+    var phi_469_: f32;
+    var phi_478_: f32;
+    var phi_484_: f32;
+    var phi_495_: f32;
+    var phi_501_: f32;
+    var phi_524_: f32;
+    var phi_535_: f32;
+    var phi_635_: f32;
+    var phi_636_: f32;
+    var phi_2238_: bool;
+    var phi_911_: type_47;
+    var phi_914_: u32;
+    var phi_916_: u32;
+    var phi_918_: bool;
+    var phi_920_: u32;
+    var phi_931_: bool;
+    var phi_962_: u32;
+    var phi_963_: bool;
+    var phi_964_: u32;
+    var phi_1792_: type_43;
+    var phi_2136_: u32;
+    var phi_2163_: u32;
+    var phi_2164_: u32;
+    var phi_2165_: u32;
+    var phi_2167_: u32;
+    var phi_2168_: u32;
+    var phi_2169_: bool;
+    var phi_2178_: u32;
+    var phi_2183_: u32;
+    var phi_2184_: bool;
+    var phi_979_: type_47;
+    var phi_982_: type_4;
+    var phi_983_: type_4;
+    var phi_1005_: type_4;
+    var phi_1029_: u32;
+    var phi_1118_: array<array<f32, 3>, 3>;
+    var phi_1589_: vec3<f32>;
+    var phi_1590_: vec3<f32>;
+    var phi_1621_: bool;
+    var phi_1630_: vec3<f32>;
     var phi_1670_: type_27;
-    var phi_1671_: type_27;
     var phi_1672_: type_27;
     var phi_1673_: bool;
     var phi_1677_: type_27;
-    var phi_1678_: bool;
-    var phi_1682_: type_27;
-    var phi_1683_: bool;
-    var phi_1687_: type_27;
-    var phi_1712_: bool;
-    var phi_1713_: bool;
-    var phi_1720_: type_47;
-    var phi_1721_: type_47;
-    var phi_1722_: type_47;
-    var phi_973_: type_47;
-    var phi_2225_: bool;
-    var phi_2339_: bool;
-    var phi_2179_: type_47;
-    var phi_2180_: u32;
-    var phi_2181_: bool;
-    var phi_2182_: u32;
-    var phi_2338_: bool;
-    var phi_2183_: type_47;
-    var phi_2184_: u32;
-    var phi_2185_: u32;
-    var phi_2186_: bool;
+    var phi_1678_: type_27;
+    var phi_1679_: type_27;
+    var phi_1680_: bool;
+    var phi_1684_: type_27;
+    var phi_1685_: bool;
+    var phi_1689_: type_27;
+    var phi_1690_: bool;
+    var phi_1694_: type_27;
+    var phi_1719_: bool;
+    var phi_1720_: bool;
+    var phi_1727_: type_47;
+    var phi_1728_: type_47;
+    var phi_1729_: type_47;
+    var phi_980_: type_47;
+    var phi_2232_: bool;
+    var phi_2350_: bool;
+    var phi_2186_: type_47;
     var phi_2187_: u32;
-    var phi_2337_: bool;
-    var phi_2188_: type_47;
+    var phi_2188_: bool;
     var phi_2189_: u32;
-    var phi_2190_: u32;
-    var phi_2191_: bool;
+    var phi_2349_: bool;
+    var phi_2190_: type_47;
+    var phi_2191_: u32;
     var phi_2192_: u32;
-    var phi_2336_: bool;
-    var phi_905_: type_47;
-    var phi_908_: u32;
-    var phi_910_: u32;
-    var phi_912_: bool;
-    var phi_914_: u32;
     var phi_2193_: bool;
-    var phi_2335_: bool;
+    var phi_2194_: u32;
+    var phi_2348_: bool;
+    var phi_2195_: type_47;
+    var phi_2196_: u32;
+    var phi_2197_: u32;
+    var phi_2198_: bool;
+    var phi_2199_: u32;
+    var phi_2347_: bool;
+    var phi_912_: type_47;
+    var phi_915_: u32;
+    var phi_917_: u32;
+    var phi_919_: bool;
+    var phi_921_: u32;
+    var phi_2200_: bool;
+    var phi_2346_: bool;
     var local_2: type_47;
     var local_3: type_47;
     var local_4: type_47;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e61 = global;
-            let _e63 = arrayLength((&global_2.member));
-            let _e65 = arrayLength((&global_3.member));
-            let _e73 = (_e61.x + (_e61.y * 2097152u));
-            let _e74 = (_e73 < arrayLength((&global_4.member)));
-            if _e74 {
-                let _e75 = (_e73 < arrayLength((&global_5.member)));
-                if _e75 {
-                    if _e74 {
-                    } else {
-                        break;
-                    }
-                    let _e78 = global_1.member[0u];
-                    let _e79 = bitcast<i32>(_e78);
-                    let _e87 = global_4.member[_e73].member_2[0u];
-                    let _e89 = (bitcast<u32>(_e87) & 2147483647u);
-                    let _e94 = global_4.member[_e73].member_2[1u];
-                    let _e96 = (bitcast<u32>(_e94) & 2147483647u);
-                    let _e101 = global_4.member[_e73].member_2[2u];
-                    let _e103 = (bitcast<u32>(_e101) & 2147483647u);
-                    let _e108 = global_4.member[_e73].member[0u];
-                    let _e110 = (bitcast<u32>(_e108) & 2147483647u);
-                    let _e115 = global_4.member[_e73].member[1u];
-                    let _e117 = (bitcast<u32>(_e115) & 2147483647u);
-                    let _e122 = global_4.member[_e73].member[2u];
-                    let _e124 = (bitcast<u32>(_e122) & 2147483647u);
-                    let _e126 = select(_e96, _e89, (_e96 < _e89));
-                    let _e128 = select(_e103, _e126, (_e103 < _e126));
-                    let _e130 = select(_e110, _e128, (_e110 < _e128));
-                    let _e132 = select(_e117, _e130, (_e117 < _e130));
-                    let _e134 = select(_e124, _e132, (_e124 < _e132));
-                    let _e138 = global_4.member[_e73].member_1;
-                    let _e140 = (bitcast<u32>(_e138) & 2147483647u);
-                    let _e147 = global_4.member[_e73].member_3;
-                    let _e153 = (((select(_e140, _e134, (_e140 < _e134)) < 2139095040u) && ((bitcast<u32>(_e147) & 2147483647u) <= 2139095040u)) && (_e128 > 0u));
-                    if _e153 {
-                        let _e156 = (bitcast<u32>(bitcast<f32>(_e128)) & 2147483647u);
-                        if (_e156 >= 8388608u) {
-                            phi_266_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
-                        } else {
-                            phi_266_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
-                        }
-                        let _e170 = phi_266_;
-                        phi_267_ = _e170;
-                    } else {
-                        phi_267_ = 0i;
-                    }
-                    let _e172 = phi_267_;
-                    let _e173 = (_e89 == _e128);
-                    if _e173 {
-                        phi_277_ = true;
-                    } else {
-                        phi_277_ = (_e96 == _e128);
-                    }
-                    let _e176 = phi_277_;
-                    let _e177 = select(1u, 0u, _e173);
-                    if _e176 {
-                        let _e178 = (_e177 + 1u);
-                        phi_287_ = _e178;
-                        phi_288_ = _e178;
-                        phi_290_ = select(true, false, (_e178 == 2u));
-                    } else {
-                        phi_287_ = u32();
-                        phi_288_ = 0u;
-                        phi_290_ = true;
-                    }
-                    let _e182 = phi_287_;
-                    let _e184 = phi_288_;
-                    let _e186 = phi_290_;
-                    if _e186 {
-                        phi_295_ = (_e184 + 1u);
-                    } else {
-                        phi_295_ = 0u;
-                    }
-                    let _e190 = phi_295_;
-                    let _e191 = select(_e182, _e184, _e186);
-                    let _e192 = select(_e177, select(2u, _e177, _e176), _e186);
-                    let _e193 = (_e79 / 2i);
-                    let _e198 = bitcast<f32>((bitcast<u32>((_e193 + 127i)) << bitcast<u32>(23i)));
-                    let _e204 = bitcast<f32>((bitcast<u32>(((_e79 - _e193) + 127i)) << bitcast<u32>(23i)));
-                    let _e205 = -(_e172);
-                    let _e206 = (_e205 / 2i);
-                    let _e211 = bitcast<f32>((bitcast<u32>((_e206 + 127i)) << bitcast<u32>(23i)));
-                    let _e217 = bitcast<f32>((bitcast<u32>(((_e205 - _e206) + 127i)) << bitcast<u32>(23i)));
-                    let _e221 = global_4.member[_e73].member;
-                    let _e222 = (_e191 == 0u);
-                    if _e222 {
-                        phi_339_ = _e221[0];
-                    } else {
-                        phi_339_ = _e221[1];
-                    }
-                    let _e226 = phi_339_;
-                    let _e227 = (_e191 == 2u);
-                    if _e227 {
-                        phi_345_ = _e221[2];
-                    } else {
-                        phi_345_ = _e226;
-                    }
-                    let _e230 = phi_345_;
-                    let _e232 = ((_e230 * _e198) * _e204);
-                    let _e233 = global_4.member[_e73].member_2;
-                    if _e222 {
-                        phi_356_ = _e233[0];
-                    } else {
-                        phi_356_ = _e233[1];
-                    }
-                    let _e237 = phi_356_;
-                    if _e227 {
-                        phi_362_ = _e233[2];
-                    } else {
-                        phi_362_ = _e237;
-                    }
-                    let _e240 = phi_362_;
-                    let _e242 = ((_e240 * _e211) * _e217);
-                    let _e246 = (bitcast<f32>((bitcast<u32>(_e242) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e246 {
-                        let _e250 = (bitcast<f32>((bitcast<u32>(_e232) & 2147483647u)) * 0.00000011920929f);
-                        phi_385_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
-                    } else {
-                        phi_385_ = 0f;
-                    }
-                    let _e254 = phi_385_;
-                    let _e255 = (_e232 + _e254);
-                    let _e256 = (_e232 - _e254);
-                    let _e257 = select(_e242, 0f, _e246);
-                    if _e246 {
-                        phi_396_ = 38685626000000000000000000f;
-                    } else {
-                        phi_396_ = (1f / _e242);
-                    }
-                    let _e260 = phi_396_;
-                    let _e261 = (_e190 == 0u);
-                    if _e261 {
-                        phi_405_ = _e221[0];
-                    } else {
-                        phi_405_ = _e221[1];
-                    }
-                    let _e265 = phi_405_;
-                    let _e266 = (_e190 == 2u);
-                    if _e266 {
-                        phi_411_ = _e221[2];
-                    } else {
-                        phi_411_ = _e265;
-                    }
-                    let _e269 = phi_411_;
-                    let _e271 = ((_e269 * _e198) * _e204);
-                    if _e261 {
-                        phi_422_ = _e233[0];
-                    } else {
-                        phi_422_ = _e233[1];
-                    }
-                    let _e275 = phi_422_;
-                    if _e266 {
-                        phi_428_ = _e233[2];
-                    } else {
-                        phi_428_ = _e275;
-                    }
-                    let _e278 = phi_428_;
-                    let _e280 = ((_e278 * _e211) * _e217);
-                    let _e284 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e284 {
-                        let _e288 = (bitcast<f32>((bitcast<u32>(_e271) & 2147483647u)) * 0.00000011920929f);
-                        phi_451_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
-                    } else {
-                        phi_451_ = 0f;
-                    }
-                    let _e292 = phi_451_;
-                    let _e293 = (_e271 + _e292);
-                    let _e294 = (_e271 - _e292);
-                    let _e295 = select(_e280, 0f, _e284);
-                    if _e284 {
-                        phi_462_ = 38685626000000000000000000f;
-                    } else {
-                        phi_462_ = (1f / _e280);
-                    }
-                    let _e298 = phi_462_;
-                    let _e299 = (_e192 == 0u);
-                    if _e299 {
-                        phi_471_ = _e221[0];
-                    } else {
-                        phi_471_ = _e221[1];
-                    }
-                    let _e303 = phi_471_;
-                    let _e304 = (_e192 == 2u);
-                    if _e304 {
-                        phi_477_ = _e221[2];
-                    } else {
-                        phi_477_ = _e303;
-                    }
-                    let _e307 = phi_477_;
-                    let _e309 = ((_e307 * _e198) * _e204);
-                    if _e299 {
-                        phi_488_ = _e233[0];
-                    } else {
-                        phi_488_ = _e233[1];
-                    }
-                    let _e313 = phi_488_;
-                    if _e304 {
-                        phi_494_ = _e233[2];
-                    } else {
-                        phi_494_ = _e313;
-                    }
-                    let _e316 = phi_494_;
-                    let _e318 = ((_e316 * _e211) * _e217);
-                    let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e322 {
-                        let _e326 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_517_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
-                    } else {
-                        phi_517_ = 0f;
-                    }
-                    let _e330 = phi_517_;
-                    let _e331 = (_e309 + _e330);
-                    let _e332 = (_e309 - _e330);
-                    let _e333 = select(_e318, 0f, _e322);
-                    if _e322 {
-                        phi_528_ = 38685626000000000000000000f;
-                    } else {
-                        phi_528_ = (1f / _e318);
-                    }
-                    let _e336 = phi_528_;
-                    let _e339 = bitcast<f32>((bitcast<u32>(_e232) & 2147483647u));
-                    let _e342 = bitcast<f32>((bitcast<u32>(_e271) & 2147483647u));
-                    let _e344 = select(_e342, _e339, (_e339 > _e342));
-                    let _e347 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
-                    let _e350 = (_e79 + _e172);
-                    if (_e153 && (select(_e347, _e344, (_e344 > _e347)) <= 1099511600000f)) {
-                        let _e353 = (_e350 / 3i);
-                        let _e360 = bitcast<f32>((bitcast<u32>((_e353 + 127i)) << bitcast<u32>(23i)));
-                        let _e367 = bitcast<f32>((bitcast<u32>(((_e350 - (2i * _e353)) + 127i)) << bitcast<u32>(23i)));
-                        let _e368 = (((_e138 * _e360) * _e360) * _e367);
-                        let _e370 = select(340282350000000000000000000000000000000f, _e368, (_e368 < 340282350000000000000000000000000000000f));
-                        let _e375 = (((_e147 * _e360) * _e360) * _e367);
-                        let _e377 = select(340282350000000000000000000000000000000f, _e375, (_e375 < 340282350000000000000000000000000000000f));
-                        phi_628_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
-                        phi_629_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
-                    } else {
-                        phi_628_ = 0f;
-                        phi_629_ = 1f;
-                    }
-                    let _e381 = phi_628_;
-                    let _e383 = phi_629_;
-                    local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2231_ = false;
-                    phi_904_ = type_47(type_39(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e381), 0u, 0u);
-                    phi_907_ = select(0u, 2147483648u, (_e63 == 0u));
-                    phi_909_ = ((3u * _e63) + 1u);
-                    phi_911_ = (_e383 <= _e381);
-                    phi_913_ = 0u;
-                    loop {
-                        let _e392 = phi_2231_;
-                        let _e394 = phi_904_;
-                        let _e396 = phi_907_;
-                        let _e398 = phi_909_;
-                        let _e400 = phi_911_;
-                        let _e402 = phi_913_;
-                        local_2 = _e394;
-                        local_3 = _e394;
-                        if _e400 {
-                            phi_924_ = true;
-                        } else {
-                            phi_924_ = (_e402 > 0u);
-                        }
-                        let _e405 = phi_924_;
-                        if _e405 {
-                            let _e406 = (_e398 > 0u);
-                            if _e406 {
-                                if _e400 {
-                                    phi_955_ = _e396;
-                                    phi_956_ = _e400;
-                                    phi_957_ = _e402;
-                                } else {
-                                    let _e407 = (_e402 - 1u);
-                                    let _e408 = (_e407 % 128u);
-                                    let _e409 = (_e408 < 128u);
-                                    if _e409 {
-                                    } else {
-                                        phi_2335_ = true;
-                                        break;
-                                    }
-                                    let _e411 = local_1[_e408];
-                                    if _e409 {
-                                    } else {
-                                        phi_2335_ = true;
-                                        break;
-                                    }
-                                    let _e413 = local[_e408];
-                                    phi_955_ = _e411;
-                                    phi_956_ = (_e413 <= _e394.member.member_1);
-                                    phi_957_ = _e407;
-                                }
-                                let _e418 = phi_955_;
-                                let _e420 = phi_956_;
-                                let _e422 = phi_957_;
-                                if _e420 {
-                                    if ((_e418 & 2147483648u) != 0u) {
-                                        phi_972_ = _e394;
-                                        phi_975_ = type_4(0u, ((_e418 >> bitcast<u32>(28u)) & 7u));
-                                        loop {
-                                            let _e627 = phi_972_;
-                                            let _e629 = phi_975_;
-                                            local_4 = _e627;
-                                            if (_e629.member < _e629.member_1) {
-                                                phi_976_ = type_4((_e629.member + 1u), _e629.member_1);
-                                                phi_998_ = type_4(1u, _e629.member);
-                                            } else {
-                                                phi_976_ = _e629;
-                                                phi_998_ = type_4(0u, type_4().member_1);
-                                            }
-                                            let _e642 = phi_976_;
-                                            let _e644 = phi_998_;
-                                            let _e648 = (bitcast<i32>(_e644.member) != 0i);
-                                            if _e648 {
-                                                let _e654 = type_47(_e627.member, _e627.member_1, (_e627.member_2 + 1u));
-                                                let _e655 = ((_e418 & 268435455u) + _e644.member_1);
-                                                let _e656 = (_e655 < _e65);
-                                                if _e656 {
-                                                    if _e656 {
-                                                    } else {
-                                                        phi_2225_ = true;
-                                                        break;
-                                                    }
-                                                    let _e660 = global_3.member[_e655].member_1;
-                                                    phi_1022_ = _e660;
-                                                } else {
-                                                    phi_1022_ = 4294967295u;
-                                                }
-                                                let _e662 = phi_1022_;
-                                                if (_e655 >= _e65) {
-                                                    phi_1111_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
-                                                } else {
-                                                    if _e656 {
-                                                    } else {
-                                                        phi_2225_ = true;
-                                                        break;
-                                                    }
-                                                    let _e664 = (_e191 % 3u);
-                                                    let _e665 = (_e190 % 3u);
-                                                    let _e666 = (_e192 % 3u);
-                                                    if (_e664 < 9u) {
-                                                    } else {
-                                                        phi_2225_ = true;
-                                                        break;
-                                                    }
-                                                    let _e672 = global_3.member[_e655].member[_e664];
-                                                    if (_e665 < 9u) {
-                                                    } else {
-                                                        phi_2225_ = true;
-                                                        break;
-                                                    }
-                                                    let _e678 = global_3.member[_e655].member[_e665];
-                                                    if (_e666 < 9u) {
-                                                    } else {
-                                                        phi_2225_ = true;
-                                                        break;
-                                                    }
-                                                    let _e684 = global_3.member[_e655].member[_e666];
-                                                    let _e686 = (3u + _e664);
-                                                    if (_e686 < 9u) {
-                                                    } else {
-                                                        phi_2225_ = true;
-                                                        break;
-                                                    }
-                                                    let _e692 = global_3.member[_e655].member[_e686];
-                                                    let _e693 = (3u + _e665);
-                                                    if (_e693 < 9u) {
-                                                    } else {
-                                                        phi_2225_ = true;
-                                                        break;
-                                                    }
-                                                    let _e699 = global_3.member[_e655].member[_e693];
-                                                    let _e700 = (3u + _e666);
-                                                    if (_e700 < 9u) {
-                                                    } else {
-                                                        phi_2225_ = true;
-                                                        break;
-                                                    }
-                                                    let _e706 = global_3.member[_e655].member[_e700];
-                                                    let _e708 = (6u + _e664);
-                                                    if (_e708 < 9u) {
-                                                    } else {
-                                                        phi_2225_ = true;
-                                                        break;
-                                                    }
-                                                    let _e714 = global_3.member[_e655].member[_e708];
-                                                    let _e715 = (6u + _e665);
-                                                    if (_e715 < 9u) {
-                                                    } else {
-                                                        phi_2225_ = true;
-                                                        break;
-                                                    }
-                                                    let _e721 = global_3.member[_e655].member[_e715];
-                                                    let _e722 = (6u + _e666);
-                                                    if (_e722 < 9u) {
-                                                    } else {
-                                                        phi_2225_ = true;
-                                                        break;
-                                                    }
-                                                    let _e728 = global_3.member[_e655].member[_e722];
-                                                    phi_1111_ = array<array<f32, 3>, 3>(array<f32, 3>(_e672, _e678, _e684), array<f32, 3>(_e692, _e699, _e706), array<f32, 3>(_e714, _e721, _e728));
-                                                }
-                                                let _e732 = phi_1111_;
-                                                let _e741 = (_e732[0][2] - _e309);
-                                                let _e744 = (((_e732[0][0] - _e232) * _e333) - (_e741 * _e257));
-                                                let _e747 = (((_e732[0][1] - _e271) * _e333) - (_e741 * _e295));
-                                                let _e754 = (_e732[1][2] - _e309);
-                                                let _e757 = (((_e732[1][0] - _e232) * _e333) - (_e754 * _e257));
-                                                let _e760 = (((_e732[1][1] - _e271) * _e333) - (_e754 * _e295));
-                                                let _e767 = (_e732[2][2] - _e309);
-                                                let _e770 = (((_e732[2][0] - _e232) * _e333) - (_e767 * _e257));
-                                                let _e773 = (((_e732[2][1] - _e271) * _e333) - (_e767 * _e295));
-                                                let _e774 = (_e770 * _e760);
-                                                let _e775 = (_e773 * _e757);
-                                                let _e776 = (_e744 * _e773);
-                                                let _e777 = (_e747 * _e770);
-                                                let _e778 = (_e757 * _e747);
-                                                let _e779 = (_e760 * _e744);
-                                                let _e784 = (((_e774 >= _e775) && (_e776 >= _e777)) && (_e778 >= _e779));
-                                                if (_e784 || (((_e774 <= _e775) && (_e776 <= _e777)) && (_e778 <= _e779))) {
-                                                    let _e791 = select(-1f, 1f, _e784);
-                                                    let _e793 = ((_e774 - _e775) * _e791);
-                                                    let _e795 = select(0f, _e793, (_e793 > 0f));
-                                                    let _e797 = ((_e776 - _e777) * _e791);
-                                                    let _e799 = select(0f, _e797, (_e797 > 0f));
-                                                    let _e801 = ((_e778 - _e779) * _e791);
-                                                    let _e803 = select(0f, _e801, (_e801 > 0f));
-                                                    let _e805 = ((_e795 + _e799) + _e803);
-                                                    if (_e805 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1677_ = type_27();
-                                                        phi_1678_ = true;
-                                                    } else {
-                                                        let _e808 = select(_e732[1][0], _e732[0][0], (_e732[0][0] < _e732[1][0]));
-                                                        let _e812 = select(_e732[1][0], _e732[0][0], (_e732[0][0] > _e732[1][0]));
-                                                        let _e816 = select(_e732[1][1], _e732[0][1], (_e732[0][1] < _e732[1][1]));
-                                                        let _e820 = select(_e732[1][1], _e732[0][1], (_e732[0][1] > _e732[1][1]));
-                                                        let _e824 = select(_e732[1][2], _e732[0][2], (_e732[0][2] < _e732[1][2]));
-                                                        let _e828 = select(_e732[1][2], _e732[0][2], (_e732[0][2] > _e732[1][2]));
-                                                        let _e833 = ((select(_e732[2][0], _e808, (_e808 < _e732[2][0])) - _e255) * _e260);
-                                                        let _e834 = ((select(_e732[2][0], _e812, (_e812 > _e732[2][0])) - _e256) * _e260);
-                                                        let _e837 = ((select(_e732[2][1], _e816, (_e816 < _e732[2][1])) - _e293) * _e298);
-                                                        let _e838 = ((select(_e732[2][1], _e820, (_e820 > _e732[2][1])) - _e294) * _e298);
-                                                        let _e841 = ((select(_e732[2][2], _e824, (_e824 < _e732[2][2])) - _e331) * _e336);
-                                                        let _e842 = ((select(_e732[2][2], _e828, (_e828 > _e732[2][2])) - _e332) * _e336);
-                                                        let _e844 = select(_e842, _e841, (_e841 < _e842));
-                                                        let _e846 = select(_e842, _e841, (_e841 > _e842));
-                                                        let _e848 = select(_e834, _e833, (_e833 < _e834));
-                                                        let _e850 = select(_e838, _e837, (_e837 < _e838));
-                                                        let _e852 = select(_e850, _e848, (_e848 > _e850));
-                                                        let _e854 = select(_e844, _e852, (_e852 > _e844));
-                                                        let _e856 = select(_e834, _e833, (_e833 > _e834));
-                                                        let _e858 = select(_e838, _e837, (_e837 > _e838));
-                                                        let _e860 = select(_e858, _e856, (_e856 < _e858));
-                                                        let _e862 = select(_e846, _e860, (_e860 < _e846));
-                                                        let _e863 = -(_e844);
-                                                        let _e869 = select(_e383, _e854, (_e854 > _e383));
-                                                        if (_e869 > (_e862 + (select(_e863, _e846, (_e846 > _e863)) * 0.0000019073523f))) {
-                                                            phi_1672_ = type_27();
-                                                            phi_1673_ = true;
-                                                        } else {
-                                                            let _e871 = (_e869 > _e627.member.member_1);
-                                                            if _e871 {
-                                                                phi_1671_ = type_27();
-                                                            } else {
-                                                                let _e875 = (_e732[1][0] - _e732[0][0]);
-                                                                let _e876 = (_e732[1][1] - _e732[0][1]);
-                                                                let _e877 = (_e732[1][2] - _e732[0][2]);
-                                                                let _e878 = vec3<f32>(_e875, _e876, _e877);
-                                                                let _e879 = (_e732[2][0] - _e732[1][0]);
-                                                                let _e880 = (_e732[2][1] - _e732[1][1]);
-                                                                let _e881 = (_e732[2][2] - _e732[1][2]);
-                                                                let _e882 = vec3<f32>(_e879, _e880, _e881);
-                                                                let _e883 = (_e732[0][0] - _e732[2][0]);
-                                                                let _e884 = (_e732[0][1] - _e732[2][1]);
-                                                                let _e885 = (_e732[0][2] - _e732[2][2]);
-                                                                let _e886 = vec3<f32>(_e883, _e884, _e885);
-                                                                let _e889 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
-                                                                let _e892 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
-                                                                let _e894 = select(_e892, _e889, (_e889 > _e892));
-                                                                let _e897 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
-                                                                let _e899 = select(_e897, _e894, (_e894 > _e897));
-                                                                let _e902 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
-                                                                let _e905 = bitcast<f32>((bitcast<u32>(_e880) & 2147483647u));
-                                                                let _e907 = select(_e905, _e902, (_e902 > _e905));
-                                                                let _e910 = bitcast<f32>((bitcast<u32>(_e881) & 2147483647u));
-                                                                let _e912 = select(_e910, _e907, (_e907 > _e910));
-                                                                let _e915 = bitcast<f32>((bitcast<u32>(_e883) & 2147483647u));
-                                                                let _e918 = bitcast<f32>((bitcast<u32>(_e884) & 2147483647u));
-                                                                let _e920 = select(_e918, _e915, (_e915 > _e918));
-                                                                let _e923 = bitcast<f32>((bitcast<u32>(_e885) & 2147483647u));
-                                                                let _e925 = select(_e923, _e920, (_e920 > _e923));
-                                                                let _e927 = select(_e912, _e899, (_e899 > _e912));
-                                                                let _e929 = select(_e925, _e927, (_e927 > _e925));
-                                                                if (_e899 == _e929) {
-                                                                    phi_1582_ = _e882;
-                                                                    phi_1583_ = _e886;
-                                                                } else {
-                                                                    let _e932 = vec3((_e912 == _e929));
-                                                                    phi_1582_ = select(_e878, _e886, _e932);
-                                                                    phi_1583_ = select(_e882, _e878, _e932);
-                                                                }
-                                                                let _e936 = phi_1582_;
-                                                                let _e938 = phi_1583_;
-                                                                let _e945 = ((_e936.y * _e938.z) - (_e938.y * _e936.z));
-                                                                let _e950 = ((_e936.z * _e938.x) - (_e938.z * _e936.x));
-                                                                let _e953 = ((_e936.x * _e938.y) - (_e938.x * _e936.y));
-                                                                if (_e795 >= _e799) {
-                                                                    phi_1614_ = select(true, false, (_e795 >= _e803));
-                                                                } else {
-                                                                    phi_1614_ = true;
-                                                                }
-                                                                let _e958 = phi_1614_;
-                                                                if _e958 {
-                                                                    phi_1623_ = select(vec3<f32>(_e732[2][0], _e732[2][1], _e732[2][2]), vec3<f32>(_e732[1][0], _e732[1][1], _e732[1][2]), vec3((_e799 >= _e803)));
-                                                                } else {
-                                                                    phi_1623_ = vec3<f32>(_e732[0][0], _e732[0][1], _e732[0][2]);
-                                                                }
-                                                                let _e963 = phi_1623_;
-                                                                let _e980 = ((((_e945 * (_e963.x - _e232)) + (_e950 * (_e963.y - _e271))) + (_e953 * (_e963.z - _e309))) / (((_e945 * _e257) + (_e950 * _e295)) + (_e953 * _e333)));
-                                                                let _e982 = select(_e862, _e980, (_e980 < _e862));
-                                                                let _e984 = select(_e854, _e982, (_e982 > _e854));
-                                                                if (_e984 >= _e383) {
-                                                                    let _e986 = (_e984 <= _e627.member.member_1);
-                                                                    if _e986 {
-                                                                        let _e987 = (1f / _e805);
-                                                                        phi_1663_ = type_27(_e984, (_e799 * _e987), (_e803 * _e987), _e662);
-                                                                    } else {
-                                                                        phi_1663_ = type_27();
-                                                                    }
-                                                                    let _e992 = phi_1663_;
-                                                                    phi_1665_ = _e992;
-                                                                    phi_1666_ = select(true, false, _e986);
-                                                                } else {
-                                                                    phi_1665_ = type_27();
-                                                                    phi_1666_ = true;
-                                                                }
-                                                                let _e995 = phi_1665_;
-                                                                let _e997 = phi_1666_;
-                                                                if _e997 {
-                                                                    phi_1670_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1670_ = _e995;
-                                                                }
-                                                                let _e999 = phi_1670_;
-                                                                phi_1671_ = _e999;
-                                                            }
-                                                            let _e1001 = phi_1671_;
-                                                            phi_1672_ = _e1001;
-                                                            phi_1673_ = _e871;
-                                                        }
-                                                        let _e1003 = phi_1672_;
-                                                        let _e1005 = phi_1673_;
-                                                        phi_1677_ = _e1003;
-                                                        phi_1678_ = _e1005;
-                                                    }
-                                                    let _e1007 = phi_1677_;
-                                                    let _e1009 = phi_1678_;
-                                                    phi_1682_ = _e1007;
-                                                    phi_1683_ = _e1009;
-                                                } else {
-                                                    phi_1682_ = type_27();
-                                                    phi_1683_ = true;
-                                                }
-                                                let _e1011 = phi_1682_;
-                                                let _e1013 = phi_1683_;
-                                                if _e1013 {
-                                                    phi_1687_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_1687_ = _e1011;
-                                                }
-                                                let _e1015 = phi_1687_;
-                                                if (_e1015.member_3 != 4294967295u) {
-                                                    if (_e662 != 4294967295u) {
-                                                        if (_e1015.member < _e627.member.member.member) {
-                                                            phi_1713_ = true;
-                                                        } else {
-                                                            if (_e1015.member == _e627.member.member.member) {
-                                                                phi_1712_ = (_e1015.member_3 < _e627.member.member.member_3);
-                                                            } else {
-                                                                phi_1712_ = false;
-                                                            }
-                                                            let _e1030 = phi_1712_;
-                                                            phi_1713_ = _e1030;
-                                                        }
-                                                        let _e1032 = phi_1713_;
-                                                        if _e1032 {
-                                                            phi_1720_ = type_47(type_39(_e1015, _e1015.member), _e654.member_1, _e654.member_2);
-                                                        } else {
-                                                            phi_1720_ = _e654;
-                                                        }
-                                                        let _e1039 = phi_1720_;
-                                                        phi_1721_ = _e1039;
-                                                    } else {
-                                                        phi_1721_ = _e654;
-                                                    }
-                                                    let _e1041 = phi_1721_;
-                                                    phi_1722_ = _e1041;
-                                                } else {
-                                                    phi_1722_ = _e654;
-                                                }
-                                                let _e1043 = phi_1722_;
-                                                phi_973_ = _e1043;
-                                            } else {
-                                                phi_973_ = type_47();
-                                            }
-                                            let _e1045 = phi_973_;
-                                            continue;
-                                            continuing {
-                                                phi_972_ = _e1045;
-                                                phi_975_ = _e642;
-                                                phi_2225_ = _e392;
-                                                break if !(_e648);
-                                            }
-                                        }
-                                        let _e1048 = phi_2225_;
-                                        phi_2335_ = _e1048;
-                                        if _e1048 {
-                                            break;
-                                        }
-                                        phi_2339_ = _e1048;
-                                        let _e1192 = local_4;
-                                        phi_2179_ = _e1192;
-                                        phi_2180_ = _e418;
-                                        phi_2181_ = false;
-                                        phi_2182_ = _e422;
-                                    } else {
-                                        if (_e418 >= _e63) {
-                                            phi_1785_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
-                                        } else {
-                                            if (_e418 < _e63) {
-                                            } else {
-                                                phi_2335_ = true;
-                                                break;
-                                            }
-                                            let _e438 = (_e191 % 3u);
-                                            if (_e438 < 3u) {
-                                            } else {
-                                                phi_2335_ = true;
-                                                break;
-                                            }
-                                            let _e444 = global_2.member[_e418].member[_e438];
-                                            let _e450 = (_e190 % 3u);
-                                            if (_e450 < 3u) {
-                                            } else {
-                                                phi_2335_ = true;
-                                                break;
-                                            }
-                                            let _e456 = global_2.member[_e418].member[_e450];
-                                            let _e462 = (_e192 % 3u);
-                                            if (_e462 < 3u) {
-                                            } else {
-                                                phi_2335_ = true;
-                                                break;
-                                            }
-                                            let _e468 = global_2.member[_e418].member[_e462];
-                                            let _e478 = global_2.member[_e418].member_1;
-                                            let _e482 = global_2.member[_e418].member_2;
-                                            phi_1785_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e444[0], _e444[1], _e444[2], _e444[3]), vec4<f32>(_e456[0], _e456[1], _e456[2], _e456[3]), vec4<f32>(_e468[0], _e468[1], _e468[2], _e468[3])), _e478, _e482);
-                                        }
-                                        let _e485 = phi_1785_;
-                                        let _e498 = ((_e485.member[0].x - _e255) * _e260);
-                                        let _e499 = ((_e485.member[0].y - _e255) * _e260);
-                                        let _e500 = ((_e485.member[0].z - _e256) * _e260);
-                                        let _e501 = ((_e485.member[0].w - _e256) * _e260);
-                                        let _e511 = ((_e485.member[1].x - _e293) * _e298);
-                                        let _e512 = ((_e485.member[1].y - _e293) * _e298);
-                                        let _e513 = ((_e485.member[1].z - _e294) * _e298);
-                                        let _e514 = ((_e485.member[1].w - _e294) * _e298);
-                                        let _e524 = ((_e485.member[2].x - _e331) * _e336);
-                                        let _e525 = ((_e485.member[2].y - _e331) * _e336);
-                                        let _e526 = ((_e485.member[2].z - _e332) * _e336);
-                                        let _e527 = ((_e485.member[2].w - _e332) * _e336);
-                                        let _e529 = select(_e526, _e524, (_e524 < _e526));
-                                        let _e531 = select(_e527, _e525, (_e525 < _e527));
-                                        let _e533 = select(_e526, _e524, (_e524 > _e526));
-                                        let _e535 = select(_e527, _e525, (_e525 > _e527));
-                                        let _e537 = select(_e500, _e498, (_e498 < _e500));
-                                        let _e539 = select(_e501, _e499, (_e499 < _e501));
-                                        let _e541 = select(_e513, _e511, (_e511 < _e513));
-                                        let _e543 = select(_e514, _e512, (_e512 < _e514));
-                                        let _e545 = select(_e541, _e537, (_e537 > _e541));
-                                        let _e547 = select(_e543, _e539, (_e539 > _e543));
-                                        let _e549 = select(_e529, _e545, (_e545 > _e529));
-                                        let _e551 = select(_e531, _e547, (_e547 > _e531));
-                                        let _e553 = select(_e500, _e498, (_e498 > _e500));
-                                        let _e555 = select(_e501, _e499, (_e499 > _e501));
-                                        let _e557 = select(_e513, _e511, (_e511 > _e513));
-                                        let _e559 = select(_e514, _e512, (_e512 > _e514));
-                                        let _e561 = select(_e557, _e553, (_e553 < _e557));
-                                        let _e563 = select(_e559, _e555, (_e555 < _e559));
-                                        let _e568 = -(_e529);
-                                        let _e569 = -(_e531);
-                                        let _e576 = (select(_e533, _e561, (_e561 < _e533)) + (select(_e568, _e533, (_e533 > _e568)) * 0.0000019073523f));
-                                        let _e577 = (select(_e535, _e563, (_e563 < _e535)) + (select(_e569, _e535, (_e535 > _e569)) * 0.0000019073523f));
-                                        let _e579 = select(_e383, _e549, (_e549 > _e383));
-                                        let _e581 = select(_e383, _e551, (_e551 > _e383));
-                                        let _e586 = (_e579 <= select(_e394.member.member_1, _e576, (_e576 < _e394.member.member_1)));
-                                        let _e587 = (_e581 <= select(_e394.member.member_1, _e577, (_e577 < _e394.member.member_1)));
-                                        let _e588 = (_e579 <= _e581);
-                                        if _e586 {
-                                            if _e587 {
-                                                if _e588 {
-                                                    phi_2129_ = _e485.member_2;
-                                                } else {
-                                                    phi_2129_ = _e485.member_1;
-                                                }
-                                                let _e592 = phi_2129_;
-                                                let _e593 = (_e422 % 128u);
-                                                let _e594 = (_e593 < 128u);
-                                                if _e594 {
-                                                } else {
-                                                    phi_2335_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e593] = _e592;
-                                                if _e594 {
-                                                } else {
-                                                    phi_2335_ = true;
-                                                    break;
-                                                }
-                                                local[_e593] = select(_e581, _e579, (_e579 > _e581));
-                                                if _e588 {
-                                                    phi_2156_ = _e485.member_1;
-                                                } else {
-                                                    phi_2156_ = _e485.member_2;
-                                                }
-                                                let _e603 = phi_2156_;
-                                                phi_2157_ = _e603;
-                                                phi_2158_ = (_e422 + 1u);
-                                            } else {
-                                                phi_2157_ = u32();
-                                                phi_2158_ = u32();
-                                            }
-                                            let _e605 = phi_2157_;
-                                            let _e607 = phi_2158_;
-                                            phi_2160_ = _e605;
-                                            phi_2161_ = _e607;
-                                            phi_2162_ = select(true, false, _e587);
-                                        } else {
-                                            phi_2160_ = u32();
-                                            phi_2161_ = u32();
-                                            phi_2162_ = true;
-                                        }
-                                        let _e610 = phi_2160_;
-                                        let _e612 = phi_2161_;
-                                        let _e614 = phi_2162_;
-                                        if _e614 {
-                                            if _e586 {
-                                                phi_2171_ = _e485.member_1;
-                                            } else {
-                                                phi_2171_ = _e485.member_2;
-                                            }
-                                            let _e618 = phi_2171_;
-                                            phi_2176_ = _e618;
-                                            phi_2177_ = select(_e587, true, _e586);
-                                        } else {
-                                            phi_2176_ = _e610;
-                                            phi_2177_ = _e420;
-                                        }
-                                        let _e621 = phi_2176_;
-                                        let _e623 = phi_2177_;
-                                        phi_2339_ = _e392;
-                                        phi_2179_ = type_47(_e394.member, (_e394.member_1 + 1u), _e394.member_2);
-                                        phi_2180_ = _e621;
-                                        phi_2181_ = _e623;
-                                        phi_2182_ = select(_e612, _e422, _e614);
-                                    }
-                                    let _e1050 = phi_2339_;
-                                    let _e1052 = phi_2179_;
-                                    let _e1054 = phi_2180_;
-                                    let _e1056 = phi_2181_;
-                                    let _e1058 = phi_2182_;
-                                    phi_2338_ = _e1050;
-                                    phi_2183_ = _e1052;
-                                    phi_2184_ = _e1054;
-                                    phi_2185_ = (_e398 - 1u);
-                                    phi_2186_ = _e1056;
-                                    phi_2187_ = _e1058;
-                                } else {
-                                    phi_2338_ = _e392;
-                                    phi_2183_ = _e394;
-                                    phi_2184_ = _e418;
-                                    phi_2185_ = _e398;
-                                    phi_2186_ = _e420;
-                                    phi_2187_ = _e422;
-                                }
-                                let _e1060 = phi_2338_;
-                                let _e1062 = phi_2183_;
-                                let _e1064 = phi_2184_;
-                                let _e1066 = phi_2185_;
-                                let _e1068 = phi_2186_;
-                                let _e1070 = phi_2187_;
-                                phi_2337_ = _e1060;
-                                phi_2188_ = _e1062;
-                                phi_2189_ = _e1064;
-                                phi_2190_ = _e1066;
-                                phi_2191_ = _e1068;
-                                phi_2192_ = _e1070;
-                            } else {
-                                phi_2337_ = _e392;
-                                phi_2188_ = type_47();
-                                phi_2189_ = u32();
-                                phi_2190_ = u32();
-                                phi_2191_ = bool();
-                                phi_2192_ = u32();
-                            }
-                            let _e1072 = phi_2337_;
-                            let _e1074 = phi_2188_;
-                            let _e1076 = phi_2189_;
-                            let _e1078 = phi_2190_;
-                            let _e1080 = phi_2191_;
-                            let _e1082 = phi_2192_;
-                            phi_2336_ = _e1072;
-                            phi_905_ = _e1074;
-                            phi_908_ = _e1076;
-                            phi_910_ = _e1078;
-                            phi_912_ = _e1080;
-                            phi_914_ = _e1082;
-                            phi_2193_ = _e406;
-                        } else {
-                            phi_2336_ = _e392;
-                            phi_905_ = type_47();
-                            phi_908_ = u32();
-                            phi_910_ = u32();
-                            phi_912_ = bool();
-                            phi_914_ = u32();
-                            phi_2193_ = false;
-                        }
-                        let _e1084 = phi_2336_;
-                        let _e1086 = phi_905_;
-                        let _e1088 = phi_908_;
-                        let _e1090 = phi_910_;
-                        let _e1092 = phi_912_;
-                        let _e1094 = phi_914_;
-                        let _e1096 = phi_2193_;
-                        continue;
-                        continuing {
-                            phi_2231_ = _e1084;
-                            phi_904_ = _e1086;
-                            phi_907_ = _e1088;
-                            phi_909_ = _e1090;
-                            phi_911_ = _e1092;
-                            phi_913_ = _e1094;
-                            phi_2335_ = _e1084;
-                            break if !(_e1096);
-                        }
-                    }
-                    let _e1099 = phi_2335_;
-                    if _e1099 {
-                        break;
-                    }
-                    let _e1101 = local_2;
-                    let _e1104 = local_3;
+            let _e62 = global;
+            let _e64 = arrayLength((&global_2.member));
+            let _e66 = arrayLength((&global_3.member));
+            let _e74 = (_e62.x + (_e62.y * 2097152u));
+            let _e75 = (_e74 < arrayLength((&global_4.member)));
+            if _e75 {
+                let _e76 = (_e74 < arrayLength((&global_5.member)));
+                if _e76 {
                     if _e75 {
                     } else {
                         break;
                     }
-                    global_5.member[_e73][0u] = _e1101.member_1;
-                    global_5.member[_e73][1u] = _e1104.member_2;
+                    let _e79 = global_1.member[0u];
+                    let _e80 = bitcast<i32>(_e79);
+                    let _e88 = global_4.member[_e74].member_2[0u];
+                    let _e90 = (bitcast<u32>(_e88) & 2147483647u);
+                    let _e95 = global_4.member[_e74].member_2[1u];
+                    let _e97 = (bitcast<u32>(_e95) & 2147483647u);
+                    let _e102 = global_4.member[_e74].member_2[2u];
+                    let _e104 = (bitcast<u32>(_e102) & 2147483647u);
+                    let _e109 = global_4.member[_e74].member[0u];
+                    let _e111 = (bitcast<u32>(_e109) & 2147483647u);
+                    let _e116 = global_4.member[_e74].member[1u];
+                    let _e118 = (bitcast<u32>(_e116) & 2147483647u);
+                    let _e123 = global_4.member[_e74].member[2u];
+                    let _e125 = (bitcast<u32>(_e123) & 2147483647u);
+                    let _e127 = select(_e97, _e90, (_e97 < _e90));
+                    let _e129 = select(_e104, _e127, (_e104 < _e127));
+                    let _e131 = select(_e111, _e129, (_e111 < _e129));
+                    let _e133 = select(_e118, _e131, (_e118 < _e131));
+                    let _e135 = select(_e125, _e133, (_e125 < _e133));
+                    let _e139 = global_4.member[_e74].member_1;
+                    let _e141 = (bitcast<u32>(_e139) & 2147483647u);
+                    let _e148 = global_4.member[_e74].member_3;
+                    let _e154 = (((select(_e141, _e135, (_e141 < _e135)) < 2139095040u) && ((bitcast<u32>(_e148) & 2147483647u) <= 2139095040u)) && (_e129 > 0u));
+                    if _e154 {
+                        let _e157 = (bitcast<u32>(bitcast<f32>(_e129)) & 2147483647u);
+                        if (_e157 >= 8388608u) {
+                            phi_267_ = (bitcast<i32>((_e157 >> bitcast<u32>(23i))) - 127i);
+                        } else {
+                            phi_267_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e157)), 32u, (_e157 == 0u))));
+                        }
+                        let _e171 = phi_267_;
+                        phi_268_ = _e171;
+                    } else {
+                        phi_268_ = 0i;
+                    }
+                    let _e173 = phi_268_;
+                    let _e174 = (_e90 == _e129);
+                    if _e174 {
+                        phi_278_ = true;
+                    } else {
+                        phi_278_ = (_e97 == _e129);
+                    }
+                    let _e177 = phi_278_;
+                    let _e178 = select(1u, 0u, _e174);
+                    if _e177 {
+                        let _e179 = (_e178 + 1u);
+                        phi_288_ = _e179;
+                        phi_289_ = _e179;
+                        phi_291_ = select(true, false, (_e179 == 2u));
+                    } else {
+                        phi_288_ = u32();
+                        phi_289_ = 0u;
+                        phi_291_ = true;
+                    }
+                    let _e183 = phi_288_;
+                    let _e185 = phi_289_;
+                    let _e187 = phi_291_;
+                    if _e187 {
+                        phi_296_ = (_e185 + 1u);
+                    } else {
+                        phi_296_ = 0u;
+                    }
+                    let _e191 = phi_296_;
+                    let _e192 = select(_e183, _e185, _e187);
+                    let _e193 = select(_e178, select(2u, _e178, _e177), _e187);
+                    if (_e80 < -126i) {
+                        phi_308_ = -126i;
+                    } else {
+                        phi_308_ = select(_e80, 127i, (_e80 > 127i));
+                    }
+                    let _e198 = phi_308_;
+                    let _e203 = bitcast<f32>((bitcast<u32>((_e198 + 127i)) << bitcast<u32>(23i)));
+                    let _e209 = bitcast<f32>((bitcast<u32>(((_e80 - _e198) + 127i)) << bitcast<u32>(23i)));
+                    let _e210 = -(_e173);
+                    if (_e210 < -126i) {
+                        phi_328_ = -126i;
+                    } else {
+                        phi_328_ = select(_e210, 127i, (_e210 > 127i));
+                    }
+                    let _e215 = phi_328_;
+                    let _e220 = bitcast<f32>((bitcast<u32>((_e215 + 127i)) << bitcast<u32>(23i)));
+                    let _e226 = bitcast<f32>((bitcast<u32>(((_e210 - _e215) + 127i)) << bitcast<u32>(23i)));
+                    let _e230 = global_4.member[_e74].member;
+                    let _e231 = (_e192 == 0u);
+                    if _e231 {
+                        phi_346_ = _e230[0];
+                    } else {
+                        phi_346_ = _e230[1];
+                    }
+                    let _e235 = phi_346_;
+                    let _e236 = (_e192 == 2u);
+                    if _e236 {
+                        phi_352_ = _e230[2];
+                    } else {
+                        phi_352_ = _e235;
+                    }
+                    let _e239 = phi_352_;
+                    let _e241 = ((_e239 * _e203) * _e209);
+                    let _e242 = global_4.member[_e74].member_2;
+                    if _e231 {
+                        phi_363_ = _e242[0];
+                    } else {
+                        phi_363_ = _e242[1];
+                    }
+                    let _e246 = phi_363_;
+                    if _e236 {
+                        phi_369_ = _e242[2];
+                    } else {
+                        phi_369_ = _e246;
+                    }
+                    let _e249 = phi_369_;
+                    let _e251 = ((_e249 * _e220) * _e226);
+                    let _e255 = (bitcast<f32>((bitcast<u32>(_e251) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e255 {
+                        let _e259 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) * 0.00000011920929f);
+                        phi_392_ = select(0.00000000000011368684f, _e259, (_e259 > 0.00000000000011368684f));
+                    } else {
+                        phi_392_ = 0f;
+                    }
+                    let _e263 = phi_392_;
+                    let _e264 = (_e241 + _e263);
+                    let _e265 = (_e241 - _e263);
+                    let _e266 = select(_e251, 0f, _e255);
+                    if _e255 {
+                        phi_403_ = 38685626000000000000000000f;
+                    } else {
+                        phi_403_ = (1f / _e251);
+                    }
+                    let _e269 = phi_403_;
+                    let _e270 = (_e191 == 0u);
+                    if _e270 {
+                        phi_412_ = _e230[0];
+                    } else {
+                        phi_412_ = _e230[1];
+                    }
+                    let _e274 = phi_412_;
+                    let _e275 = (_e191 == 2u);
+                    if _e275 {
+                        phi_418_ = _e230[2];
+                    } else {
+                        phi_418_ = _e274;
+                    }
+                    let _e278 = phi_418_;
+                    let _e280 = ((_e278 * _e203) * _e209);
+                    if _e270 {
+                        phi_429_ = _e242[0];
+                    } else {
+                        phi_429_ = _e242[1];
+                    }
+                    let _e284 = phi_429_;
+                    if _e275 {
+                        phi_435_ = _e242[2];
+                    } else {
+                        phi_435_ = _e284;
+                    }
+                    let _e287 = phi_435_;
+                    let _e289 = ((_e287 * _e220) * _e226);
+                    let _e293 = (bitcast<f32>((bitcast<u32>(_e289) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e293 {
+                        let _e297 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) * 0.00000011920929f);
+                        phi_458_ = select(0.00000000000011368684f, _e297, (_e297 > 0.00000000000011368684f));
+                    } else {
+                        phi_458_ = 0f;
+                    }
+                    let _e301 = phi_458_;
+                    let _e302 = (_e280 + _e301);
+                    let _e303 = (_e280 - _e301);
+                    let _e304 = select(_e289, 0f, _e293);
+                    if _e293 {
+                        phi_469_ = 38685626000000000000000000f;
+                    } else {
+                        phi_469_ = (1f / _e289);
+                    }
+                    let _e307 = phi_469_;
+                    let _e308 = (_e193 == 0u);
+                    if _e308 {
+                        phi_478_ = _e230[0];
+                    } else {
+                        phi_478_ = _e230[1];
+                    }
+                    let _e312 = phi_478_;
+                    let _e313 = (_e193 == 2u);
+                    if _e313 {
+                        phi_484_ = _e230[2];
+                    } else {
+                        phi_484_ = _e312;
+                    }
+                    let _e316 = phi_484_;
+                    let _e318 = ((_e316 * _e203) * _e209);
+                    if _e308 {
+                        phi_495_ = _e242[0];
+                    } else {
+                        phi_495_ = _e242[1];
+                    }
+                    let _e322 = phi_495_;
+                    if _e313 {
+                        phi_501_ = _e242[2];
+                    } else {
+                        phi_501_ = _e322;
+                    }
+                    let _e325 = phi_501_;
+                    let _e327 = ((_e325 * _e220) * _e226);
+                    let _e331 = (bitcast<f32>((bitcast<u32>(_e327) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e331 {
+                        let _e335 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) * 0.00000011920929f);
+                        phi_524_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
+                    } else {
+                        phi_524_ = 0f;
+                    }
+                    let _e339 = phi_524_;
+                    let _e340 = (_e318 + _e339);
+                    let _e341 = (_e318 - _e339);
+                    let _e342 = select(_e327, 0f, _e331);
+                    if _e331 {
+                        phi_535_ = 38685626000000000000000000f;
+                    } else {
+                        phi_535_ = (1f / _e327);
+                    }
+                    let _e345 = phi_535_;
+                    let _e348 = bitcast<f32>((bitcast<u32>(_e241) & 2147483647u));
+                    let _e351 = bitcast<f32>((bitcast<u32>(_e280) & 2147483647u));
+                    let _e353 = select(_e351, _e348, (_e348 > _e351));
+                    let _e356 = bitcast<f32>((bitcast<u32>(_e318) & 2147483647u));
+                    let _e359 = (_e80 + _e173);
+                    if (_e154 && (select(_e356, _e353, (_e353 > _e356)) <= 1099511600000f)) {
+                        let _e362 = (_e359 / 3i);
+                        let _e369 = bitcast<f32>((bitcast<u32>((_e362 + 127i)) << bitcast<u32>(23i)));
+                        let _e376 = bitcast<f32>((bitcast<u32>(((_e359 - (2i * _e362)) + 127i)) << bitcast<u32>(23i)));
+                        let _e377 = (((_e139 * _e369) * _e369) * _e376);
+                        let _e379 = select(340282350000000000000000000000000000000f, _e377, (_e377 < 340282350000000000000000000000000000000f));
+                        let _e384 = (((_e148 * _e369) * _e369) * _e376);
+                        let _e386 = select(340282350000000000000000000000000000000f, _e384, (_e384 < 340282350000000000000000000000000000000f));
+                        phi_635_ = select(-340282350000000000000000000000000000000f, _e386, (_e386 > -340282350000000000000000000000000000000f));
+                        phi_636_ = select(-340282350000000000000000000000000000000f, _e379, (_e379 > -340282350000000000000000000000000000000f));
+                    } else {
+                        phi_635_ = 0f;
+                        phi_636_ = 1f;
+                    }
+                    let _e390 = phi_635_;
+                    let _e392 = phi_636_;
+                    local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_2238_ = false;
+                    phi_911_ = type_47(type_39(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e390), 0u, 0u);
+                    phi_914_ = select(0u, 2147483648u, (_e64 == 0u));
+                    phi_916_ = ((3u * _e64) + 1u);
+                    phi_918_ = (_e392 <= _e390);
+                    phi_920_ = 0u;
+                    loop {
+                        let _e401 = phi_2238_;
+                        let _e403 = phi_911_;
+                        let _e405 = phi_914_;
+                        let _e407 = phi_916_;
+                        let _e409 = phi_918_;
+                        let _e411 = phi_920_;
+                        local_2 = _e403;
+                        local_3 = _e403;
+                        if _e409 {
+                            phi_931_ = true;
+                        } else {
+                            phi_931_ = (_e411 > 0u);
+                        }
+                        let _e414 = phi_931_;
+                        if _e414 {
+                            let _e415 = (_e407 > 0u);
+                            if _e415 {
+                                if _e409 {
+                                    phi_962_ = _e405;
+                                    phi_963_ = _e409;
+                                    phi_964_ = _e411;
+                                } else {
+                                    let _e416 = (_e411 - 1u);
+                                    let _e417 = (_e416 % 128u);
+                                    let _e418 = (_e417 < 128u);
+                                    if _e418 {
+                                    } else {
+                                        phi_2346_ = true;
+                                        break;
+                                    }
+                                    let _e420 = local_1[_e417];
+                                    if _e418 {
+                                    } else {
+                                        phi_2346_ = true;
+                                        break;
+                                    }
+                                    let _e422 = local[_e417];
+                                    phi_962_ = _e420;
+                                    phi_963_ = (_e422 <= _e403.member.member_1);
+                                    phi_964_ = _e416;
+                                }
+                                let _e427 = phi_962_;
+                                let _e429 = phi_963_;
+                                let _e431 = phi_964_;
+                                if _e429 {
+                                    if ((_e427 & 2147483648u) != 0u) {
+                                        phi_979_ = _e403;
+                                        phi_982_ = type_4(0u, ((_e427 >> bitcast<u32>(28u)) & 7u));
+                                        loop {
+                                            let _e636 = phi_979_;
+                                            let _e638 = phi_982_;
+                                            local_4 = _e636;
+                                            if (_e638.member < _e638.member_1) {
+                                                phi_983_ = type_4((_e638.member + 1u), _e638.member_1);
+                                                phi_1005_ = type_4(1u, _e638.member);
+                                            } else {
+                                                phi_983_ = _e638;
+                                                phi_1005_ = type_4(0u, type_4().member_1);
+                                            }
+                                            let _e651 = phi_983_;
+                                            let _e653 = phi_1005_;
+                                            let _e657 = (bitcast<i32>(_e653.member) != 0i);
+                                            if _e657 {
+                                                let _e663 = type_47(_e636.member, _e636.member_1, (_e636.member_2 + 1u));
+                                                let _e664 = ((_e427 & 268435455u) + _e653.member_1);
+                                                let _e665 = (_e664 < _e66);
+                                                if _e665 {
+                                                    if _e665 {
+                                                    } else {
+                                                        phi_2232_ = true;
+                                                        break;
+                                                    }
+                                                    let _e669 = global_3.member[_e664].member_1;
+                                                    phi_1029_ = _e669;
+                                                } else {
+                                                    phi_1029_ = 4294967295u;
+                                                }
+                                                let _e671 = phi_1029_;
+                                                if (_e664 >= _e66) {
+                                                    phi_1118_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                } else {
+                                                    if _e665 {
+                                                    } else {
+                                                        phi_2232_ = true;
+                                                        break;
+                                                    }
+                                                    let _e673 = (_e192 % 3u);
+                                                    let _e674 = (_e191 % 3u);
+                                                    let _e675 = (_e193 % 3u);
+                                                    if (_e673 < 9u) {
+                                                    } else {
+                                                        phi_2232_ = true;
+                                                        break;
+                                                    }
+                                                    let _e681 = global_3.member[_e664].member[_e673];
+                                                    if (_e674 < 9u) {
+                                                    } else {
+                                                        phi_2232_ = true;
+                                                        break;
+                                                    }
+                                                    let _e687 = global_3.member[_e664].member[_e674];
+                                                    if (_e675 < 9u) {
+                                                    } else {
+                                                        phi_2232_ = true;
+                                                        break;
+                                                    }
+                                                    let _e693 = global_3.member[_e664].member[_e675];
+                                                    let _e695 = (3u + _e673);
+                                                    if (_e695 < 9u) {
+                                                    } else {
+                                                        phi_2232_ = true;
+                                                        break;
+                                                    }
+                                                    let _e701 = global_3.member[_e664].member[_e695];
+                                                    let _e702 = (3u + _e674);
+                                                    if (_e702 < 9u) {
+                                                    } else {
+                                                        phi_2232_ = true;
+                                                        break;
+                                                    }
+                                                    let _e708 = global_3.member[_e664].member[_e702];
+                                                    let _e709 = (3u + _e675);
+                                                    if (_e709 < 9u) {
+                                                    } else {
+                                                        phi_2232_ = true;
+                                                        break;
+                                                    }
+                                                    let _e715 = global_3.member[_e664].member[_e709];
+                                                    let _e717 = (6u + _e673);
+                                                    if (_e717 < 9u) {
+                                                    } else {
+                                                        phi_2232_ = true;
+                                                        break;
+                                                    }
+                                                    let _e723 = global_3.member[_e664].member[_e717];
+                                                    let _e724 = (6u + _e674);
+                                                    if (_e724 < 9u) {
+                                                    } else {
+                                                        phi_2232_ = true;
+                                                        break;
+                                                    }
+                                                    let _e730 = global_3.member[_e664].member[_e724];
+                                                    let _e731 = (6u + _e675);
+                                                    if (_e731 < 9u) {
+                                                    } else {
+                                                        phi_2232_ = true;
+                                                        break;
+                                                    }
+                                                    let _e737 = global_3.member[_e664].member[_e731];
+                                                    phi_1118_ = array<array<f32, 3>, 3>(array<f32, 3>(_e681, _e687, _e693), array<f32, 3>(_e701, _e708, _e715), array<f32, 3>(_e723, _e730, _e737));
+                                                }
+                                                let _e741 = phi_1118_;
+                                                let _e750 = (_e741[0][2] - _e318);
+                                                let _e753 = (((_e741[0][0] - _e241) * _e342) - (_e750 * _e266));
+                                                let _e756 = (((_e741[0][1] - _e280) * _e342) - (_e750 * _e304));
+                                                let _e763 = (_e741[1][2] - _e318);
+                                                let _e766 = (((_e741[1][0] - _e241) * _e342) - (_e763 * _e266));
+                                                let _e769 = (((_e741[1][1] - _e280) * _e342) - (_e763 * _e304));
+                                                let _e776 = (_e741[2][2] - _e318);
+                                                let _e779 = (((_e741[2][0] - _e241) * _e342) - (_e776 * _e266));
+                                                let _e782 = (((_e741[2][1] - _e280) * _e342) - (_e776 * _e304));
+                                                let _e783 = (_e779 * _e769);
+                                                let _e784 = (_e782 * _e766);
+                                                let _e785 = (_e753 * _e782);
+                                                let _e786 = (_e756 * _e779);
+                                                let _e787 = (_e766 * _e756);
+                                                let _e788 = (_e769 * _e753);
+                                                let _e793 = (((_e783 >= _e784) && (_e785 >= _e786)) && (_e787 >= _e788));
+                                                if (_e793 || (((_e783 <= _e784) && (_e785 <= _e786)) && (_e787 <= _e788))) {
+                                                    let _e800 = select(-1f, 1f, _e793);
+                                                    let _e802 = ((_e783 - _e784) * _e800);
+                                                    let _e804 = select(0f, _e802, (_e802 > 0f));
+                                                    let _e806 = ((_e785 - _e786) * _e800);
+                                                    let _e808 = select(0f, _e806, (_e806 > 0f));
+                                                    let _e810 = ((_e787 - _e788) * _e800);
+                                                    let _e812 = select(0f, _e810, (_e810 > 0f));
+                                                    let _e814 = ((_e804 + _e808) + _e812);
+                                                    if (_e814 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1684_ = type_27();
+                                                        phi_1685_ = true;
+                                                    } else {
+                                                        let _e817 = select(_e741[1][0], _e741[0][0], (_e741[0][0] < _e741[1][0]));
+                                                        let _e821 = select(_e741[1][0], _e741[0][0], (_e741[0][0] > _e741[1][0]));
+                                                        let _e825 = select(_e741[1][1], _e741[0][1], (_e741[0][1] < _e741[1][1]));
+                                                        let _e829 = select(_e741[1][1], _e741[0][1], (_e741[0][1] > _e741[1][1]));
+                                                        let _e833 = select(_e741[1][2], _e741[0][2], (_e741[0][2] < _e741[1][2]));
+                                                        let _e837 = select(_e741[1][2], _e741[0][2], (_e741[0][2] > _e741[1][2]));
+                                                        let _e842 = ((select(_e741[2][0], _e817, (_e817 < _e741[2][0])) - _e264) * _e269);
+                                                        let _e843 = ((select(_e741[2][0], _e821, (_e821 > _e741[2][0])) - _e265) * _e269);
+                                                        let _e846 = ((select(_e741[2][1], _e825, (_e825 < _e741[2][1])) - _e302) * _e307);
+                                                        let _e847 = ((select(_e741[2][1], _e829, (_e829 > _e741[2][1])) - _e303) * _e307);
+                                                        let _e850 = ((select(_e741[2][2], _e833, (_e833 < _e741[2][2])) - _e340) * _e345);
+                                                        let _e851 = ((select(_e741[2][2], _e837, (_e837 > _e741[2][2])) - _e341) * _e345);
+                                                        let _e853 = select(_e851, _e850, (_e850 < _e851));
+                                                        let _e855 = select(_e851, _e850, (_e850 > _e851));
+                                                        let _e857 = select(_e843, _e842, (_e842 < _e843));
+                                                        let _e859 = select(_e847, _e846, (_e846 < _e847));
+                                                        let _e861 = select(_e859, _e857, (_e857 > _e859));
+                                                        let _e863 = select(_e853, _e861, (_e861 > _e853));
+                                                        let _e865 = select(_e843, _e842, (_e842 > _e843));
+                                                        let _e867 = select(_e847, _e846, (_e846 > _e847));
+                                                        let _e869 = select(_e867, _e865, (_e865 < _e867));
+                                                        let _e871 = select(_e855, _e869, (_e869 < _e855));
+                                                        let _e872 = -(_e853);
+                                                        let _e878 = select(_e392, _e863, (_e863 > _e392));
+                                                        if (_e878 > (_e871 + (select(_e872, _e855, (_e855 > _e872)) * 0.0000019073523f))) {
+                                                            phi_1679_ = type_27();
+                                                            phi_1680_ = true;
+                                                        } else {
+                                                            let _e880 = (_e878 > _e636.member.member_1);
+                                                            if _e880 {
+                                                                phi_1678_ = type_27();
+                                                            } else {
+                                                                let _e884 = (_e741[1][0] - _e741[0][0]);
+                                                                let _e885 = (_e741[1][1] - _e741[0][1]);
+                                                                let _e886 = (_e741[1][2] - _e741[0][2]);
+                                                                let _e887 = vec3<f32>(_e884, _e885, _e886);
+                                                                let _e888 = (_e741[2][0] - _e741[1][0]);
+                                                                let _e889 = (_e741[2][1] - _e741[1][1]);
+                                                                let _e890 = (_e741[2][2] - _e741[1][2]);
+                                                                let _e891 = vec3<f32>(_e888, _e889, _e890);
+                                                                let _e892 = (_e741[0][0] - _e741[2][0]);
+                                                                let _e893 = (_e741[0][1] - _e741[2][1]);
+                                                                let _e894 = (_e741[0][2] - _e741[2][2]);
+                                                                let _e895 = vec3<f32>(_e892, _e893, _e894);
+                                                                let _e898 = bitcast<f32>((bitcast<u32>(_e884) & 2147483647u));
+                                                                let _e901 = bitcast<f32>((bitcast<u32>(_e885) & 2147483647u));
+                                                                let _e903 = select(_e901, _e898, (_e898 > _e901));
+                                                                let _e906 = bitcast<f32>((bitcast<u32>(_e886) & 2147483647u));
+                                                                let _e908 = select(_e906, _e903, (_e903 > _e906));
+                                                                let _e911 = bitcast<f32>((bitcast<u32>(_e888) & 2147483647u));
+                                                                let _e914 = bitcast<f32>((bitcast<u32>(_e889) & 2147483647u));
+                                                                let _e916 = select(_e914, _e911, (_e911 > _e914));
+                                                                let _e919 = bitcast<f32>((bitcast<u32>(_e890) & 2147483647u));
+                                                                let _e921 = select(_e919, _e916, (_e916 > _e919));
+                                                                let _e924 = bitcast<f32>((bitcast<u32>(_e892) & 2147483647u));
+                                                                let _e927 = bitcast<f32>((bitcast<u32>(_e893) & 2147483647u));
+                                                                let _e929 = select(_e927, _e924, (_e924 > _e927));
+                                                                let _e932 = bitcast<f32>((bitcast<u32>(_e894) & 2147483647u));
+                                                                let _e934 = select(_e932, _e929, (_e929 > _e932));
+                                                                let _e936 = select(_e921, _e908, (_e908 > _e921));
+                                                                let _e938 = select(_e934, _e936, (_e936 > _e934));
+                                                                if (_e908 == _e938) {
+                                                                    phi_1589_ = _e891;
+                                                                    phi_1590_ = _e895;
+                                                                } else {
+                                                                    let _e941 = vec3((_e921 == _e938));
+                                                                    phi_1589_ = select(_e887, _e895, _e941);
+                                                                    phi_1590_ = select(_e891, _e887, _e941);
+                                                                }
+                                                                let _e945 = phi_1589_;
+                                                                let _e947 = phi_1590_;
+                                                                let _e954 = ((_e945.y * _e947.z) - (_e947.y * _e945.z));
+                                                                let _e959 = ((_e945.z * _e947.x) - (_e947.z * _e945.x));
+                                                                let _e962 = ((_e945.x * _e947.y) - (_e947.x * _e945.y));
+                                                                if (_e804 >= _e808) {
+                                                                    phi_1621_ = select(true, false, (_e804 >= _e812));
+                                                                } else {
+                                                                    phi_1621_ = true;
+                                                                }
+                                                                let _e967 = phi_1621_;
+                                                                if _e967 {
+                                                                    phi_1630_ = select(vec3<f32>(_e741[2][0], _e741[2][1], _e741[2][2]), vec3<f32>(_e741[1][0], _e741[1][1], _e741[1][2]), vec3((_e808 >= _e812)));
+                                                                } else {
+                                                                    phi_1630_ = vec3<f32>(_e741[0][0], _e741[0][1], _e741[0][2]);
+                                                                }
+                                                                let _e972 = phi_1630_;
+                                                                let _e989 = ((((_e954 * (_e972.x - _e241)) + (_e959 * (_e972.y - _e280))) + (_e962 * (_e972.z - _e318))) / (((_e954 * _e266) + (_e959 * _e304)) + (_e962 * _e342)));
+                                                                let _e991 = select(_e871, _e989, (_e989 < _e871));
+                                                                let _e993 = select(_e863, _e991, (_e991 > _e863));
+                                                                if (_e993 >= _e392) {
+                                                                    let _e995 = (_e993 <= _e636.member.member_1);
+                                                                    if _e995 {
+                                                                        let _e996 = (1f / _e814);
+                                                                        phi_1670_ = type_27(_e993, (_e808 * _e996), (_e812 * _e996), _e671);
+                                                                    } else {
+                                                                        phi_1670_ = type_27();
+                                                                    }
+                                                                    let _e1001 = phi_1670_;
+                                                                    phi_1672_ = _e1001;
+                                                                    phi_1673_ = select(true, false, _e995);
+                                                                } else {
+                                                                    phi_1672_ = type_27();
+                                                                    phi_1673_ = true;
+                                                                }
+                                                                let _e1004 = phi_1672_;
+                                                                let _e1006 = phi_1673_;
+                                                                if _e1006 {
+                                                                    phi_1677_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                } else {
+                                                                    phi_1677_ = _e1004;
+                                                                }
+                                                                let _e1008 = phi_1677_;
+                                                                phi_1678_ = _e1008;
+                                                            }
+                                                            let _e1010 = phi_1678_;
+                                                            phi_1679_ = _e1010;
+                                                            phi_1680_ = _e880;
+                                                        }
+                                                        let _e1012 = phi_1679_;
+                                                        let _e1014 = phi_1680_;
+                                                        phi_1684_ = _e1012;
+                                                        phi_1685_ = _e1014;
+                                                    }
+                                                    let _e1016 = phi_1684_;
+                                                    let _e1018 = phi_1685_;
+                                                    phi_1689_ = _e1016;
+                                                    phi_1690_ = _e1018;
+                                                } else {
+                                                    phi_1689_ = type_27();
+                                                    phi_1690_ = true;
+                                                }
+                                                let _e1020 = phi_1689_;
+                                                let _e1022 = phi_1690_;
+                                                if _e1022 {
+                                                    phi_1694_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                } else {
+                                                    phi_1694_ = _e1020;
+                                                }
+                                                let _e1024 = phi_1694_;
+                                                if (_e1024.member_3 != 4294967295u) {
+                                                    if (_e671 != 4294967295u) {
+                                                        if (_e1024.member < _e636.member.member.member) {
+                                                            phi_1720_ = true;
+                                                        } else {
+                                                            if (_e1024.member == _e636.member.member.member) {
+                                                                phi_1719_ = (_e1024.member_3 < _e636.member.member.member_3);
+                                                            } else {
+                                                                phi_1719_ = false;
+                                                            }
+                                                            let _e1039 = phi_1719_;
+                                                            phi_1720_ = _e1039;
+                                                        }
+                                                        let _e1041 = phi_1720_;
+                                                        if _e1041 {
+                                                            phi_1727_ = type_47(type_39(_e1024, _e1024.member), _e663.member_1, _e663.member_2);
+                                                        } else {
+                                                            phi_1727_ = _e663;
+                                                        }
+                                                        let _e1048 = phi_1727_;
+                                                        phi_1728_ = _e1048;
+                                                    } else {
+                                                        phi_1728_ = _e663;
+                                                    }
+                                                    let _e1050 = phi_1728_;
+                                                    phi_1729_ = _e1050;
+                                                } else {
+                                                    phi_1729_ = _e663;
+                                                }
+                                                let _e1052 = phi_1729_;
+                                                phi_980_ = _e1052;
+                                            } else {
+                                                phi_980_ = type_47();
+                                            }
+                                            let _e1054 = phi_980_;
+                                            continue;
+                                            continuing {
+                                                phi_979_ = _e1054;
+                                                phi_982_ = _e651;
+                                                phi_2232_ = _e401;
+                                                break if !(_e657);
+                                            }
+                                        }
+                                        let _e1057 = phi_2232_;
+                                        phi_2346_ = _e1057;
+                                        if _e1057 {
+                                            break;
+                                        }
+                                        phi_2350_ = _e1057;
+                                        let _e1203 = local_4;
+                                        phi_2186_ = _e1203;
+                                        phi_2187_ = _e427;
+                                        phi_2188_ = false;
+                                        phi_2189_ = _e431;
+                                    } else {
+                                        if (_e427 >= _e64) {
+                                            phi_1792_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        } else {
+                                            if (_e427 < _e64) {
+                                            } else {
+                                                phi_2346_ = true;
+                                                break;
+                                            }
+                                            let _e447 = (_e192 % 3u);
+                                            if (_e447 < 3u) {
+                                            } else {
+                                                phi_2346_ = true;
+                                                break;
+                                            }
+                                            let _e453 = global_2.member[_e427].member[_e447];
+                                            let _e459 = (_e191 % 3u);
+                                            if (_e459 < 3u) {
+                                            } else {
+                                                phi_2346_ = true;
+                                                break;
+                                            }
+                                            let _e465 = global_2.member[_e427].member[_e459];
+                                            let _e471 = (_e193 % 3u);
+                                            if (_e471 < 3u) {
+                                            } else {
+                                                phi_2346_ = true;
+                                                break;
+                                            }
+                                            let _e477 = global_2.member[_e427].member[_e471];
+                                            let _e487 = global_2.member[_e427].member_1;
+                                            let _e491 = global_2.member[_e427].member_2;
+                                            phi_1792_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e453[0], _e453[1], _e453[2], _e453[3]), vec4<f32>(_e465[0], _e465[1], _e465[2], _e465[3]), vec4<f32>(_e477[0], _e477[1], _e477[2], _e477[3])), _e487, _e491);
+                                        }
+                                        let _e494 = phi_1792_;
+                                        let _e507 = ((_e494.member[0].x - _e264) * _e269);
+                                        let _e508 = ((_e494.member[0].y - _e264) * _e269);
+                                        let _e509 = ((_e494.member[0].z - _e265) * _e269);
+                                        let _e510 = ((_e494.member[0].w - _e265) * _e269);
+                                        let _e520 = ((_e494.member[1].x - _e302) * _e307);
+                                        let _e521 = ((_e494.member[1].y - _e302) * _e307);
+                                        let _e522 = ((_e494.member[1].z - _e303) * _e307);
+                                        let _e523 = ((_e494.member[1].w - _e303) * _e307);
+                                        let _e533 = ((_e494.member[2].x - _e340) * _e345);
+                                        let _e534 = ((_e494.member[2].y - _e340) * _e345);
+                                        let _e535 = ((_e494.member[2].z - _e341) * _e345);
+                                        let _e536 = ((_e494.member[2].w - _e341) * _e345);
+                                        let _e538 = select(_e535, _e533, (_e533 < _e535));
+                                        let _e540 = select(_e536, _e534, (_e534 < _e536));
+                                        let _e542 = select(_e535, _e533, (_e533 > _e535));
+                                        let _e544 = select(_e536, _e534, (_e534 > _e536));
+                                        let _e546 = select(_e509, _e507, (_e507 < _e509));
+                                        let _e548 = select(_e510, _e508, (_e508 < _e510));
+                                        let _e550 = select(_e522, _e520, (_e520 < _e522));
+                                        let _e552 = select(_e523, _e521, (_e521 < _e523));
+                                        let _e554 = select(_e550, _e546, (_e546 > _e550));
+                                        let _e556 = select(_e552, _e548, (_e548 > _e552));
+                                        let _e558 = select(_e538, _e554, (_e554 > _e538));
+                                        let _e560 = select(_e540, _e556, (_e556 > _e540));
+                                        let _e562 = select(_e509, _e507, (_e507 > _e509));
+                                        let _e564 = select(_e510, _e508, (_e508 > _e510));
+                                        let _e566 = select(_e522, _e520, (_e520 > _e522));
+                                        let _e568 = select(_e523, _e521, (_e521 > _e523));
+                                        let _e570 = select(_e566, _e562, (_e562 < _e566));
+                                        let _e572 = select(_e568, _e564, (_e564 < _e568));
+                                        let _e577 = -(_e538);
+                                        let _e578 = -(_e540);
+                                        let _e585 = (select(_e542, _e570, (_e570 < _e542)) + (select(_e577, _e542, (_e542 > _e577)) * 0.0000019073523f));
+                                        let _e586 = (select(_e544, _e572, (_e572 < _e544)) + (select(_e578, _e544, (_e544 > _e578)) * 0.0000019073523f));
+                                        let _e588 = select(_e392, _e558, (_e558 > _e392));
+                                        let _e590 = select(_e392, _e560, (_e560 > _e392));
+                                        let _e595 = (_e588 <= select(_e403.member.member_1, _e585, (_e585 < _e403.member.member_1)));
+                                        let _e596 = (_e590 <= select(_e403.member.member_1, _e586, (_e586 < _e403.member.member_1)));
+                                        let _e597 = (_e588 <= _e590);
+                                        if _e595 {
+                                            if _e596 {
+                                                if _e597 {
+                                                    phi_2136_ = _e494.member_2;
+                                                } else {
+                                                    phi_2136_ = _e494.member_1;
+                                                }
+                                                let _e601 = phi_2136_;
+                                                let _e602 = (_e431 % 128u);
+                                                let _e603 = (_e602 < 128u);
+                                                if _e603 {
+                                                } else {
+                                                    phi_2346_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e602] = _e601;
+                                                if _e603 {
+                                                } else {
+                                                    phi_2346_ = true;
+                                                    break;
+                                                }
+                                                local[_e602] = select(_e590, _e588, (_e588 > _e590));
+                                                if _e597 {
+                                                    phi_2163_ = _e494.member_1;
+                                                } else {
+                                                    phi_2163_ = _e494.member_2;
+                                                }
+                                                let _e612 = phi_2163_;
+                                                phi_2164_ = _e612;
+                                                phi_2165_ = (_e431 + 1u);
+                                            } else {
+                                                phi_2164_ = u32();
+                                                phi_2165_ = u32();
+                                            }
+                                            let _e614 = phi_2164_;
+                                            let _e616 = phi_2165_;
+                                            phi_2167_ = _e614;
+                                            phi_2168_ = _e616;
+                                            phi_2169_ = select(true, false, _e596);
+                                        } else {
+                                            phi_2167_ = u32();
+                                            phi_2168_ = u32();
+                                            phi_2169_ = true;
+                                        }
+                                        let _e619 = phi_2167_;
+                                        let _e621 = phi_2168_;
+                                        let _e623 = phi_2169_;
+                                        if _e623 {
+                                            if _e595 {
+                                                phi_2178_ = _e494.member_1;
+                                            } else {
+                                                phi_2178_ = _e494.member_2;
+                                            }
+                                            let _e627 = phi_2178_;
+                                            phi_2183_ = _e627;
+                                            phi_2184_ = select(_e596, true, _e595);
+                                        } else {
+                                            phi_2183_ = _e619;
+                                            phi_2184_ = _e429;
+                                        }
+                                        let _e630 = phi_2183_;
+                                        let _e632 = phi_2184_;
+                                        phi_2350_ = _e401;
+                                        phi_2186_ = type_47(_e403.member, (_e403.member_1 + 1u), _e403.member_2);
+                                        phi_2187_ = _e630;
+                                        phi_2188_ = _e632;
+                                        phi_2189_ = select(_e621, _e431, _e623);
+                                    }
+                                    let _e1059 = phi_2350_;
+                                    let _e1061 = phi_2186_;
+                                    let _e1063 = phi_2187_;
+                                    let _e1065 = phi_2188_;
+                                    let _e1067 = phi_2189_;
+                                    phi_2349_ = _e1059;
+                                    phi_2190_ = _e1061;
+                                    phi_2191_ = _e1063;
+                                    phi_2192_ = (_e407 - 1u);
+                                    phi_2193_ = _e1065;
+                                    phi_2194_ = _e1067;
+                                } else {
+                                    phi_2349_ = _e401;
+                                    phi_2190_ = _e403;
+                                    phi_2191_ = _e427;
+                                    phi_2192_ = _e407;
+                                    phi_2193_ = _e429;
+                                    phi_2194_ = _e431;
+                                }
+                                let _e1069 = phi_2349_;
+                                let _e1071 = phi_2190_;
+                                let _e1073 = phi_2191_;
+                                let _e1075 = phi_2192_;
+                                let _e1077 = phi_2193_;
+                                let _e1079 = phi_2194_;
+                                phi_2348_ = _e1069;
+                                phi_2195_ = _e1071;
+                                phi_2196_ = _e1073;
+                                phi_2197_ = _e1075;
+                                phi_2198_ = _e1077;
+                                phi_2199_ = _e1079;
+                            } else {
+                                phi_2348_ = _e401;
+                                phi_2195_ = type_47();
+                                phi_2196_ = u32();
+                                phi_2197_ = u32();
+                                phi_2198_ = bool();
+                                phi_2199_ = u32();
+                            }
+                            let _e1081 = phi_2348_;
+                            let _e1083 = phi_2195_;
+                            let _e1085 = phi_2196_;
+                            let _e1087 = phi_2197_;
+                            let _e1089 = phi_2198_;
+                            let _e1091 = phi_2199_;
+                            phi_2347_ = _e1081;
+                            phi_912_ = _e1083;
+                            phi_915_ = _e1085;
+                            phi_917_ = _e1087;
+                            phi_919_ = _e1089;
+                            phi_921_ = _e1091;
+                            phi_2200_ = _e415;
+                        } else {
+                            phi_2347_ = _e401;
+                            phi_912_ = type_47();
+                            phi_915_ = u32();
+                            phi_917_ = u32();
+                            phi_919_ = bool();
+                            phi_921_ = u32();
+                            phi_2200_ = false;
+                        }
+                        let _e1093 = phi_2347_;
+                        let _e1095 = phi_912_;
+                        let _e1097 = phi_915_;
+                        let _e1099 = phi_917_;
+                        let _e1101 = phi_919_;
+                        let _e1103 = phi_921_;
+                        let _e1105 = phi_2200_;
+                        continue;
+                        continuing {
+                            phi_2238_ = _e1093;
+                            phi_911_ = _e1095;
+                            phi_914_ = _e1097;
+                            phi_916_ = _e1099;
+                            phi_918_ = _e1101;
+                            phi_920_ = _e1103;
+                            phi_2346_ = _e1093;
+                            break if !(_e1105);
+                        }
+                    }
+                    let _e1108 = phi_2346_;
+                    if _e1108 {
+                        break;
+                    }
+                    let _e1110 = local_2;
+                    let _e1113 = local_3;
+                    if _e76 {
+                    } else {
+                        break;
+                    }
+                    global_5.member[_e74][0u] = _e1110.member_1;
+                    global_5.member[_e74][1u] = _e1113.member_2;
                 }
             }
             break;

@@ -72,1115 +72,1127 @@ fn function_() {
     var local: array<type_23, 8>;
     var local_1: array<f32, 128>;
     var local_2: array<u32, 128>;
-    var phi_273_: i32;
     var phi_274_: i32;
-    var phi_284_: bool;
-    var phi_294_: u32;
+    var phi_275_: i32;
+    var phi_285_: bool;
     var phi_295_: u32;
-    var phi_297_: bool;
-    var phi_302_: u32;
-    var phi_346_: f32;
-    var phi_352_: f32;
-    var phi_363_: f32;
-    var phi_369_: f32;
-    var phi_392_: f32;
-    var phi_403_: f32;
-    var phi_412_: f32;
-    var phi_418_: f32;
-    var phi_429_: f32;
-    var phi_435_: f32;
-    var phi_458_: f32;
-    var phi_469_: f32;
-    var phi_478_: f32;
-    var phi_484_: f32;
-    var phi_495_: f32;
-    var phi_501_: f32;
-    var phi_524_: f32;
-    var phi_535_: f32;
-    var phi_635_: f32;
-    var phi_636_: f32;
-    var phi_2528_: bool;
-    var phi_2508_: f32;
-    var phi_963_: u32;
-    var phi_966_: u32;
-    var phi_968_: bool;
-    var phi_970_: u32;
-    var phi_981_: bool;
-    var phi_1013_: u32;
-    var phi_1014_: bool;
-    var phi_1015_: u32;
-    var phi_1904_: type_38;
-    var phi_2249_: u32;
-    var phi_2276_: u32;
-    var phi_2277_: u32;
-    var phi_2278_: u32;
-    var phi_2280_: u32;
-    var phi_2281_: u32;
-    var phi_2282_: bool;
-    var phi_2291_: u32;
-    var phi_2296_: u32;
-    var phi_2297_: bool;
-    var phi_2525_: bool;
+    var phi_296_: u32;
+    var phi_298_: bool;
+    var phi_303_: u32;
+    var phi_315_: i32;
+    var phi_335_: i32;
+    var phi_353_: f32;
+    var phi_359_: f32;
+    var phi_370_: f32;
+    var phi_376_: f32;
+    var phi_399_: f32;
+    var phi_410_: f32;
+    var phi_419_: f32;
+    var phi_425_: f32;
+    var phi_436_: f32;
+    var phi_442_: f32;
+    var phi_465_: f32;
+    var phi_476_: f32;
+    var phi_485_: f32;
+    var phi_491_: f32;
+    var phi_502_: f32;
+    var phi_508_: f32;
+    var phi_531_: f32;
+    var phi_542_: f32;
+    var phi_642_: f32;
+    var phi_643_: f32;
+    var phi_2535_: bool;
     var phi_2515_: f32;
-    var phi_1030_: type_4;
-    var phi_1031_: type_4;
-    var phi_1054_: type_4;
-    var phi_1075_: u32;
-    var phi_1164_: array<array<f32, 3>, 3>;
-    var phi_1636_: vec3<f32>;
-    var phi_1637_: vec3<f32>;
-    var phi_1668_: bool;
-    var phi_1677_: vec3<f32>;
-    var phi_1717_: type_23;
-    var phi_1719_: type_23;
-    var phi_1720_: bool;
+    var phi_970_: u32;
+    var phi_973_: u32;
+    var phi_975_: bool;
+    var phi_977_: u32;
+    var phi_988_: bool;
+    var phi_1020_: u32;
+    var phi_1021_: bool;
+    var phi_1022_: u32;
+    var phi_1911_: type_38;
+    var phi_2256_: u32;
+    var phi_2283_: u32;
+    var phi_2284_: u32;
+    var phi_2285_: u32;
+    var phi_2287_: u32;
+    var phi_2288_: u32;
+    var phi_2289_: bool;
+    var phi_2298_: u32;
+    var phi_2303_: u32;
+    var phi_2304_: bool;
+    var phi_2532_: bool;
+    var phi_2522_: f32;
+    var phi_1037_: type_4;
+    var phi_1038_: type_4;
+    var phi_1061_: type_4;
+    var phi_1082_: u32;
+    var phi_1171_: array<array<f32, 3>, 3>;
+    var phi_1643_: vec3<f32>;
+    var phi_1644_: vec3<f32>;
+    var phi_1675_: bool;
+    var phi_1684_: vec3<f32>;
     var phi_1724_: type_23;
-    var phi_1725_: type_23;
     var phi_1726_: type_23;
     var phi_1727_: bool;
     var phi_1731_: type_23;
-    var phi_1732_: bool;
-    var phi_1736_: type_23;
-    var phi_1737_: bool;
-    var phi_1741_: type_23;
-    var phi_1753_: type_4;
-    var phi_1756_: type_23;
-    var phi_1754_: type_4;
-    var phi_1779_: type_4;
-    var phi_1811_: bool;
-    var phi_1812_: bool;
-    var phi_1833_: type_23;
-    var phi_1757_: type_23;
-    var phi_2516_: bool;
-    var phi_2779_: f32;
-    var phi_2778_: f32;
-    var phi_2629_: bool;
-    var phi_2777_: f32;
-    var phi_2628_: bool;
-    var phi_2776_: f32;
-    var phi_2627_: bool;
-    var phi_2716_: f32;
-    var phi_2626_: bool;
-    var phi_2681_: f32;
-    var phi_2635_: bool;
-    var phi_2299_: u32;
-    var phi_2300_: bool;
-    var phi_2301_: u32;
-    var phi_2680_: f32;
-    var phi_2634_: bool;
-    var phi_2302_: u32;
-    var phi_2303_: u32;
-    var phi_2304_: bool;
-    var phi_2305_: u32;
-    var phi_2679_: f32;
-    var phi_2633_: bool;
+    var phi_1732_: type_23;
+    var phi_1733_: type_23;
+    var phi_1734_: bool;
+    var phi_1738_: type_23;
+    var phi_1739_: bool;
+    var phi_1743_: type_23;
+    var phi_1744_: bool;
+    var phi_1748_: type_23;
+    var phi_1760_: type_4;
+    var phi_1763_: type_23;
+    var phi_1761_: type_4;
+    var phi_1786_: type_4;
+    var phi_1818_: bool;
+    var phi_1819_: bool;
+    var phi_1840_: type_23;
+    var phi_1764_: type_23;
+    var phi_2523_: bool;
+    var phi_2790_: f32;
+    var phi_2789_: f32;
+    var phi_2640_: bool;
+    var phi_2788_: f32;
+    var phi_2639_: bool;
+    var phi_2787_: f32;
+    var phi_2638_: bool;
+    var phi_2727_: f32;
+    var phi_2637_: bool;
+    var phi_2692_: f32;
+    var phi_2646_: bool;
     var phi_2306_: u32;
-    var phi_2307_: u32;
-    var phi_2308_: bool;
+    var phi_2307_: bool;
+    var phi_2308_: u32;
+    var phi_2691_: f32;
+    var phi_2645_: bool;
     var phi_2309_: u32;
-    var phi_2678_: f32;
-    var phi_2632_: bool;
-    var phi_964_: u32;
-    var phi_967_: u32;
-    var phi_969_: bool;
+    var phi_2310_: u32;
+    var phi_2311_: bool;
+    var phi_2312_: u32;
+    var phi_2690_: f32;
+    var phi_2644_: bool;
+    var phi_2313_: u32;
+    var phi_2314_: u32;
+    var phi_2315_: bool;
+    var phi_2316_: u32;
+    var phi_2689_: f32;
+    var phi_2643_: bool;
     var phi_971_: u32;
-    var phi_2310_: bool;
-    var phi_2631_: bool;
-    var phi_2317_: type_4;
-    var phi_2318_: type_4;
-    var phi_2341_: type_4;
-    var phi_2407_: type_23;
-    var phi_2671_: bool;
+    var phi_974_: u32;
+    var phi_976_: bool;
+    var phi_978_: u32;
+    var phi_2317_: bool;
+    var phi_2642_: bool;
+    var phi_2324_: type_4;
+    var phi_2325_: type_4;
+    var phi_2348_: type_4;
+    var phi_2414_: type_23;
+    var phi_2682_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e65 = global;
-            let _e67 = arrayLength((&global_2.member));
-            let _e69 = arrayLength((&global_3.member));
-            let _e77 = (_e65.x + (_e65.y * 2097152u));
-            let _e78 = (_e77 < arrayLength((&global_4.member)));
-            if _e78 {
-                let _e79 = (_e77 < arrayLength((&global_5.member)));
-                if _e79 {
-                    if _e78 {
-                    } else {
-                        break;
-                    }
-                    let _e82 = global_1.member[0u];
-                    let _e83 = bitcast<i32>(_e82);
-                    let _e91 = global_4.member[_e77].member_2[0u];
-                    let _e93 = (bitcast<u32>(_e91) & 2147483647u);
-                    let _e98 = global_4.member[_e77].member_2[1u];
-                    let _e100 = (bitcast<u32>(_e98) & 2147483647u);
-                    let _e105 = global_4.member[_e77].member_2[2u];
-                    let _e107 = (bitcast<u32>(_e105) & 2147483647u);
-                    let _e112 = global_4.member[_e77].member[0u];
-                    let _e114 = (bitcast<u32>(_e112) & 2147483647u);
-                    let _e119 = global_4.member[_e77].member[1u];
-                    let _e121 = (bitcast<u32>(_e119) & 2147483647u);
-                    let _e126 = global_4.member[_e77].member[2u];
-                    let _e128 = (bitcast<u32>(_e126) & 2147483647u);
-                    let _e130 = select(_e100, _e93, (_e100 < _e93));
-                    let _e132 = select(_e107, _e130, (_e107 < _e130));
-                    let _e134 = select(_e114, _e132, (_e114 < _e132));
-                    let _e136 = select(_e121, _e134, (_e121 < _e134));
-                    let _e138 = select(_e128, _e136, (_e128 < _e136));
-                    let _e142 = global_4.member[_e77].member_1;
-                    let _e144 = (bitcast<u32>(_e142) & 2147483647u);
-                    let _e151 = global_4.member[_e77].member_3;
-                    let _e157 = (((select(_e144, _e138, (_e144 < _e138)) < 2139095040u) && ((bitcast<u32>(_e151) & 2147483647u) <= 2139095040u)) && (_e132 > 0u));
-                    if _e157 {
-                        let _e160 = (bitcast<u32>(bitcast<f32>(_e132)) & 2147483647u);
-                        if (_e160 >= 8388608u) {
-                            phi_273_ = (bitcast<i32>((_e160 >> bitcast<u32>(23i))) - 127i);
-                        } else {
-                            phi_273_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e160)), 32u, (_e160 == 0u))));
-                        }
-                        let _e174 = phi_273_;
-                        phi_274_ = _e174;
-                    } else {
-                        phi_274_ = 0i;
-                    }
-                    let _e176 = phi_274_;
-                    let _e177 = (_e93 == _e132);
-                    if _e177 {
-                        phi_284_ = true;
-                    } else {
-                        phi_284_ = (_e100 == _e132);
-                    }
-                    let _e180 = phi_284_;
-                    let _e181 = select(1u, 0u, _e177);
-                    if _e180 {
-                        let _e182 = (_e181 + 1u);
-                        phi_294_ = _e182;
-                        phi_295_ = _e182;
-                        phi_297_ = select(true, false, (_e182 == 2u));
-                    } else {
-                        phi_294_ = u32();
-                        phi_295_ = 0u;
-                        phi_297_ = true;
-                    }
-                    let _e186 = phi_294_;
-                    let _e188 = phi_295_;
-                    let _e190 = phi_297_;
-                    if _e190 {
-                        phi_302_ = (_e188 + 1u);
-                    } else {
-                        phi_302_ = 0u;
-                    }
-                    let _e194 = phi_302_;
-                    let _e195 = select(_e186, _e188, _e190);
-                    let _e196 = select(_e181, select(2u, _e181, _e180), _e190);
-                    let _e197 = (_e83 / 2i);
-                    let _e202 = bitcast<f32>((bitcast<u32>((_e197 + 127i)) << bitcast<u32>(23i)));
-                    let _e208 = bitcast<f32>((bitcast<u32>(((_e83 - _e197) + 127i)) << bitcast<u32>(23i)));
-                    let _e209 = -(_e176);
-                    let _e210 = (_e209 / 2i);
-                    let _e215 = bitcast<f32>((bitcast<u32>((_e210 + 127i)) << bitcast<u32>(23i)));
-                    let _e221 = bitcast<f32>((bitcast<u32>(((_e209 - _e210) + 127i)) << bitcast<u32>(23i)));
-                    let _e225 = global_4.member[_e77].member;
-                    let _e226 = (_e195 == 0u);
-                    if _e226 {
-                        phi_346_ = _e225[0];
-                    } else {
-                        phi_346_ = _e225[1];
-                    }
-                    let _e230 = phi_346_;
-                    let _e231 = (_e195 == 2u);
-                    if _e231 {
-                        phi_352_ = _e225[2];
-                    } else {
-                        phi_352_ = _e230;
-                    }
-                    let _e234 = phi_352_;
-                    let _e236 = ((_e234 * _e202) * _e208);
-                    let _e237 = global_4.member[_e77].member_2;
-                    if _e226 {
-                        phi_363_ = _e237[0];
-                    } else {
-                        phi_363_ = _e237[1];
-                    }
-                    let _e241 = phi_363_;
-                    if _e231 {
-                        phi_369_ = _e237[2];
-                    } else {
-                        phi_369_ = _e241;
-                    }
-                    let _e244 = phi_369_;
-                    let _e246 = ((_e244 * _e215) * _e221);
-                    let _e250 = (bitcast<f32>((bitcast<u32>(_e246) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e250 {
-                        let _e254 = (bitcast<f32>((bitcast<u32>(_e236) & 2147483647u)) * 0.00000011920929f);
-                        phi_392_ = select(0.00000000000011368684f, _e254, (_e254 > 0.00000000000011368684f));
-                    } else {
-                        phi_392_ = 0f;
-                    }
-                    let _e258 = phi_392_;
-                    let _e259 = (_e236 + _e258);
-                    let _e260 = (_e236 - _e258);
-                    let _e261 = select(_e246, 0f, _e250);
-                    if _e250 {
-                        phi_403_ = 38685626000000000000000000f;
-                    } else {
-                        phi_403_ = (1f / _e246);
-                    }
-                    let _e264 = phi_403_;
-                    let _e265 = (_e194 == 0u);
-                    if _e265 {
-                        phi_412_ = _e225[0];
-                    } else {
-                        phi_412_ = _e225[1];
-                    }
-                    let _e269 = phi_412_;
-                    let _e270 = (_e194 == 2u);
-                    if _e270 {
-                        phi_418_ = _e225[2];
-                    } else {
-                        phi_418_ = _e269;
-                    }
-                    let _e273 = phi_418_;
-                    let _e275 = ((_e273 * _e202) * _e208);
-                    if _e265 {
-                        phi_429_ = _e237[0];
-                    } else {
-                        phi_429_ = _e237[1];
-                    }
-                    let _e279 = phi_429_;
-                    if _e270 {
-                        phi_435_ = _e237[2];
-                    } else {
-                        phi_435_ = _e279;
-                    }
-                    let _e282 = phi_435_;
-                    let _e284 = ((_e282 * _e215) * _e221);
-                    let _e288 = (bitcast<f32>((bitcast<u32>(_e284) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e288 {
-                        let _e292 = (bitcast<f32>((bitcast<u32>(_e275) & 2147483647u)) * 0.00000011920929f);
-                        phi_458_ = select(0.00000000000011368684f, _e292, (_e292 > 0.00000000000011368684f));
-                    } else {
-                        phi_458_ = 0f;
-                    }
-                    let _e296 = phi_458_;
-                    let _e297 = (_e275 + _e296);
-                    let _e298 = (_e275 - _e296);
-                    let _e299 = select(_e284, 0f, _e288);
-                    if _e288 {
-                        phi_469_ = 38685626000000000000000000f;
-                    } else {
-                        phi_469_ = (1f / _e284);
-                    }
-                    let _e302 = phi_469_;
-                    let _e303 = (_e196 == 0u);
-                    if _e303 {
-                        phi_478_ = _e225[0];
-                    } else {
-                        phi_478_ = _e225[1];
-                    }
-                    let _e307 = phi_478_;
-                    let _e308 = (_e196 == 2u);
-                    if _e308 {
-                        phi_484_ = _e225[2];
-                    } else {
-                        phi_484_ = _e307;
-                    }
-                    let _e311 = phi_484_;
-                    let _e313 = ((_e311 * _e202) * _e208);
-                    if _e303 {
-                        phi_495_ = _e237[0];
-                    } else {
-                        phi_495_ = _e237[1];
-                    }
-                    let _e317 = phi_495_;
-                    if _e308 {
-                        phi_501_ = _e237[2];
-                    } else {
-                        phi_501_ = _e317;
-                    }
-                    let _e320 = phi_501_;
-                    let _e322 = ((_e320 * _e215) * _e221);
-                    let _e326 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e326 {
-                        let _e330 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) * 0.00000011920929f);
-                        phi_524_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
-                    } else {
-                        phi_524_ = 0f;
-                    }
-                    let _e334 = phi_524_;
-                    let _e335 = (_e313 + _e334);
-                    let _e336 = (_e313 - _e334);
-                    let _e337 = select(_e322, 0f, _e326);
-                    if _e326 {
-                        phi_535_ = 38685626000000000000000000f;
-                    } else {
-                        phi_535_ = (1f / _e322);
-                    }
-                    let _e340 = phi_535_;
-                    let _e343 = bitcast<f32>((bitcast<u32>(_e236) & 2147483647u));
-                    let _e346 = bitcast<f32>((bitcast<u32>(_e275) & 2147483647u));
-                    let _e348 = select(_e346, _e343, (_e343 > _e346));
-                    let _e351 = bitcast<f32>((bitcast<u32>(_e313) & 2147483647u));
-                    let _e354 = (_e83 + _e176);
-                    if (_e157 && (select(_e351, _e348, (_e348 > _e351)) <= 1099511600000f)) {
-                        let _e357 = (_e354 / 3i);
-                        let _e364 = bitcast<f32>((bitcast<u32>((_e357 + 127i)) << bitcast<u32>(23i)));
-                        let _e371 = bitcast<f32>((bitcast<u32>(((_e354 - (2i * _e357)) + 127i)) << bitcast<u32>(23i)));
-                        let _e372 = (((_e142 * _e364) * _e364) * _e371);
-                        let _e374 = select(340282350000000000000000000000000000000f, _e372, (_e372 < 340282350000000000000000000000000000000f));
-                        let _e379 = (((_e151 * _e364) * _e364) * _e371);
-                        let _e381 = select(340282350000000000000000000000000000000f, _e379, (_e379 < 340282350000000000000000000000000000000f));
-                        phi_635_ = select(-340282350000000000000000000000000000000f, _e381, (_e381 > -340282350000000000000000000000000000000f));
-                        phi_636_ = select(-340282350000000000000000000000000000000f, _e374, (_e374 > -340282350000000000000000000000000000000f));
-                    } else {
-                        phi_635_ = 0f;
-                        phi_636_ = 1f;
-                    }
-                    let _e385 = phi_635_;
-                    let _e387 = phi_636_;
-                    local = array<type_23, 8>(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
-                    local_2 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2528_ = false;
-                    phi_2508_ = _e385;
-                    phi_963_ = select(0u, 2147483648u, (_e67 == 0u));
-                    phi_966_ = ((3u * _e67) + 1u);
-                    phi_968_ = (_e387 <= _e385);
-                    phi_970_ = 0u;
-                    loop {
-                        let _e394 = phi_2528_;
-                        let _e396 = phi_2508_;
-                        let _e398 = phi_963_;
-                        let _e400 = phi_966_;
-                        let _e402 = phi_968_;
-                        let _e404 = phi_970_;
-                        if _e402 {
-                            phi_981_ = true;
-                        } else {
-                            phi_981_ = (_e404 > 0u);
-                        }
-                        let _e407 = phi_981_;
-                        if _e407 {
-                            let _e408 = (_e400 > 0u);
-                            if _e408 {
-                                if _e402 {
-                                    phi_1013_ = _e398;
-                                    phi_1014_ = _e402;
-                                    phi_1015_ = _e404;
-                                } else {
-                                    let _e409 = (_e404 - 1u);
-                                    let _e410 = (_e409 % 128u);
-                                    let _e411 = (_e410 < 128u);
-                                    if _e411 {
-                                    } else {
-                                        phi_2631_ = true;
-                                        break;
-                                    }
-                                    let _e413 = local_2[_e410];
-                                    if _e411 {
-                                    } else {
-                                        phi_2631_ = true;
-                                        break;
-                                    }
-                                    let _e415 = local_1[_e410];
-                                    phi_1013_ = _e413;
-                                    phi_1014_ = (_e415 <= _e396);
-                                    phi_1015_ = _e409;
-                                }
-                                let _e418 = phi_1013_;
-                                let _e420 = phi_1014_;
-                                let _e422 = phi_1015_;
-                                if _e420 {
-                                    if ((_e418 & 2147483648u) != 0u) {
-                                        phi_2525_ = _e394;
-                                        phi_2515_ = _e396;
-                                        phi_1030_ = type_4(0u, ((_e418 >> bitcast<u32>(28u)) & 7u));
-                                        loop {
-                                            let _e619 = phi_2525_;
-                                            let _e621 = phi_2515_;
-                                            let _e623 = phi_1030_;
-                                            if (_e623.member < _e623.member_1) {
-                                                phi_1031_ = type_4((_e623.member + 1u), _e623.member_1);
-                                                phi_1054_ = type_4(1u, _e623.member);
-                                            } else {
-                                                phi_1031_ = _e623;
-                                                phi_1054_ = type_4(0u, type_4().member_1);
-                                            }
-                                            let _e636 = phi_1031_;
-                                            let _e638 = phi_1054_;
-                                            let _e642 = (bitcast<i32>(_e638.member) != 0i);
-                                            if _e642 {
-                                                let _e643 = ((_e418 & 268435455u) + _e638.member_1);
-                                                let _e644 = (_e643 < _e69);
-                                                if _e644 {
-                                                    if _e644 {
-                                                    } else {
-                                                        phi_2716_ = _e621;
-                                                        phi_2626_ = true;
-                                                        break;
-                                                    }
-                                                    let _e648 = global_3.member[_e643].member_1;
-                                                    phi_1075_ = _e648;
-                                                } else {
-                                                    phi_1075_ = 4294967295u;
-                                                }
-                                                let _e650 = phi_1075_;
-                                                if (_e643 >= _e69) {
-                                                    phi_1164_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
-                                                } else {
-                                                    if _e644 {
-                                                    } else {
-                                                        phi_2716_ = _e621;
-                                                        phi_2626_ = true;
-                                                        break;
-                                                    }
-                                                    let _e652 = (_e195 % 3u);
-                                                    let _e653 = (_e194 % 3u);
-                                                    let _e654 = (_e196 % 3u);
-                                                    if (_e652 < 9u) {
-                                                    } else {
-                                                        phi_2716_ = _e621;
-                                                        phi_2626_ = true;
-                                                        break;
-                                                    }
-                                                    let _e660 = global_3.member[_e643].member[_e652];
-                                                    if (_e653 < 9u) {
-                                                    } else {
-                                                        phi_2716_ = _e621;
-                                                        phi_2626_ = true;
-                                                        break;
-                                                    }
-                                                    let _e666 = global_3.member[_e643].member[_e653];
-                                                    if (_e654 < 9u) {
-                                                    } else {
-                                                        phi_2716_ = _e621;
-                                                        phi_2626_ = true;
-                                                        break;
-                                                    }
-                                                    let _e672 = global_3.member[_e643].member[_e654];
-                                                    let _e674 = (3u + _e652);
-                                                    if (_e674 < 9u) {
-                                                    } else {
-                                                        phi_2716_ = _e621;
-                                                        phi_2626_ = true;
-                                                        break;
-                                                    }
-                                                    let _e680 = global_3.member[_e643].member[_e674];
-                                                    let _e681 = (3u + _e653);
-                                                    if (_e681 < 9u) {
-                                                    } else {
-                                                        phi_2716_ = _e621;
-                                                        phi_2626_ = true;
-                                                        break;
-                                                    }
-                                                    let _e687 = global_3.member[_e643].member[_e681];
-                                                    let _e688 = (3u + _e654);
-                                                    if (_e688 < 9u) {
-                                                    } else {
-                                                        phi_2716_ = _e621;
-                                                        phi_2626_ = true;
-                                                        break;
-                                                    }
-                                                    let _e694 = global_3.member[_e643].member[_e688];
-                                                    let _e696 = (6u + _e652);
-                                                    if (_e696 < 9u) {
-                                                    } else {
-                                                        phi_2716_ = _e621;
-                                                        phi_2626_ = true;
-                                                        break;
-                                                    }
-                                                    let _e702 = global_3.member[_e643].member[_e696];
-                                                    let _e703 = (6u + _e653);
-                                                    if (_e703 < 9u) {
-                                                    } else {
-                                                        phi_2716_ = _e621;
-                                                        phi_2626_ = true;
-                                                        break;
-                                                    }
-                                                    let _e709 = global_3.member[_e643].member[_e703];
-                                                    let _e710 = (6u + _e654);
-                                                    if (_e710 < 9u) {
-                                                    } else {
-                                                        phi_2716_ = _e621;
-                                                        phi_2626_ = true;
-                                                        break;
-                                                    }
-                                                    let _e716 = global_3.member[_e643].member[_e710];
-                                                    phi_1164_ = array<array<f32, 3>, 3>(array<f32, 3>(_e660, _e666, _e672), array<f32, 3>(_e680, _e687, _e694), array<f32, 3>(_e702, _e709, _e716));
-                                                }
-                                                let _e720 = phi_1164_;
-                                                let _e727 = (_e720[0][2] - _e313);
-                                                let _e730 = (((_e720[0][0] - _e236) * _e337) - (_e727 * _e261));
-                                                let _e733 = (((_e720[0][1] - _e275) * _e337) - (_e727 * _e299));
-                                                let _e740 = (_e720[1][2] - _e313);
-                                                let _e743 = (((_e720[1][0] - _e236) * _e337) - (_e740 * _e261));
-                                                let _e746 = (((_e720[1][1] - _e275) * _e337) - (_e740 * _e299));
-                                                let _e753 = (_e720[2][2] - _e313);
-                                                let _e756 = (((_e720[2][0] - _e236) * _e337) - (_e753 * _e261));
-                                                let _e759 = (((_e720[2][1] - _e275) * _e337) - (_e753 * _e299));
-                                                let _e760 = (_e756 * _e746);
-                                                let _e761 = (_e759 * _e743);
-                                                let _e762 = (_e730 * _e759);
-                                                let _e763 = (_e733 * _e756);
-                                                let _e764 = (_e743 * _e733);
-                                                let _e765 = (_e746 * _e730);
-                                                let _e770 = (((_e760 >= _e761) && (_e762 >= _e763)) && (_e764 >= _e765));
-                                                if (_e770 || (((_e760 <= _e761) && (_e762 <= _e763)) && (_e764 <= _e765))) {
-                                                    let _e777 = select(-1f, 1f, _e770);
-                                                    let _e779 = ((_e760 - _e761) * _e777);
-                                                    let _e781 = select(0f, _e779, (_e779 > 0f));
-                                                    let _e783 = ((_e762 - _e763) * _e777);
-                                                    let _e785 = select(0f, _e783, (_e783 > 0f));
-                                                    let _e787 = ((_e764 - _e765) * _e777);
-                                                    let _e789 = select(0f, _e787, (_e787 > 0f));
-                                                    let _e791 = ((_e781 + _e785) + _e789);
-                                                    if (_e791 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1731_ = type_23();
-                                                        phi_1732_ = true;
-                                                    } else {
-                                                        let _e794 = select(_e720[1][0], _e720[0][0], (_e720[0][0] < _e720[1][0]));
-                                                        let _e798 = select(_e720[1][0], _e720[0][0], (_e720[0][0] > _e720[1][0]));
-                                                        let _e802 = select(_e720[1][1], _e720[0][1], (_e720[0][1] < _e720[1][1]));
-                                                        let _e806 = select(_e720[1][1], _e720[0][1], (_e720[0][1] > _e720[1][1]));
-                                                        let _e810 = select(_e720[1][2], _e720[0][2], (_e720[0][2] < _e720[1][2]));
-                                                        let _e814 = select(_e720[1][2], _e720[0][2], (_e720[0][2] > _e720[1][2]));
-                                                        let _e819 = ((select(_e720[2][0], _e794, (_e794 < _e720[2][0])) - _e259) * _e264);
-                                                        let _e820 = ((select(_e720[2][0], _e798, (_e798 > _e720[2][0])) - _e260) * _e264);
-                                                        let _e823 = ((select(_e720[2][1], _e802, (_e802 < _e720[2][1])) - _e297) * _e302);
-                                                        let _e824 = ((select(_e720[2][1], _e806, (_e806 > _e720[2][1])) - _e298) * _e302);
-                                                        let _e827 = ((select(_e720[2][2], _e810, (_e810 < _e720[2][2])) - _e335) * _e340);
-                                                        let _e828 = ((select(_e720[2][2], _e814, (_e814 > _e720[2][2])) - _e336) * _e340);
-                                                        let _e830 = select(_e828, _e827, (_e827 < _e828));
-                                                        let _e832 = select(_e828, _e827, (_e827 > _e828));
-                                                        let _e834 = select(_e820, _e819, (_e819 < _e820));
-                                                        let _e836 = select(_e824, _e823, (_e823 < _e824));
-                                                        let _e838 = select(_e836, _e834, (_e834 > _e836));
-                                                        let _e840 = select(_e830, _e838, (_e838 > _e830));
-                                                        let _e842 = select(_e820, _e819, (_e819 > _e820));
-                                                        let _e844 = select(_e824, _e823, (_e823 > _e824));
-                                                        let _e846 = select(_e844, _e842, (_e842 < _e844));
-                                                        let _e848 = select(_e832, _e846, (_e846 < _e832));
-                                                        let _e849 = -(_e830);
-                                                        let _e855 = select(_e387, _e840, (_e840 > _e387));
-                                                        if (_e855 > (_e848 + (select(_e849, _e832, (_e832 > _e849)) * 0.0000019073523f))) {
-                                                            phi_1726_ = type_23();
-                                                            phi_1727_ = true;
-                                                        } else {
-                                                            let _e857 = (_e855 > _e621);
-                                                            if _e857 {
-                                                                phi_1725_ = type_23();
-                                                            } else {
-                                                                let _e861 = (_e720[1][0] - _e720[0][0]);
-                                                                let _e862 = (_e720[1][1] - _e720[0][1]);
-                                                                let _e863 = (_e720[1][2] - _e720[0][2]);
-                                                                let _e864 = vec3<f32>(_e861, _e862, _e863);
-                                                                let _e865 = (_e720[2][0] - _e720[1][0]);
-                                                                let _e866 = (_e720[2][1] - _e720[1][1]);
-                                                                let _e867 = (_e720[2][2] - _e720[1][2]);
-                                                                let _e868 = vec3<f32>(_e865, _e866, _e867);
-                                                                let _e869 = (_e720[0][0] - _e720[2][0]);
-                                                                let _e870 = (_e720[0][1] - _e720[2][1]);
-                                                                let _e871 = (_e720[0][2] - _e720[2][2]);
-                                                                let _e872 = vec3<f32>(_e869, _e870, _e871);
-                                                                let _e875 = bitcast<f32>((bitcast<u32>(_e861) & 2147483647u));
-                                                                let _e878 = bitcast<f32>((bitcast<u32>(_e862) & 2147483647u));
-                                                                let _e880 = select(_e878, _e875, (_e875 > _e878));
-                                                                let _e883 = bitcast<f32>((bitcast<u32>(_e863) & 2147483647u));
-                                                                let _e885 = select(_e883, _e880, (_e880 > _e883));
-                                                                let _e888 = bitcast<f32>((bitcast<u32>(_e865) & 2147483647u));
-                                                                let _e891 = bitcast<f32>((bitcast<u32>(_e866) & 2147483647u));
-                                                                let _e893 = select(_e891, _e888, (_e888 > _e891));
-                                                                let _e896 = bitcast<f32>((bitcast<u32>(_e867) & 2147483647u));
-                                                                let _e898 = select(_e896, _e893, (_e893 > _e896));
-                                                                let _e901 = bitcast<f32>((bitcast<u32>(_e869) & 2147483647u));
-                                                                let _e904 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
-                                                                let _e906 = select(_e904, _e901, (_e901 > _e904));
-                                                                let _e909 = bitcast<f32>((bitcast<u32>(_e871) & 2147483647u));
-                                                                let _e911 = select(_e909, _e906, (_e906 > _e909));
-                                                                let _e913 = select(_e898, _e885, (_e885 > _e898));
-                                                                let _e915 = select(_e911, _e913, (_e913 > _e911));
-                                                                if (_e885 == _e915) {
-                                                                    phi_1636_ = _e868;
-                                                                    phi_1637_ = _e872;
-                                                                } else {
-                                                                    let _e918 = vec3((_e898 == _e915));
-                                                                    phi_1636_ = select(_e864, _e872, _e918);
-                                                                    phi_1637_ = select(_e868, _e864, _e918);
-                                                                }
-                                                                let _e922 = phi_1636_;
-                                                                let _e924 = phi_1637_;
-                                                                let _e931 = ((_e922.y * _e924.z) - (_e924.y * _e922.z));
-                                                                let _e936 = ((_e922.z * _e924.x) - (_e924.z * _e922.x));
-                                                                let _e939 = ((_e922.x * _e924.y) - (_e924.x * _e922.y));
-                                                                if (_e781 >= _e785) {
-                                                                    phi_1668_ = select(true, false, (_e781 >= _e789));
-                                                                } else {
-                                                                    phi_1668_ = true;
-                                                                }
-                                                                let _e944 = phi_1668_;
-                                                                if _e944 {
-                                                                    phi_1677_ = select(vec3<f32>(_e720[2][0], _e720[2][1], _e720[2][2]), vec3<f32>(_e720[1][0], _e720[1][1], _e720[1][2]), vec3((_e785 >= _e789)));
-                                                                } else {
-                                                                    phi_1677_ = vec3<f32>(_e720[0][0], _e720[0][1], _e720[0][2]);
-                                                                }
-                                                                let _e949 = phi_1677_;
-                                                                let _e966 = ((((_e931 * (_e949.x - _e236)) + (_e936 * (_e949.y - _e275))) + (_e939 * (_e949.z - _e313))) / (((_e931 * _e261) + (_e936 * _e299)) + (_e939 * _e337)));
-                                                                let _e968 = select(_e848, _e966, (_e966 < _e848));
-                                                                let _e970 = select(_e840, _e968, (_e968 > _e840));
-                                                                if (_e970 >= _e387) {
-                                                                    let _e972 = (_e970 <= _e621);
-                                                                    if _e972 {
-                                                                        let _e973 = (1f / _e791);
-                                                                        phi_1717_ = type_23(_e970, (_e785 * _e973), (_e789 * _e973), _e650);
-                                                                    } else {
-                                                                        phi_1717_ = type_23();
-                                                                    }
-                                                                    let _e978 = phi_1717_;
-                                                                    phi_1719_ = _e978;
-                                                                    phi_1720_ = select(true, false, _e972);
-                                                                } else {
-                                                                    phi_1719_ = type_23();
-                                                                    phi_1720_ = true;
-                                                                }
-                                                                let _e981 = phi_1719_;
-                                                                let _e983 = phi_1720_;
-                                                                if _e983 {
-                                                                    phi_1724_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1724_ = _e981;
-                                                                }
-                                                                let _e985 = phi_1724_;
-                                                                phi_1725_ = _e985;
-                                                            }
-                                                            let _e987 = phi_1725_;
-                                                            phi_1726_ = _e987;
-                                                            phi_1727_ = _e857;
-                                                        }
-                                                        let _e989 = phi_1726_;
-                                                        let _e991 = phi_1727_;
-                                                        phi_1731_ = _e989;
-                                                        phi_1732_ = _e991;
-                                                    }
-                                                    let _e993 = phi_1731_;
-                                                    let _e995 = phi_1732_;
-                                                    phi_1736_ = _e993;
-                                                    phi_1737_ = _e995;
-                                                } else {
-                                                    phi_1736_ = type_23();
-                                                    phi_1737_ = true;
-                                                }
-                                                let _e997 = phi_1736_;
-                                                let _e999 = phi_1737_;
-                                                if _e999 {
-                                                    phi_1741_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_1741_ = _e997;
-                                                }
-                                                let _e1001 = phi_1741_;
-                                                if (_e1001.member_3 != 4294967295u) {
-                                                    if (_e650 != 4294967295u) {
-                                                        phi_1753_ = type_4(0u, 8u);
-                                                        phi_1756_ = _e1001;
-                                                        loop {
-                                                            let _e1006 = phi_1753_;
-                                                            let _e1008 = phi_1756_;
-                                                            if (_e1006.member < _e1006.member_1) {
-                                                                phi_1754_ = type_4((_e1006.member + 1u), _e1006.member_1);
-                                                                phi_1779_ = type_4(1u, _e1006.member);
-                                                            } else {
-                                                                phi_1754_ = _e1006;
-                                                                phi_1779_ = type_4(0u, type_4().member_1);
-                                                            }
-                                                            let _e1021 = phi_1754_;
-                                                            let _e1023 = phi_1779_;
-                                                            let _e1027 = (bitcast<i32>(_e1023.member) != 0i);
-                                                            if _e1027 {
-                                                                let _e1028 = (_e1023.member_1 < 8u);
-                                                                if _e1028 {
-                                                                } else {
-                                                                    phi_2516_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1033 = local[_e1023.member_1].member;
-                                                                if (_e1008.member < _e1033) {
-                                                                    phi_1812_ = true;
-                                                                } else {
-                                                                    let _e1035 = local[_e1023.member_1].member;
-                                                                    if (_e1008.member == _e1035) {
-                                                                        let _e1040 = local[_e1023.member_1].member_3;
-                                                                        phi_1811_ = (_e1008.member_3 < _e1040);
-                                                                    } else {
-                                                                        phi_1811_ = false;
-                                                                    }
-                                                                    let _e1043 = phi_1811_;
-                                                                    phi_1812_ = _e1043;
-                                                                }
-                                                                let _e1045 = phi_1812_;
-                                                                if _e1045 {
-                                                                    if _e1028 {
-                                                                    } else {
-                                                                        phi_2516_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1046 = local[_e1023.member_1];
-                                                                    local[_e1023.member_1] = type_23(_e1008.member, _e1008.member_1, _e1008.member_2, _e1008.member_3);
-                                                                    phi_1833_ = type_23(_e1046.member, _e1046.member_1, _e1046.member_2, _e1046.member_3);
-                                                                } else {
-                                                                    phi_1833_ = _e1008;
-                                                                }
-                                                                let _e1057 = phi_1833_;
-                                                                phi_1757_ = _e1057;
-                                                            } else {
-                                                                phi_1757_ = type_23();
-                                                            }
-                                                            let _e1059 = phi_1757_;
-                                                            continue;
-                                                            continuing {
-                                                                phi_1753_ = _e1021;
-                                                                phi_1756_ = _e1059;
-                                                                phi_2516_ = _e619;
-                                                                break if !(_e1027);
-                                                            }
-                                                        }
-                                                        let _e1062 = phi_2516_;
-                                                        phi_2716_ = _e621;
-                                                        phi_2626_ = _e1062;
-                                                        if _e1062 {
-                                                            break;
-                                                        }
-                                                        let _e1065 = local[7u].member_3;
-                                                        if (_e1065 != 4294967295u) {
-                                                            let _e1069 = local[7u].member;
-                                                            phi_2779_ = _e1069;
-                                                        } else {
-                                                            phi_2779_ = _e621;
-                                                        }
-                                                        let _e1071 = phi_2779_;
-                                                        phi_2778_ = _e1071;
-                                                        phi_2629_ = _e1062;
-                                                    } else {
-                                                        phi_2778_ = _e621;
-                                                        phi_2629_ = _e619;
-                                                    }
-                                                    let _e1073 = phi_2778_;
-                                                    let _e1075 = phi_2629_;
-                                                    phi_2777_ = _e1073;
-                                                    phi_2628_ = _e1075;
-                                                } else {
-                                                    phi_2777_ = _e621;
-                                                    phi_2628_ = _e619;
-                                                }
-                                                let _e1077 = phi_2777_;
-                                                let _e1079 = phi_2628_;
-                                                phi_2776_ = _e1077;
-                                                phi_2627_ = _e1079;
-                                            } else {
-                                                phi_2776_ = _e621;
-                                                phi_2627_ = _e619;
-                                            }
-                                            let _e1081 = phi_2776_;
-                                            let _e1083 = phi_2627_;
-                                            continue;
-                                            continuing {
-                                                phi_2525_ = _e1083;
-                                                phi_2515_ = _e1081;
-                                                phi_1030_ = _e636;
-                                                phi_2716_ = _e1081;
-                                                phi_2626_ = _e1083;
-                                                break if !(_e642);
-                                            }
-                                        }
-                                        let _e1086 = phi_2716_;
-                                        let _e1088 = phi_2626_;
-                                        phi_2631_ = _e1088;
-                                        if _e1088 {
-                                            break;
-                                        }
-                                        phi_2681_ = _e1086;
-                                        phi_2635_ = _e1088;
-                                        phi_2299_ = _e418;
-                                        phi_2300_ = false;
-                                        phi_2301_ = _e422;
-                                    } else {
-                                        if (_e418 >= _e67) {
-                                            phi_1904_ = type_38(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
-                                        } else {
-                                            if (_e418 < _e67) {
-                                            } else {
-                                                phi_2631_ = true;
-                                                break;
-                                            }
-                                            let _e432 = (_e195 % 3u);
-                                            if (_e432 < 3u) {
-                                            } else {
-                                                phi_2631_ = true;
-                                                break;
-                                            }
-                                            let _e438 = global_2.member[_e418].member[_e432];
-                                            let _e444 = (_e194 % 3u);
-                                            if (_e444 < 3u) {
-                                            } else {
-                                                phi_2631_ = true;
-                                                break;
-                                            }
-                                            let _e450 = global_2.member[_e418].member[_e444];
-                                            let _e456 = (_e196 % 3u);
-                                            if (_e456 < 3u) {
-                                            } else {
-                                                phi_2631_ = true;
-                                                break;
-                                            }
-                                            let _e462 = global_2.member[_e418].member[_e456];
-                                            let _e472 = global_2.member[_e418].member_1;
-                                            let _e476 = global_2.member[_e418].member_2;
-                                            phi_1904_ = type_38(array<vec4<f32>, 3>(vec4<f32>(_e438[0], _e438[1], _e438[2], _e438[3]), vec4<f32>(_e450[0], _e450[1], _e450[2], _e450[3]), vec4<f32>(_e462[0], _e462[1], _e462[2], _e462[3])), _e472, _e476);
-                                        }
-                                        let _e479 = phi_1904_;
-                                        let _e490 = ((_e479.member[0].x - _e259) * _e264);
-                                        let _e491 = ((_e479.member[0].y - _e259) * _e264);
-                                        let _e492 = ((_e479.member[0].z - _e260) * _e264);
-                                        let _e493 = ((_e479.member[0].w - _e260) * _e264);
-                                        let _e503 = ((_e479.member[1].x - _e297) * _e302);
-                                        let _e504 = ((_e479.member[1].y - _e297) * _e302);
-                                        let _e505 = ((_e479.member[1].z - _e298) * _e302);
-                                        let _e506 = ((_e479.member[1].w - _e298) * _e302);
-                                        let _e516 = ((_e479.member[2].x - _e335) * _e340);
-                                        let _e517 = ((_e479.member[2].y - _e335) * _e340);
-                                        let _e518 = ((_e479.member[2].z - _e336) * _e340);
-                                        let _e519 = ((_e479.member[2].w - _e336) * _e340);
-                                        let _e521 = select(_e518, _e516, (_e516 < _e518));
-                                        let _e523 = select(_e519, _e517, (_e517 < _e519));
-                                        let _e525 = select(_e518, _e516, (_e516 > _e518));
-                                        let _e527 = select(_e519, _e517, (_e517 > _e519));
-                                        let _e529 = select(_e492, _e490, (_e490 < _e492));
-                                        let _e531 = select(_e493, _e491, (_e491 < _e493));
-                                        let _e533 = select(_e505, _e503, (_e503 < _e505));
-                                        let _e535 = select(_e506, _e504, (_e504 < _e506));
-                                        let _e537 = select(_e533, _e529, (_e529 > _e533));
-                                        let _e539 = select(_e535, _e531, (_e531 > _e535));
-                                        let _e541 = select(_e521, _e537, (_e537 > _e521));
-                                        let _e543 = select(_e523, _e539, (_e539 > _e523));
-                                        let _e545 = select(_e492, _e490, (_e490 > _e492));
-                                        let _e547 = select(_e493, _e491, (_e491 > _e493));
-                                        let _e549 = select(_e505, _e503, (_e503 > _e505));
-                                        let _e551 = select(_e506, _e504, (_e504 > _e506));
-                                        let _e553 = select(_e549, _e545, (_e545 < _e549));
-                                        let _e555 = select(_e551, _e547, (_e547 < _e551));
-                                        let _e560 = -(_e521);
-                                        let _e561 = -(_e523);
-                                        let _e568 = (select(_e525, _e553, (_e553 < _e525)) + (select(_e560, _e525, (_e525 > _e560)) * 0.0000019073523f));
-                                        let _e569 = (select(_e527, _e555, (_e555 < _e527)) + (select(_e561, _e527, (_e527 > _e561)) * 0.0000019073523f));
-                                        let _e571 = select(_e387, _e541, (_e541 > _e387));
-                                        let _e573 = select(_e387, _e543, (_e543 > _e387));
-                                        let _e578 = (_e571 <= select(_e396, _e568, (_e568 < _e396)));
-                                        let _e579 = (_e573 <= select(_e396, _e569, (_e569 < _e396)));
-                                        let _e580 = (_e571 <= _e573);
-                                        if _e578 {
-                                            if _e579 {
-                                                if _e580 {
-                                                    phi_2249_ = _e479.member_2;
-                                                } else {
-                                                    phi_2249_ = _e479.member_1;
-                                                }
-                                                let _e584 = phi_2249_;
-                                                let _e585 = (_e422 % 128u);
-                                                let _e586 = (_e585 < 128u);
-                                                if _e586 {
-                                                } else {
-                                                    phi_2631_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e585] = _e584;
-                                                if _e586 {
-                                                } else {
-                                                    phi_2631_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e585] = select(_e573, _e571, (_e571 > _e573));
-                                                if _e580 {
-                                                    phi_2276_ = _e479.member_1;
-                                                } else {
-                                                    phi_2276_ = _e479.member_2;
-                                                }
-                                                let _e595 = phi_2276_;
-                                                phi_2277_ = _e595;
-                                                phi_2278_ = (_e422 + 1u);
-                                            } else {
-                                                phi_2277_ = u32();
-                                                phi_2278_ = u32();
-                                            }
-                                            let _e597 = phi_2277_;
-                                            let _e599 = phi_2278_;
-                                            phi_2280_ = _e597;
-                                            phi_2281_ = _e599;
-                                            phi_2282_ = select(true, false, _e579);
-                                        } else {
-                                            phi_2280_ = u32();
-                                            phi_2281_ = u32();
-                                            phi_2282_ = true;
-                                        }
-                                        let _e602 = phi_2280_;
-                                        let _e604 = phi_2281_;
-                                        let _e606 = phi_2282_;
-                                        if _e606 {
-                                            if _e578 {
-                                                phi_2291_ = _e479.member_1;
-                                            } else {
-                                                phi_2291_ = _e479.member_2;
-                                            }
-                                            let _e610 = phi_2291_;
-                                            phi_2296_ = _e610;
-                                            phi_2297_ = select(_e579, true, _e578);
-                                        } else {
-                                            phi_2296_ = _e602;
-                                            phi_2297_ = _e420;
-                                        }
-                                        let _e613 = phi_2296_;
-                                        let _e615 = phi_2297_;
-                                        phi_2681_ = _e396;
-                                        phi_2635_ = _e394;
-                                        phi_2299_ = _e613;
-                                        phi_2300_ = _e615;
-                                        phi_2301_ = select(_e604, _e422, _e606);
-                                    }
-                                    let _e1090 = phi_2681_;
-                                    let _e1092 = phi_2635_;
-                                    let _e1094 = phi_2299_;
-                                    let _e1096 = phi_2300_;
-                                    let _e1098 = phi_2301_;
-                                    phi_2680_ = _e1090;
-                                    phi_2634_ = _e1092;
-                                    phi_2302_ = _e1094;
-                                    phi_2303_ = (_e400 - 1u);
-                                    phi_2304_ = _e1096;
-                                    phi_2305_ = _e1098;
-                                } else {
-                                    phi_2680_ = _e396;
-                                    phi_2634_ = _e394;
-                                    phi_2302_ = _e418;
-                                    phi_2303_ = _e400;
-                                    phi_2304_ = _e420;
-                                    phi_2305_ = _e422;
-                                }
-                                let _e1100 = phi_2680_;
-                                let _e1102 = phi_2634_;
-                                let _e1104 = phi_2302_;
-                                let _e1106 = phi_2303_;
-                                let _e1108 = phi_2304_;
-                                let _e1110 = phi_2305_;
-                                phi_2679_ = _e1100;
-                                phi_2633_ = _e1102;
-                                phi_2306_ = _e1104;
-                                phi_2307_ = _e1106;
-                                phi_2308_ = _e1108;
-                                phi_2309_ = _e1110;
-                            } else {
-                                phi_2679_ = _e396;
-                                phi_2633_ = _e394;
-                                phi_2306_ = u32();
-                                phi_2307_ = u32();
-                                phi_2308_ = bool();
-                                phi_2309_ = u32();
-                            }
-                            let _e1112 = phi_2679_;
-                            let _e1114 = phi_2633_;
-                            let _e1116 = phi_2306_;
-                            let _e1118 = phi_2307_;
-                            let _e1120 = phi_2308_;
-                            let _e1122 = phi_2309_;
-                            phi_2678_ = _e1112;
-                            phi_2632_ = _e1114;
-                            phi_964_ = _e1116;
-                            phi_967_ = _e1118;
-                            phi_969_ = _e1120;
-                            phi_971_ = _e1122;
-                            phi_2310_ = _e408;
-                        } else {
-                            phi_2678_ = _e396;
-                            phi_2632_ = _e394;
-                            phi_964_ = u32();
-                            phi_967_ = u32();
-                            phi_969_ = bool();
-                            phi_971_ = u32();
-                            phi_2310_ = false;
-                        }
-                        let _e1124 = phi_2678_;
-                        let _e1126 = phi_2632_;
-                        let _e1128 = phi_964_;
-                        let _e1130 = phi_967_;
-                        let _e1132 = phi_969_;
-                        let _e1134 = phi_971_;
-                        let _e1136 = phi_2310_;
-                        continue;
-                        continuing {
-                            phi_2528_ = _e1126;
-                            phi_2508_ = _e1124;
-                            phi_963_ = _e1128;
-                            phi_966_ = _e1130;
-                            phi_968_ = _e1132;
-                            phi_970_ = _e1134;
-                            phi_2631_ = _e1126;
-                            break if !(_e1136);
-                        }
-                    }
-                    let _e1139 = phi_2631_;
-                    if _e1139 {
-                        break;
-                    }
-                    phi_2317_ = type_4(0u, 8u);
-                    loop {
-                        let _e1141 = phi_2317_;
-                        if (_e1141.member < _e1141.member_1) {
-                            phi_2318_ = type_4((_e1141.member + 1u), _e1141.member_1);
-                            phi_2341_ = type_4(1u, _e1141.member);
-                        } else {
-                            phi_2318_ = _e1141;
-                            phi_2341_ = type_4(0u, type_4().member_1);
-                        }
-                        let _e1154 = phi_2318_;
-                        let _e1156 = phi_2341_;
-                        let _e1160 = (bitcast<i32>(_e1156.member) != 0i);
-                        if _e1160 {
-                            let _e1161 = (_e1156.member_1 < 8u);
-                            if _e1161 {
-                            } else {
-                                phi_2671_ = true;
-                                break;
-                            }
-                            let _e1163 = local[_e1156.member_1];
-                            if (_e1163.member_3 != 4294967295u) {
-                                let _e1169 = -(_e354);
-                                let _e1170 = (_e1169 / 3i);
-                                let _e1177 = bitcast<f32>((bitcast<u32>((_e1170 + 127i)) << bitcast<u32>(23i)));
-                                let _e1185 = (((_e1163.member * _e1177) * _e1177) * bitcast<f32>((bitcast<u32>(((_e1169 - (2i * _e1170)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1187 = select(340282350000000000000000000000000000000f, _e1185, (_e1185 < 340282350000000000000000000000000000000f));
-                                phi_2407_ = type_23(select(-340282350000000000000000000000000000000f, _e1187, (_e1187 > -340282350000000000000000000000000000000f)), _e1163.member_1, _e1163.member_2, _e1163.member_3);
-                            } else {
-                                phi_2407_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                            }
-                            let _e1192 = phi_2407_;
-                            if _e1161 {
-                            } else {
-                                phi_2671_ = true;
-                                break;
-                            }
-                            local[_e1156.member_1] = type_23(_e1192.member, _e1192.member_1, _e1192.member_2, _e1192.member_3);
-                        }
-                        continue;
-                        continuing {
-                            phi_2317_ = _e1154;
-                            phi_2671_ = _e1139;
-                            break if !(_e1160);
-                        }
-                    }
-                    let _e1200 = phi_2671_;
-                    if _e1200 {
-                        break;
-                    }
-                    let _e1201 = local;
+            let _e66 = global;
+            let _e68 = arrayLength((&global_2.member));
+            let _e70 = arrayLength((&global_3.member));
+            let _e78 = (_e66.x + (_e66.y * 2097152u));
+            let _e79 = (_e78 < arrayLength((&global_4.member)));
+            if _e79 {
+                let _e80 = (_e78 < arrayLength((&global_5.member)));
+                if _e80 {
                     if _e79 {
                     } else {
                         break;
                     }
-                    global_5.member[_e77] = array<type_23, 8>(type_23(_e1201[0].member, _e1201[0].member_1, _e1201[0].member_2, _e1201[0].member_3), type_23(_e1201[1].member, _e1201[1].member_1, _e1201[1].member_2, _e1201[1].member_3), type_23(_e1201[2].member, _e1201[2].member_1, _e1201[2].member_2, _e1201[2].member_3), type_23(_e1201[3].member, _e1201[3].member_1, _e1201[3].member_2, _e1201[3].member_3), type_23(_e1201[4].member, _e1201[4].member_1, _e1201[4].member_2, _e1201[4].member_3), type_23(_e1201[5].member, _e1201[5].member_1, _e1201[5].member_2, _e1201[5].member_3), type_23(_e1201[6].member, _e1201[6].member_1, _e1201[6].member_2, _e1201[6].member_3), type_23(_e1201[7].member, _e1201[7].member_1, _e1201[7].member_2, _e1201[7].member_3));
+                    let _e83 = global_1.member[0u];
+                    let _e84 = bitcast<i32>(_e83);
+                    let _e92 = global_4.member[_e78].member_2[0u];
+                    let _e94 = (bitcast<u32>(_e92) & 2147483647u);
+                    let _e99 = global_4.member[_e78].member_2[1u];
+                    let _e101 = (bitcast<u32>(_e99) & 2147483647u);
+                    let _e106 = global_4.member[_e78].member_2[2u];
+                    let _e108 = (bitcast<u32>(_e106) & 2147483647u);
+                    let _e113 = global_4.member[_e78].member[0u];
+                    let _e115 = (bitcast<u32>(_e113) & 2147483647u);
+                    let _e120 = global_4.member[_e78].member[1u];
+                    let _e122 = (bitcast<u32>(_e120) & 2147483647u);
+                    let _e127 = global_4.member[_e78].member[2u];
+                    let _e129 = (bitcast<u32>(_e127) & 2147483647u);
+                    let _e131 = select(_e101, _e94, (_e101 < _e94));
+                    let _e133 = select(_e108, _e131, (_e108 < _e131));
+                    let _e135 = select(_e115, _e133, (_e115 < _e133));
+                    let _e137 = select(_e122, _e135, (_e122 < _e135));
+                    let _e139 = select(_e129, _e137, (_e129 < _e137));
+                    let _e143 = global_4.member[_e78].member_1;
+                    let _e145 = (bitcast<u32>(_e143) & 2147483647u);
+                    let _e152 = global_4.member[_e78].member_3;
+                    let _e158 = (((select(_e145, _e139, (_e145 < _e139)) < 2139095040u) && ((bitcast<u32>(_e152) & 2147483647u) <= 2139095040u)) && (_e133 > 0u));
+                    if _e158 {
+                        let _e161 = (bitcast<u32>(bitcast<f32>(_e133)) & 2147483647u);
+                        if (_e161 >= 8388608u) {
+                            phi_274_ = (bitcast<i32>((_e161 >> bitcast<u32>(23i))) - 127i);
+                        } else {
+                            phi_274_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e161)), 32u, (_e161 == 0u))));
+                        }
+                        let _e175 = phi_274_;
+                        phi_275_ = _e175;
+                    } else {
+                        phi_275_ = 0i;
+                    }
+                    let _e177 = phi_275_;
+                    let _e178 = (_e94 == _e133);
+                    if _e178 {
+                        phi_285_ = true;
+                    } else {
+                        phi_285_ = (_e101 == _e133);
+                    }
+                    let _e181 = phi_285_;
+                    let _e182 = select(1u, 0u, _e178);
+                    if _e181 {
+                        let _e183 = (_e182 + 1u);
+                        phi_295_ = _e183;
+                        phi_296_ = _e183;
+                        phi_298_ = select(true, false, (_e183 == 2u));
+                    } else {
+                        phi_295_ = u32();
+                        phi_296_ = 0u;
+                        phi_298_ = true;
+                    }
+                    let _e187 = phi_295_;
+                    let _e189 = phi_296_;
+                    let _e191 = phi_298_;
+                    if _e191 {
+                        phi_303_ = (_e189 + 1u);
+                    } else {
+                        phi_303_ = 0u;
+                    }
+                    let _e195 = phi_303_;
+                    let _e196 = select(_e187, _e189, _e191);
+                    let _e197 = select(_e182, select(2u, _e182, _e181), _e191);
+                    if (_e84 < -126i) {
+                        phi_315_ = -126i;
+                    } else {
+                        phi_315_ = select(_e84, 127i, (_e84 > 127i));
+                    }
+                    let _e202 = phi_315_;
+                    let _e207 = bitcast<f32>((bitcast<u32>((_e202 + 127i)) << bitcast<u32>(23i)));
+                    let _e213 = bitcast<f32>((bitcast<u32>(((_e84 - _e202) + 127i)) << bitcast<u32>(23i)));
+                    let _e214 = -(_e177);
+                    if (_e214 < -126i) {
+                        phi_335_ = -126i;
+                    } else {
+                        phi_335_ = select(_e214, 127i, (_e214 > 127i));
+                    }
+                    let _e219 = phi_335_;
+                    let _e224 = bitcast<f32>((bitcast<u32>((_e219 + 127i)) << bitcast<u32>(23i)));
+                    let _e230 = bitcast<f32>((bitcast<u32>(((_e214 - _e219) + 127i)) << bitcast<u32>(23i)));
+                    let _e234 = global_4.member[_e78].member;
+                    let _e235 = (_e196 == 0u);
+                    if _e235 {
+                        phi_353_ = _e234[0];
+                    } else {
+                        phi_353_ = _e234[1];
+                    }
+                    let _e239 = phi_353_;
+                    let _e240 = (_e196 == 2u);
+                    if _e240 {
+                        phi_359_ = _e234[2];
+                    } else {
+                        phi_359_ = _e239;
+                    }
+                    let _e243 = phi_359_;
+                    let _e245 = ((_e243 * _e207) * _e213);
+                    let _e246 = global_4.member[_e78].member_2;
+                    if _e235 {
+                        phi_370_ = _e246[0];
+                    } else {
+                        phi_370_ = _e246[1];
+                    }
+                    let _e250 = phi_370_;
+                    if _e240 {
+                        phi_376_ = _e246[2];
+                    } else {
+                        phi_376_ = _e250;
+                    }
+                    let _e253 = phi_376_;
+                    let _e255 = ((_e253 * _e224) * _e230);
+                    let _e259 = (bitcast<f32>((bitcast<u32>(_e255) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e259 {
+                        let _e263 = (bitcast<f32>((bitcast<u32>(_e245) & 2147483647u)) * 0.00000011920929f);
+                        phi_399_ = select(0.00000000000011368684f, _e263, (_e263 > 0.00000000000011368684f));
+                    } else {
+                        phi_399_ = 0f;
+                    }
+                    let _e267 = phi_399_;
+                    let _e268 = (_e245 + _e267);
+                    let _e269 = (_e245 - _e267);
+                    let _e270 = select(_e255, 0f, _e259);
+                    if _e259 {
+                        phi_410_ = 38685626000000000000000000f;
+                    } else {
+                        phi_410_ = (1f / _e255);
+                    }
+                    let _e273 = phi_410_;
+                    let _e274 = (_e195 == 0u);
+                    if _e274 {
+                        phi_419_ = _e234[0];
+                    } else {
+                        phi_419_ = _e234[1];
+                    }
+                    let _e278 = phi_419_;
+                    let _e279 = (_e195 == 2u);
+                    if _e279 {
+                        phi_425_ = _e234[2];
+                    } else {
+                        phi_425_ = _e278;
+                    }
+                    let _e282 = phi_425_;
+                    let _e284 = ((_e282 * _e207) * _e213);
+                    if _e274 {
+                        phi_436_ = _e246[0];
+                    } else {
+                        phi_436_ = _e246[1];
+                    }
+                    let _e288 = phi_436_;
+                    if _e279 {
+                        phi_442_ = _e246[2];
+                    } else {
+                        phi_442_ = _e288;
+                    }
+                    let _e291 = phi_442_;
+                    let _e293 = ((_e291 * _e224) * _e230);
+                    let _e297 = (bitcast<f32>((bitcast<u32>(_e293) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e297 {
+                        let _e301 = (bitcast<f32>((bitcast<u32>(_e284) & 2147483647u)) * 0.00000011920929f);
+                        phi_465_ = select(0.00000000000011368684f, _e301, (_e301 > 0.00000000000011368684f));
+                    } else {
+                        phi_465_ = 0f;
+                    }
+                    let _e305 = phi_465_;
+                    let _e306 = (_e284 + _e305);
+                    let _e307 = (_e284 - _e305);
+                    let _e308 = select(_e293, 0f, _e297);
+                    if _e297 {
+                        phi_476_ = 38685626000000000000000000f;
+                    } else {
+                        phi_476_ = (1f / _e293);
+                    }
+                    let _e311 = phi_476_;
+                    let _e312 = (_e197 == 0u);
+                    if _e312 {
+                        phi_485_ = _e234[0];
+                    } else {
+                        phi_485_ = _e234[1];
+                    }
+                    let _e316 = phi_485_;
+                    let _e317 = (_e197 == 2u);
+                    if _e317 {
+                        phi_491_ = _e234[2];
+                    } else {
+                        phi_491_ = _e316;
+                    }
+                    let _e320 = phi_491_;
+                    let _e322 = ((_e320 * _e207) * _e213);
+                    if _e312 {
+                        phi_502_ = _e246[0];
+                    } else {
+                        phi_502_ = _e246[1];
+                    }
+                    let _e326 = phi_502_;
+                    if _e317 {
+                        phi_508_ = _e246[2];
+                    } else {
+                        phi_508_ = _e326;
+                    }
+                    let _e329 = phi_508_;
+                    let _e331 = ((_e329 * _e224) * _e230);
+                    let _e335 = (bitcast<f32>((bitcast<u32>(_e331) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e335 {
+                        let _e339 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) * 0.00000011920929f);
+                        phi_531_ = select(0.00000000000011368684f, _e339, (_e339 > 0.00000000000011368684f));
+                    } else {
+                        phi_531_ = 0f;
+                    }
+                    let _e343 = phi_531_;
+                    let _e344 = (_e322 + _e343);
+                    let _e345 = (_e322 - _e343);
+                    let _e346 = select(_e331, 0f, _e335);
+                    if _e335 {
+                        phi_542_ = 38685626000000000000000000f;
+                    } else {
+                        phi_542_ = (1f / _e331);
+                    }
+                    let _e349 = phi_542_;
+                    let _e352 = bitcast<f32>((bitcast<u32>(_e245) & 2147483647u));
+                    let _e355 = bitcast<f32>((bitcast<u32>(_e284) & 2147483647u));
+                    let _e357 = select(_e355, _e352, (_e352 > _e355));
+                    let _e360 = bitcast<f32>((bitcast<u32>(_e322) & 2147483647u));
+                    let _e363 = (_e84 + _e177);
+                    if (_e158 && (select(_e360, _e357, (_e357 > _e360)) <= 1099511600000f)) {
+                        let _e366 = (_e363 / 3i);
+                        let _e373 = bitcast<f32>((bitcast<u32>((_e366 + 127i)) << bitcast<u32>(23i)));
+                        let _e380 = bitcast<f32>((bitcast<u32>(((_e363 - (2i * _e366)) + 127i)) << bitcast<u32>(23i)));
+                        let _e381 = (((_e143 * _e373) * _e373) * _e380);
+                        let _e383 = select(340282350000000000000000000000000000000f, _e381, (_e381 < 340282350000000000000000000000000000000f));
+                        let _e388 = (((_e152 * _e373) * _e373) * _e380);
+                        let _e390 = select(340282350000000000000000000000000000000f, _e388, (_e388 < 340282350000000000000000000000000000000f));
+                        phi_642_ = select(-340282350000000000000000000000000000000f, _e390, (_e390 > -340282350000000000000000000000000000000f));
+                        phi_643_ = select(-340282350000000000000000000000000000000f, _e383, (_e383 > -340282350000000000000000000000000000000f));
+                    } else {
+                        phi_642_ = 0f;
+                        phi_643_ = 1f;
+                    }
+                    let _e394 = phi_642_;
+                    let _e396 = phi_643_;
+                    local = array<type_23, 8>(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
+                    local_2 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_2535_ = false;
+                    phi_2515_ = _e394;
+                    phi_970_ = select(0u, 2147483648u, (_e68 == 0u));
+                    phi_973_ = ((3u * _e68) + 1u);
+                    phi_975_ = (_e396 <= _e394);
+                    phi_977_ = 0u;
+                    loop {
+                        let _e403 = phi_2535_;
+                        let _e405 = phi_2515_;
+                        let _e407 = phi_970_;
+                        let _e409 = phi_973_;
+                        let _e411 = phi_975_;
+                        let _e413 = phi_977_;
+                        if _e411 {
+                            phi_988_ = true;
+                        } else {
+                            phi_988_ = (_e413 > 0u);
+                        }
+                        let _e416 = phi_988_;
+                        if _e416 {
+                            let _e417 = (_e409 > 0u);
+                            if _e417 {
+                                if _e411 {
+                                    phi_1020_ = _e407;
+                                    phi_1021_ = _e411;
+                                    phi_1022_ = _e413;
+                                } else {
+                                    let _e418 = (_e413 - 1u);
+                                    let _e419 = (_e418 % 128u);
+                                    let _e420 = (_e419 < 128u);
+                                    if _e420 {
+                                    } else {
+                                        phi_2642_ = true;
+                                        break;
+                                    }
+                                    let _e422 = local_2[_e419];
+                                    if _e420 {
+                                    } else {
+                                        phi_2642_ = true;
+                                        break;
+                                    }
+                                    let _e424 = local_1[_e419];
+                                    phi_1020_ = _e422;
+                                    phi_1021_ = (_e424 <= _e405);
+                                    phi_1022_ = _e418;
+                                }
+                                let _e427 = phi_1020_;
+                                let _e429 = phi_1021_;
+                                let _e431 = phi_1022_;
+                                if _e429 {
+                                    if ((_e427 & 2147483648u) != 0u) {
+                                        phi_2532_ = _e403;
+                                        phi_2522_ = _e405;
+                                        phi_1037_ = type_4(0u, ((_e427 >> bitcast<u32>(28u)) & 7u));
+                                        loop {
+                                            let _e628 = phi_2532_;
+                                            let _e630 = phi_2522_;
+                                            let _e632 = phi_1037_;
+                                            if (_e632.member < _e632.member_1) {
+                                                phi_1038_ = type_4((_e632.member + 1u), _e632.member_1);
+                                                phi_1061_ = type_4(1u, _e632.member);
+                                            } else {
+                                                phi_1038_ = _e632;
+                                                phi_1061_ = type_4(0u, type_4().member_1);
+                                            }
+                                            let _e645 = phi_1038_;
+                                            let _e647 = phi_1061_;
+                                            let _e651 = (bitcast<i32>(_e647.member) != 0i);
+                                            if _e651 {
+                                                let _e652 = ((_e427 & 268435455u) + _e647.member_1);
+                                                let _e653 = (_e652 < _e70);
+                                                if _e653 {
+                                                    if _e653 {
+                                                    } else {
+                                                        phi_2727_ = _e630;
+                                                        phi_2637_ = true;
+                                                        break;
+                                                    }
+                                                    let _e657 = global_3.member[_e652].member_1;
+                                                    phi_1082_ = _e657;
+                                                } else {
+                                                    phi_1082_ = 4294967295u;
+                                                }
+                                                let _e659 = phi_1082_;
+                                                if (_e652 >= _e70) {
+                                                    phi_1171_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                } else {
+                                                    if _e653 {
+                                                    } else {
+                                                        phi_2727_ = _e630;
+                                                        phi_2637_ = true;
+                                                        break;
+                                                    }
+                                                    let _e661 = (_e196 % 3u);
+                                                    let _e662 = (_e195 % 3u);
+                                                    let _e663 = (_e197 % 3u);
+                                                    if (_e661 < 9u) {
+                                                    } else {
+                                                        phi_2727_ = _e630;
+                                                        phi_2637_ = true;
+                                                        break;
+                                                    }
+                                                    let _e669 = global_3.member[_e652].member[_e661];
+                                                    if (_e662 < 9u) {
+                                                    } else {
+                                                        phi_2727_ = _e630;
+                                                        phi_2637_ = true;
+                                                        break;
+                                                    }
+                                                    let _e675 = global_3.member[_e652].member[_e662];
+                                                    if (_e663 < 9u) {
+                                                    } else {
+                                                        phi_2727_ = _e630;
+                                                        phi_2637_ = true;
+                                                        break;
+                                                    }
+                                                    let _e681 = global_3.member[_e652].member[_e663];
+                                                    let _e683 = (3u + _e661);
+                                                    if (_e683 < 9u) {
+                                                    } else {
+                                                        phi_2727_ = _e630;
+                                                        phi_2637_ = true;
+                                                        break;
+                                                    }
+                                                    let _e689 = global_3.member[_e652].member[_e683];
+                                                    let _e690 = (3u + _e662);
+                                                    if (_e690 < 9u) {
+                                                    } else {
+                                                        phi_2727_ = _e630;
+                                                        phi_2637_ = true;
+                                                        break;
+                                                    }
+                                                    let _e696 = global_3.member[_e652].member[_e690];
+                                                    let _e697 = (3u + _e663);
+                                                    if (_e697 < 9u) {
+                                                    } else {
+                                                        phi_2727_ = _e630;
+                                                        phi_2637_ = true;
+                                                        break;
+                                                    }
+                                                    let _e703 = global_3.member[_e652].member[_e697];
+                                                    let _e705 = (6u + _e661);
+                                                    if (_e705 < 9u) {
+                                                    } else {
+                                                        phi_2727_ = _e630;
+                                                        phi_2637_ = true;
+                                                        break;
+                                                    }
+                                                    let _e711 = global_3.member[_e652].member[_e705];
+                                                    let _e712 = (6u + _e662);
+                                                    if (_e712 < 9u) {
+                                                    } else {
+                                                        phi_2727_ = _e630;
+                                                        phi_2637_ = true;
+                                                        break;
+                                                    }
+                                                    let _e718 = global_3.member[_e652].member[_e712];
+                                                    let _e719 = (6u + _e663);
+                                                    if (_e719 < 9u) {
+                                                    } else {
+                                                        phi_2727_ = _e630;
+                                                        phi_2637_ = true;
+                                                        break;
+                                                    }
+                                                    let _e725 = global_3.member[_e652].member[_e719];
+                                                    phi_1171_ = array<array<f32, 3>, 3>(array<f32, 3>(_e669, _e675, _e681), array<f32, 3>(_e689, _e696, _e703), array<f32, 3>(_e711, _e718, _e725));
+                                                }
+                                                let _e729 = phi_1171_;
+                                                let _e736 = (_e729[0][2] - _e322);
+                                                let _e739 = (((_e729[0][0] - _e245) * _e346) - (_e736 * _e270));
+                                                let _e742 = (((_e729[0][1] - _e284) * _e346) - (_e736 * _e308));
+                                                let _e749 = (_e729[1][2] - _e322);
+                                                let _e752 = (((_e729[1][0] - _e245) * _e346) - (_e749 * _e270));
+                                                let _e755 = (((_e729[1][1] - _e284) * _e346) - (_e749 * _e308));
+                                                let _e762 = (_e729[2][2] - _e322);
+                                                let _e765 = (((_e729[2][0] - _e245) * _e346) - (_e762 * _e270));
+                                                let _e768 = (((_e729[2][1] - _e284) * _e346) - (_e762 * _e308));
+                                                let _e769 = (_e765 * _e755);
+                                                let _e770 = (_e768 * _e752);
+                                                let _e771 = (_e739 * _e768);
+                                                let _e772 = (_e742 * _e765);
+                                                let _e773 = (_e752 * _e742);
+                                                let _e774 = (_e755 * _e739);
+                                                let _e779 = (((_e769 >= _e770) && (_e771 >= _e772)) && (_e773 >= _e774));
+                                                if (_e779 || (((_e769 <= _e770) && (_e771 <= _e772)) && (_e773 <= _e774))) {
+                                                    let _e786 = select(-1f, 1f, _e779);
+                                                    let _e788 = ((_e769 - _e770) * _e786);
+                                                    let _e790 = select(0f, _e788, (_e788 > 0f));
+                                                    let _e792 = ((_e771 - _e772) * _e786);
+                                                    let _e794 = select(0f, _e792, (_e792 > 0f));
+                                                    let _e796 = ((_e773 - _e774) * _e786);
+                                                    let _e798 = select(0f, _e796, (_e796 > 0f));
+                                                    let _e800 = ((_e790 + _e794) + _e798);
+                                                    if (_e800 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1738_ = type_23();
+                                                        phi_1739_ = true;
+                                                    } else {
+                                                        let _e803 = select(_e729[1][0], _e729[0][0], (_e729[0][0] < _e729[1][0]));
+                                                        let _e807 = select(_e729[1][0], _e729[0][0], (_e729[0][0] > _e729[1][0]));
+                                                        let _e811 = select(_e729[1][1], _e729[0][1], (_e729[0][1] < _e729[1][1]));
+                                                        let _e815 = select(_e729[1][1], _e729[0][1], (_e729[0][1] > _e729[1][1]));
+                                                        let _e819 = select(_e729[1][2], _e729[0][2], (_e729[0][2] < _e729[1][2]));
+                                                        let _e823 = select(_e729[1][2], _e729[0][2], (_e729[0][2] > _e729[1][2]));
+                                                        let _e828 = ((select(_e729[2][0], _e803, (_e803 < _e729[2][0])) - _e268) * _e273);
+                                                        let _e829 = ((select(_e729[2][0], _e807, (_e807 > _e729[2][0])) - _e269) * _e273);
+                                                        let _e832 = ((select(_e729[2][1], _e811, (_e811 < _e729[2][1])) - _e306) * _e311);
+                                                        let _e833 = ((select(_e729[2][1], _e815, (_e815 > _e729[2][1])) - _e307) * _e311);
+                                                        let _e836 = ((select(_e729[2][2], _e819, (_e819 < _e729[2][2])) - _e344) * _e349);
+                                                        let _e837 = ((select(_e729[2][2], _e823, (_e823 > _e729[2][2])) - _e345) * _e349);
+                                                        let _e839 = select(_e837, _e836, (_e836 < _e837));
+                                                        let _e841 = select(_e837, _e836, (_e836 > _e837));
+                                                        let _e843 = select(_e829, _e828, (_e828 < _e829));
+                                                        let _e845 = select(_e833, _e832, (_e832 < _e833));
+                                                        let _e847 = select(_e845, _e843, (_e843 > _e845));
+                                                        let _e849 = select(_e839, _e847, (_e847 > _e839));
+                                                        let _e851 = select(_e829, _e828, (_e828 > _e829));
+                                                        let _e853 = select(_e833, _e832, (_e832 > _e833));
+                                                        let _e855 = select(_e853, _e851, (_e851 < _e853));
+                                                        let _e857 = select(_e841, _e855, (_e855 < _e841));
+                                                        let _e858 = -(_e839);
+                                                        let _e864 = select(_e396, _e849, (_e849 > _e396));
+                                                        if (_e864 > (_e857 + (select(_e858, _e841, (_e841 > _e858)) * 0.0000019073523f))) {
+                                                            phi_1733_ = type_23();
+                                                            phi_1734_ = true;
+                                                        } else {
+                                                            let _e866 = (_e864 > _e630);
+                                                            if _e866 {
+                                                                phi_1732_ = type_23();
+                                                            } else {
+                                                                let _e870 = (_e729[1][0] - _e729[0][0]);
+                                                                let _e871 = (_e729[1][1] - _e729[0][1]);
+                                                                let _e872 = (_e729[1][2] - _e729[0][2]);
+                                                                let _e873 = vec3<f32>(_e870, _e871, _e872);
+                                                                let _e874 = (_e729[2][0] - _e729[1][0]);
+                                                                let _e875 = (_e729[2][1] - _e729[1][1]);
+                                                                let _e876 = (_e729[2][2] - _e729[1][2]);
+                                                                let _e877 = vec3<f32>(_e874, _e875, _e876);
+                                                                let _e878 = (_e729[0][0] - _e729[2][0]);
+                                                                let _e879 = (_e729[0][1] - _e729[2][1]);
+                                                                let _e880 = (_e729[0][2] - _e729[2][2]);
+                                                                let _e881 = vec3<f32>(_e878, _e879, _e880);
+                                                                let _e884 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
+                                                                let _e887 = bitcast<f32>((bitcast<u32>(_e871) & 2147483647u));
+                                                                let _e889 = select(_e887, _e884, (_e884 > _e887));
+                                                                let _e892 = bitcast<f32>((bitcast<u32>(_e872) & 2147483647u));
+                                                                let _e894 = select(_e892, _e889, (_e889 > _e892));
+                                                                let _e897 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
+                                                                let _e900 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
+                                                                let _e902 = select(_e900, _e897, (_e897 > _e900));
+                                                                let _e905 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
+                                                                let _e907 = select(_e905, _e902, (_e902 > _e905));
+                                                                let _e910 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
+                                                                let _e913 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
+                                                                let _e915 = select(_e913, _e910, (_e910 > _e913));
+                                                                let _e918 = bitcast<f32>((bitcast<u32>(_e880) & 2147483647u));
+                                                                let _e920 = select(_e918, _e915, (_e915 > _e918));
+                                                                let _e922 = select(_e907, _e894, (_e894 > _e907));
+                                                                let _e924 = select(_e920, _e922, (_e922 > _e920));
+                                                                if (_e894 == _e924) {
+                                                                    phi_1643_ = _e877;
+                                                                    phi_1644_ = _e881;
+                                                                } else {
+                                                                    let _e927 = vec3((_e907 == _e924));
+                                                                    phi_1643_ = select(_e873, _e881, _e927);
+                                                                    phi_1644_ = select(_e877, _e873, _e927);
+                                                                }
+                                                                let _e931 = phi_1643_;
+                                                                let _e933 = phi_1644_;
+                                                                let _e940 = ((_e931.y * _e933.z) - (_e933.y * _e931.z));
+                                                                let _e945 = ((_e931.z * _e933.x) - (_e933.z * _e931.x));
+                                                                let _e948 = ((_e931.x * _e933.y) - (_e933.x * _e931.y));
+                                                                if (_e790 >= _e794) {
+                                                                    phi_1675_ = select(true, false, (_e790 >= _e798));
+                                                                } else {
+                                                                    phi_1675_ = true;
+                                                                }
+                                                                let _e953 = phi_1675_;
+                                                                if _e953 {
+                                                                    phi_1684_ = select(vec3<f32>(_e729[2][0], _e729[2][1], _e729[2][2]), vec3<f32>(_e729[1][0], _e729[1][1], _e729[1][2]), vec3((_e794 >= _e798)));
+                                                                } else {
+                                                                    phi_1684_ = vec3<f32>(_e729[0][0], _e729[0][1], _e729[0][2]);
+                                                                }
+                                                                let _e958 = phi_1684_;
+                                                                let _e975 = ((((_e940 * (_e958.x - _e245)) + (_e945 * (_e958.y - _e284))) + (_e948 * (_e958.z - _e322))) / (((_e940 * _e270) + (_e945 * _e308)) + (_e948 * _e346)));
+                                                                let _e977 = select(_e857, _e975, (_e975 < _e857));
+                                                                let _e979 = select(_e849, _e977, (_e977 > _e849));
+                                                                if (_e979 >= _e396) {
+                                                                    let _e981 = (_e979 <= _e630);
+                                                                    if _e981 {
+                                                                        let _e982 = (1f / _e800);
+                                                                        phi_1724_ = type_23(_e979, (_e794 * _e982), (_e798 * _e982), _e659);
+                                                                    } else {
+                                                                        phi_1724_ = type_23();
+                                                                    }
+                                                                    let _e987 = phi_1724_;
+                                                                    phi_1726_ = _e987;
+                                                                    phi_1727_ = select(true, false, _e981);
+                                                                } else {
+                                                                    phi_1726_ = type_23();
+                                                                    phi_1727_ = true;
+                                                                }
+                                                                let _e990 = phi_1726_;
+                                                                let _e992 = phi_1727_;
+                                                                if _e992 {
+                                                                    phi_1731_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                } else {
+                                                                    phi_1731_ = _e990;
+                                                                }
+                                                                let _e994 = phi_1731_;
+                                                                phi_1732_ = _e994;
+                                                            }
+                                                            let _e996 = phi_1732_;
+                                                            phi_1733_ = _e996;
+                                                            phi_1734_ = _e866;
+                                                        }
+                                                        let _e998 = phi_1733_;
+                                                        let _e1000 = phi_1734_;
+                                                        phi_1738_ = _e998;
+                                                        phi_1739_ = _e1000;
+                                                    }
+                                                    let _e1002 = phi_1738_;
+                                                    let _e1004 = phi_1739_;
+                                                    phi_1743_ = _e1002;
+                                                    phi_1744_ = _e1004;
+                                                } else {
+                                                    phi_1743_ = type_23();
+                                                    phi_1744_ = true;
+                                                }
+                                                let _e1006 = phi_1743_;
+                                                let _e1008 = phi_1744_;
+                                                if _e1008 {
+                                                    phi_1748_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                } else {
+                                                    phi_1748_ = _e1006;
+                                                }
+                                                let _e1010 = phi_1748_;
+                                                if (_e1010.member_3 != 4294967295u) {
+                                                    if (_e659 != 4294967295u) {
+                                                        phi_1760_ = type_4(0u, 8u);
+                                                        phi_1763_ = _e1010;
+                                                        loop {
+                                                            let _e1015 = phi_1760_;
+                                                            let _e1017 = phi_1763_;
+                                                            if (_e1015.member < _e1015.member_1) {
+                                                                phi_1761_ = type_4((_e1015.member + 1u), _e1015.member_1);
+                                                                phi_1786_ = type_4(1u, _e1015.member);
+                                                            } else {
+                                                                phi_1761_ = _e1015;
+                                                                phi_1786_ = type_4(0u, type_4().member_1);
+                                                            }
+                                                            let _e1030 = phi_1761_;
+                                                            let _e1032 = phi_1786_;
+                                                            let _e1036 = (bitcast<i32>(_e1032.member) != 0i);
+                                                            if _e1036 {
+                                                                let _e1037 = (_e1032.member_1 < 8u);
+                                                                if _e1037 {
+                                                                } else {
+                                                                    phi_2523_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1042 = local[_e1032.member_1].member;
+                                                                if (_e1017.member < _e1042) {
+                                                                    phi_1819_ = true;
+                                                                } else {
+                                                                    let _e1044 = local[_e1032.member_1].member;
+                                                                    if (_e1017.member == _e1044) {
+                                                                        let _e1049 = local[_e1032.member_1].member_3;
+                                                                        phi_1818_ = (_e1017.member_3 < _e1049);
+                                                                    } else {
+                                                                        phi_1818_ = false;
+                                                                    }
+                                                                    let _e1052 = phi_1818_;
+                                                                    phi_1819_ = _e1052;
+                                                                }
+                                                                let _e1054 = phi_1819_;
+                                                                if _e1054 {
+                                                                    if _e1037 {
+                                                                    } else {
+                                                                        phi_2523_ = true;
+                                                                        break;
+                                                                    }
+                                                                    let _e1055 = local[_e1032.member_1];
+                                                                    local[_e1032.member_1] = type_23(_e1017.member, _e1017.member_1, _e1017.member_2, _e1017.member_3);
+                                                                    phi_1840_ = type_23(_e1055.member, _e1055.member_1, _e1055.member_2, _e1055.member_3);
+                                                                } else {
+                                                                    phi_1840_ = _e1017;
+                                                                }
+                                                                let _e1066 = phi_1840_;
+                                                                phi_1764_ = _e1066;
+                                                            } else {
+                                                                phi_1764_ = type_23();
+                                                            }
+                                                            let _e1068 = phi_1764_;
+                                                            continue;
+                                                            continuing {
+                                                                phi_1760_ = _e1030;
+                                                                phi_1763_ = _e1068;
+                                                                phi_2523_ = _e628;
+                                                                break if !(_e1036);
+                                                            }
+                                                        }
+                                                        let _e1071 = phi_2523_;
+                                                        phi_2727_ = _e630;
+                                                        phi_2637_ = _e1071;
+                                                        if _e1071 {
+                                                            break;
+                                                        }
+                                                        let _e1074 = local[7u].member_3;
+                                                        if (_e1074 != 4294967295u) {
+                                                            let _e1078 = local[7u].member;
+                                                            phi_2790_ = _e1078;
+                                                        } else {
+                                                            phi_2790_ = _e630;
+                                                        }
+                                                        let _e1080 = phi_2790_;
+                                                        phi_2789_ = _e1080;
+                                                        phi_2640_ = _e1071;
+                                                    } else {
+                                                        phi_2789_ = _e630;
+                                                        phi_2640_ = _e628;
+                                                    }
+                                                    let _e1082 = phi_2789_;
+                                                    let _e1084 = phi_2640_;
+                                                    phi_2788_ = _e1082;
+                                                    phi_2639_ = _e1084;
+                                                } else {
+                                                    phi_2788_ = _e630;
+                                                    phi_2639_ = _e628;
+                                                }
+                                                let _e1086 = phi_2788_;
+                                                let _e1088 = phi_2639_;
+                                                phi_2787_ = _e1086;
+                                                phi_2638_ = _e1088;
+                                            } else {
+                                                phi_2787_ = _e630;
+                                                phi_2638_ = _e628;
+                                            }
+                                            let _e1090 = phi_2787_;
+                                            let _e1092 = phi_2638_;
+                                            continue;
+                                            continuing {
+                                                phi_2532_ = _e1092;
+                                                phi_2522_ = _e1090;
+                                                phi_1037_ = _e645;
+                                                phi_2727_ = _e1090;
+                                                phi_2637_ = _e1092;
+                                                break if !(_e651);
+                                            }
+                                        }
+                                        let _e1095 = phi_2727_;
+                                        let _e1097 = phi_2637_;
+                                        phi_2642_ = _e1097;
+                                        if _e1097 {
+                                            break;
+                                        }
+                                        phi_2692_ = _e1095;
+                                        phi_2646_ = _e1097;
+                                        phi_2306_ = _e427;
+                                        phi_2307_ = false;
+                                        phi_2308_ = _e431;
+                                    } else {
+                                        if (_e427 >= _e68) {
+                                            phi_1911_ = type_38(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        } else {
+                                            if (_e427 < _e68) {
+                                            } else {
+                                                phi_2642_ = true;
+                                                break;
+                                            }
+                                            let _e441 = (_e196 % 3u);
+                                            if (_e441 < 3u) {
+                                            } else {
+                                                phi_2642_ = true;
+                                                break;
+                                            }
+                                            let _e447 = global_2.member[_e427].member[_e441];
+                                            let _e453 = (_e195 % 3u);
+                                            if (_e453 < 3u) {
+                                            } else {
+                                                phi_2642_ = true;
+                                                break;
+                                            }
+                                            let _e459 = global_2.member[_e427].member[_e453];
+                                            let _e465 = (_e197 % 3u);
+                                            if (_e465 < 3u) {
+                                            } else {
+                                                phi_2642_ = true;
+                                                break;
+                                            }
+                                            let _e471 = global_2.member[_e427].member[_e465];
+                                            let _e481 = global_2.member[_e427].member_1;
+                                            let _e485 = global_2.member[_e427].member_2;
+                                            phi_1911_ = type_38(array<vec4<f32>, 3>(vec4<f32>(_e447[0], _e447[1], _e447[2], _e447[3]), vec4<f32>(_e459[0], _e459[1], _e459[2], _e459[3]), vec4<f32>(_e471[0], _e471[1], _e471[2], _e471[3])), _e481, _e485);
+                                        }
+                                        let _e488 = phi_1911_;
+                                        let _e499 = ((_e488.member[0].x - _e268) * _e273);
+                                        let _e500 = ((_e488.member[0].y - _e268) * _e273);
+                                        let _e501 = ((_e488.member[0].z - _e269) * _e273);
+                                        let _e502 = ((_e488.member[0].w - _e269) * _e273);
+                                        let _e512 = ((_e488.member[1].x - _e306) * _e311);
+                                        let _e513 = ((_e488.member[1].y - _e306) * _e311);
+                                        let _e514 = ((_e488.member[1].z - _e307) * _e311);
+                                        let _e515 = ((_e488.member[1].w - _e307) * _e311);
+                                        let _e525 = ((_e488.member[2].x - _e344) * _e349);
+                                        let _e526 = ((_e488.member[2].y - _e344) * _e349);
+                                        let _e527 = ((_e488.member[2].z - _e345) * _e349);
+                                        let _e528 = ((_e488.member[2].w - _e345) * _e349);
+                                        let _e530 = select(_e527, _e525, (_e525 < _e527));
+                                        let _e532 = select(_e528, _e526, (_e526 < _e528));
+                                        let _e534 = select(_e527, _e525, (_e525 > _e527));
+                                        let _e536 = select(_e528, _e526, (_e526 > _e528));
+                                        let _e538 = select(_e501, _e499, (_e499 < _e501));
+                                        let _e540 = select(_e502, _e500, (_e500 < _e502));
+                                        let _e542 = select(_e514, _e512, (_e512 < _e514));
+                                        let _e544 = select(_e515, _e513, (_e513 < _e515));
+                                        let _e546 = select(_e542, _e538, (_e538 > _e542));
+                                        let _e548 = select(_e544, _e540, (_e540 > _e544));
+                                        let _e550 = select(_e530, _e546, (_e546 > _e530));
+                                        let _e552 = select(_e532, _e548, (_e548 > _e532));
+                                        let _e554 = select(_e501, _e499, (_e499 > _e501));
+                                        let _e556 = select(_e502, _e500, (_e500 > _e502));
+                                        let _e558 = select(_e514, _e512, (_e512 > _e514));
+                                        let _e560 = select(_e515, _e513, (_e513 > _e515));
+                                        let _e562 = select(_e558, _e554, (_e554 < _e558));
+                                        let _e564 = select(_e560, _e556, (_e556 < _e560));
+                                        let _e569 = -(_e530);
+                                        let _e570 = -(_e532);
+                                        let _e577 = (select(_e534, _e562, (_e562 < _e534)) + (select(_e569, _e534, (_e534 > _e569)) * 0.0000019073523f));
+                                        let _e578 = (select(_e536, _e564, (_e564 < _e536)) + (select(_e570, _e536, (_e536 > _e570)) * 0.0000019073523f));
+                                        let _e580 = select(_e396, _e550, (_e550 > _e396));
+                                        let _e582 = select(_e396, _e552, (_e552 > _e396));
+                                        let _e587 = (_e580 <= select(_e405, _e577, (_e577 < _e405)));
+                                        let _e588 = (_e582 <= select(_e405, _e578, (_e578 < _e405)));
+                                        let _e589 = (_e580 <= _e582);
+                                        if _e587 {
+                                            if _e588 {
+                                                if _e589 {
+                                                    phi_2256_ = _e488.member_2;
+                                                } else {
+                                                    phi_2256_ = _e488.member_1;
+                                                }
+                                                let _e593 = phi_2256_;
+                                                let _e594 = (_e431 % 128u);
+                                                let _e595 = (_e594 < 128u);
+                                                if _e595 {
+                                                } else {
+                                                    phi_2642_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e594] = _e593;
+                                                if _e595 {
+                                                } else {
+                                                    phi_2642_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e594] = select(_e582, _e580, (_e580 > _e582));
+                                                if _e589 {
+                                                    phi_2283_ = _e488.member_1;
+                                                } else {
+                                                    phi_2283_ = _e488.member_2;
+                                                }
+                                                let _e604 = phi_2283_;
+                                                phi_2284_ = _e604;
+                                                phi_2285_ = (_e431 + 1u);
+                                            } else {
+                                                phi_2284_ = u32();
+                                                phi_2285_ = u32();
+                                            }
+                                            let _e606 = phi_2284_;
+                                            let _e608 = phi_2285_;
+                                            phi_2287_ = _e606;
+                                            phi_2288_ = _e608;
+                                            phi_2289_ = select(true, false, _e588);
+                                        } else {
+                                            phi_2287_ = u32();
+                                            phi_2288_ = u32();
+                                            phi_2289_ = true;
+                                        }
+                                        let _e611 = phi_2287_;
+                                        let _e613 = phi_2288_;
+                                        let _e615 = phi_2289_;
+                                        if _e615 {
+                                            if _e587 {
+                                                phi_2298_ = _e488.member_1;
+                                            } else {
+                                                phi_2298_ = _e488.member_2;
+                                            }
+                                            let _e619 = phi_2298_;
+                                            phi_2303_ = _e619;
+                                            phi_2304_ = select(_e588, true, _e587);
+                                        } else {
+                                            phi_2303_ = _e611;
+                                            phi_2304_ = _e429;
+                                        }
+                                        let _e622 = phi_2303_;
+                                        let _e624 = phi_2304_;
+                                        phi_2692_ = _e405;
+                                        phi_2646_ = _e403;
+                                        phi_2306_ = _e622;
+                                        phi_2307_ = _e624;
+                                        phi_2308_ = select(_e613, _e431, _e615);
+                                    }
+                                    let _e1099 = phi_2692_;
+                                    let _e1101 = phi_2646_;
+                                    let _e1103 = phi_2306_;
+                                    let _e1105 = phi_2307_;
+                                    let _e1107 = phi_2308_;
+                                    phi_2691_ = _e1099;
+                                    phi_2645_ = _e1101;
+                                    phi_2309_ = _e1103;
+                                    phi_2310_ = (_e409 - 1u);
+                                    phi_2311_ = _e1105;
+                                    phi_2312_ = _e1107;
+                                } else {
+                                    phi_2691_ = _e405;
+                                    phi_2645_ = _e403;
+                                    phi_2309_ = _e427;
+                                    phi_2310_ = _e409;
+                                    phi_2311_ = _e429;
+                                    phi_2312_ = _e431;
+                                }
+                                let _e1109 = phi_2691_;
+                                let _e1111 = phi_2645_;
+                                let _e1113 = phi_2309_;
+                                let _e1115 = phi_2310_;
+                                let _e1117 = phi_2311_;
+                                let _e1119 = phi_2312_;
+                                phi_2690_ = _e1109;
+                                phi_2644_ = _e1111;
+                                phi_2313_ = _e1113;
+                                phi_2314_ = _e1115;
+                                phi_2315_ = _e1117;
+                                phi_2316_ = _e1119;
+                            } else {
+                                phi_2690_ = _e405;
+                                phi_2644_ = _e403;
+                                phi_2313_ = u32();
+                                phi_2314_ = u32();
+                                phi_2315_ = bool();
+                                phi_2316_ = u32();
+                            }
+                            let _e1121 = phi_2690_;
+                            let _e1123 = phi_2644_;
+                            let _e1125 = phi_2313_;
+                            let _e1127 = phi_2314_;
+                            let _e1129 = phi_2315_;
+                            let _e1131 = phi_2316_;
+                            phi_2689_ = _e1121;
+                            phi_2643_ = _e1123;
+                            phi_971_ = _e1125;
+                            phi_974_ = _e1127;
+                            phi_976_ = _e1129;
+                            phi_978_ = _e1131;
+                            phi_2317_ = _e417;
+                        } else {
+                            phi_2689_ = _e405;
+                            phi_2643_ = _e403;
+                            phi_971_ = u32();
+                            phi_974_ = u32();
+                            phi_976_ = bool();
+                            phi_978_ = u32();
+                            phi_2317_ = false;
+                        }
+                        let _e1133 = phi_2689_;
+                        let _e1135 = phi_2643_;
+                        let _e1137 = phi_971_;
+                        let _e1139 = phi_974_;
+                        let _e1141 = phi_976_;
+                        let _e1143 = phi_978_;
+                        let _e1145 = phi_2317_;
+                        continue;
+                        continuing {
+                            phi_2535_ = _e1135;
+                            phi_2515_ = _e1133;
+                            phi_970_ = _e1137;
+                            phi_973_ = _e1139;
+                            phi_975_ = _e1141;
+                            phi_977_ = _e1143;
+                            phi_2642_ = _e1135;
+                            break if !(_e1145);
+                        }
+                    }
+                    let _e1148 = phi_2642_;
+                    if _e1148 {
+                        break;
+                    }
+                    phi_2324_ = type_4(0u, 8u);
+                    loop {
+                        let _e1150 = phi_2324_;
+                        if (_e1150.member < _e1150.member_1) {
+                            phi_2325_ = type_4((_e1150.member + 1u), _e1150.member_1);
+                            phi_2348_ = type_4(1u, _e1150.member);
+                        } else {
+                            phi_2325_ = _e1150;
+                            phi_2348_ = type_4(0u, type_4().member_1);
+                        }
+                        let _e1163 = phi_2325_;
+                        let _e1165 = phi_2348_;
+                        let _e1169 = (bitcast<i32>(_e1165.member) != 0i);
+                        if _e1169 {
+                            let _e1170 = (_e1165.member_1 < 8u);
+                            if _e1170 {
+                            } else {
+                                phi_2682_ = true;
+                                break;
+                            }
+                            let _e1172 = local[_e1165.member_1];
+                            if (_e1172.member_3 != 4294967295u) {
+                                let _e1178 = -(_e363);
+                                let _e1179 = (_e1178 / 3i);
+                                let _e1186 = bitcast<f32>((bitcast<u32>((_e1179 + 127i)) << bitcast<u32>(23i)));
+                                let _e1194 = (((_e1172.member * _e1186) * _e1186) * bitcast<f32>((bitcast<u32>(((_e1178 - (2i * _e1179)) + 127i)) << bitcast<u32>(23i))));
+                                let _e1196 = select(340282350000000000000000000000000000000f, _e1194, (_e1194 < 340282350000000000000000000000000000000f));
+                                phi_2414_ = type_23(select(-340282350000000000000000000000000000000f, _e1196, (_e1196 > -340282350000000000000000000000000000000f)), _e1172.member_1, _e1172.member_2, _e1172.member_3);
+                            } else {
+                                phi_2414_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            }
+                            let _e1201 = phi_2414_;
+                            if _e1170 {
+                            } else {
+                                phi_2682_ = true;
+                                break;
+                            }
+                            local[_e1165.member_1] = type_23(_e1201.member, _e1201.member_1, _e1201.member_2, _e1201.member_3);
+                        }
+                        continue;
+                        continuing {
+                            phi_2324_ = _e1163;
+                            phi_2682_ = _e1148;
+                            break if !(_e1169);
+                        }
+                    }
+                    let _e1209 = phi_2682_;
+                    if _e1209 {
+                        break;
+                    }
+                    let _e1210 = local;
+                    if _e80 {
+                    } else {
+                        break;
+                    }
+                    global_5.member[_e78] = array<type_23, 8>(type_23(_e1210[0].member, _e1210[0].member_1, _e1210[0].member_2, _e1210[0].member_3), type_23(_e1210[1].member, _e1210[1].member_1, _e1210[1].member_2, _e1210[1].member_3), type_23(_e1210[2].member, _e1210[2].member_1, _e1210[2].member_2, _e1210[2].member_3), type_23(_e1210[3].member, _e1210[3].member_1, _e1210[3].member_2, _e1210[3].member_3), type_23(_e1210[4].member, _e1210[4].member_1, _e1210[4].member_2, _e1210[4].member_3), type_23(_e1210[5].member, _e1210[5].member_1, _e1210[5].member_2, _e1210[5].member_3), type_23(_e1210[6].member, _e1210[6].member_1, _e1210[6].member_2, _e1210[6].member_3), type_23(_e1210[7].member, _e1210[7].member_1, _e1210[7].member_2, _e1210[7].member_3));
                 }
             }
             break;

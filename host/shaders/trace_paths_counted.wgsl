@@ -96,1041 +96,1047 @@ var<storage, read_write> global_6: type_52;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_275_: i32;
     var phi_276_: i32;
-    var phi_286_: bool;
-    var phi_296_: u32;
+    var phi_277_: i32;
+    var phi_287_: bool;
     var phi_297_: u32;
-    var phi_299_: bool;
-    var phi_304_: u32;
-    var phi_348_: f32;
-    var phi_354_: f32;
-    var phi_365_: f32;
-    var phi_371_: f32;
-    var phi_394_: f32;
-    var phi_405_: f32;
-    var phi_414_: f32;
-    var phi_420_: f32;
-    var phi_431_: f32;
-    var phi_437_: f32;
-    var phi_460_: f32;
-    var phi_471_: f32;
-    var phi_480_: f32;
-    var phi_486_: f32;
-    var phi_497_: f32;
-    var phi_503_: f32;
-    var phi_526_: f32;
-    var phi_537_: f32;
-    var phi_637_: f32;
-    var phi_638_: f32;
-    var phi_2405_: bool;
-    var phi_921_: type_47;
-    var phi_924_: u32;
-    var phi_926_: u32;
-    var phi_928_: bool;
-    var phi_930_: u32;
-    var phi_941_: bool;
-    var phi_972_: u32;
-    var phi_973_: bool;
-    var phi_974_: u32;
-    var phi_1802_: type_46;
-    var phi_2146_: u32;
-    var phi_2173_: u32;
-    var phi_2174_: u32;
-    var phi_2175_: u32;
-    var phi_2177_: u32;
-    var phi_2178_: u32;
-    var phi_2179_: bool;
-    var phi_2188_: u32;
-    var phi_2193_: u32;
-    var phi_2194_: bool;
-    var phi_989_: type_47;
-    var phi_992_: type_7;
-    var phi_993_: type_7;
-    var phi_1015_: type_7;
-    var phi_1039_: u32;
-    var phi_1128_: array<array<f32, 3>, 3>;
-    var phi_1599_: vec3<f32>;
-    var phi_1600_: vec3<f32>;
-    var phi_1631_: bool;
-    var phi_1640_: vec3<f32>;
-    var phi_1680_: type_22;
-    var phi_1682_: type_22;
-    var phi_1683_: bool;
+    var phi_298_: u32;
+    var phi_300_: bool;
+    var phi_305_: u32;
+    var phi_337_: i32;
+    var phi_355_: f32;
+    var phi_361_: f32;
+    var phi_372_: f32;
+    var phi_378_: f32;
+    var phi_401_: f32;
+    var phi_412_: f32;
+    var phi_421_: f32;
+    var phi_427_: f32;
+    var phi_438_: f32;
+    var phi_444_: f32;
+    var phi_467_: f32;
+    var phi_478_: f32;
+    var phi_487_: f32;
+    var phi_493_: f32;
+    var phi_504_: f32;
+    var phi_510_: f32;
+    var phi_533_: f32;
+    var phi_544_: f32;
+    var phi_644_: f32;
+    var phi_645_: f32;
+    var phi_2412_: bool;
+    var phi_928_: type_47;
+    var phi_931_: u32;
+    var phi_933_: u32;
+    var phi_935_: bool;
+    var phi_937_: u32;
+    var phi_948_: bool;
+    var phi_979_: u32;
+    var phi_980_: bool;
+    var phi_981_: u32;
+    var phi_1809_: type_46;
+    var phi_2153_: u32;
+    var phi_2180_: u32;
+    var phi_2181_: u32;
+    var phi_2182_: u32;
+    var phi_2184_: u32;
+    var phi_2185_: u32;
+    var phi_2186_: bool;
+    var phi_2195_: u32;
+    var phi_2200_: u32;
+    var phi_2201_: bool;
+    var phi_996_: type_47;
+    var phi_999_: type_7;
+    var phi_1000_: type_7;
+    var phi_1022_: type_7;
+    var phi_1046_: u32;
+    var phi_1135_: array<array<f32, 3>, 3>;
+    var phi_1606_: vec3<f32>;
+    var phi_1607_: vec3<f32>;
+    var phi_1638_: bool;
+    var phi_1647_: vec3<f32>;
     var phi_1687_: type_22;
-    var phi_1688_: type_22;
     var phi_1689_: type_22;
     var phi_1690_: bool;
     var phi_1694_: type_22;
-    var phi_1695_: bool;
-    var phi_1699_: type_22;
-    var phi_1700_: bool;
-    var phi_1704_: type_22;
-    var phi_1729_: bool;
-    var phi_1730_: bool;
-    var phi_1737_: type_47;
-    var phi_1738_: type_47;
-    var phi_1739_: type_47;
-    var phi_990_: type_47;
-    var phi_2399_: bool;
-    var phi_2513_: bool;
-    var phi_2196_: type_47;
-    var phi_2197_: u32;
-    var phi_2198_: bool;
-    var phi_2199_: u32;
-    var phi_2512_: bool;
-    var phi_2200_: type_47;
-    var phi_2201_: u32;
-    var phi_2202_: u32;
-    var phi_2203_: bool;
+    var phi_1695_: type_22;
+    var phi_1696_: type_22;
+    var phi_1697_: bool;
+    var phi_1701_: type_22;
+    var phi_1702_: bool;
+    var phi_1706_: type_22;
+    var phi_1707_: bool;
+    var phi_1711_: type_22;
+    var phi_1736_: bool;
+    var phi_1737_: bool;
+    var phi_1744_: type_47;
+    var phi_1745_: type_47;
+    var phi_1746_: type_47;
+    var phi_997_: type_47;
+    var phi_2406_: bool;
+    var phi_2524_: bool;
+    var phi_2203_: type_47;
     var phi_2204_: u32;
-    var phi_2511_: bool;
-    var phi_2205_: type_47;
+    var phi_2205_: bool;
     var phi_2206_: u32;
-    var phi_2207_: u32;
-    var phi_2208_: bool;
+    var phi_2523_: bool;
+    var phi_2207_: type_47;
+    var phi_2208_: u32;
     var phi_2209_: u32;
-    var phi_2510_: bool;
-    var phi_922_: type_47;
-    var phi_925_: u32;
-    var phi_927_: u32;
-    var phi_929_: bool;
-    var phi_931_: u32;
     var phi_2210_: bool;
-    var phi_2509_: bool;
+    var phi_2211_: u32;
+    var phi_2522_: bool;
+    var phi_2212_: type_47;
+    var phi_2213_: u32;
+    var phi_2214_: u32;
+    var phi_2215_: bool;
+    var phi_2216_: u32;
+    var phi_2521_: bool;
+    var phi_929_: type_47;
+    var phi_932_: u32;
+    var phi_934_: u32;
+    var phi_936_: bool;
+    var phi_938_: u32;
+    var phi_2217_: bool;
+    var phi_2520_: bool;
     var local_2: type_47;
-    var phi_2262_: type_22;
+    var phi_2269_: type_22;
     var local_3: type_47;
     var local_4: type_47;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e63 = global;
-            let _e65 = arrayLength((&global_2.member));
-            let _e67 = arrayLength((&global_1.member));
-            let _e75 = arrayLength((&global_6.member));
-            let _e79 = (_e63.x + (_e63.y * 2097152u));
-            let _e80 = (_e79 < arrayLength((&global_3.member)));
-            if _e80 {
-                let _e81 = (_e79 < arrayLength((&global_4.member)));
-                if _e81 {
-                    let _e82 = (_e79 < arrayLength((&global_5.member)));
-                    if _e82 {
-                        if _e80 {
-                        } else {
-                            break;
-                        }
-                        let _e92 = global_3.member[_e79].member.member_2[0u];
-                        let _e94 = (bitcast<u32>(_e92) & 2147483647u);
-                        let _e100 = global_3.member[_e79].member.member_2[1u];
-                        let _e102 = (bitcast<u32>(_e100) & 2147483647u);
-                        let _e108 = global_3.member[_e79].member.member_2[2u];
-                        let _e110 = (bitcast<u32>(_e108) & 2147483647u);
-                        let _e116 = global_3.member[_e79].member.member[0u];
-                        let _e118 = (bitcast<u32>(_e116) & 2147483647u);
-                        let _e124 = global_3.member[_e79].member.member[1u];
-                        let _e126 = (bitcast<u32>(_e124) & 2147483647u);
-                        let _e132 = global_3.member[_e79].member.member[2u];
-                        let _e134 = (bitcast<u32>(_e132) & 2147483647u);
-                        let _e136 = select(_e102, _e94, (_e102 < _e94));
-                        let _e138 = select(_e110, _e136, (_e110 < _e136));
-                        let _e140 = select(_e118, _e138, (_e118 < _e138));
-                        let _e142 = select(_e126, _e140, (_e126 < _e140));
-                        let _e144 = select(_e134, _e142, (_e134 < _e142));
-                        let _e149 = global_3.member[_e79].member.member_1;
-                        let _e151 = (bitcast<u32>(_e149) & 2147483647u);
-                        let _e159 = global_3.member[_e79].member.member_3;
-                        let _e165 = (((select(_e151, _e144, (_e151 < _e144)) < 2139095040u) && ((bitcast<u32>(_e159) & 2147483647u) <= 2139095040u)) && (_e138 > 0u));
-                        if _e165 {
-                            let _e168 = (bitcast<u32>(bitcast<f32>(_e138)) & 2147483647u);
-                            if (_e168 >= 8388608u) {
-                                phi_275_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
-                            } else {
-                                phi_275_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
-                            }
-                            let _e182 = phi_275_;
-                            phi_276_ = _e182;
-                        } else {
-                            phi_276_ = 0i;
-                        }
-                        let _e184 = phi_276_;
-                        let _e185 = (_e94 == _e138);
-                        if _e185 {
-                            phi_286_ = true;
-                        } else {
-                            phi_286_ = (_e102 == _e138);
-                        }
-                        let _e188 = phi_286_;
-                        let _e189 = select(1u, 0u, _e185);
-                        if _e188 {
-                            let _e190 = (_e189 + 1u);
-                            phi_296_ = _e190;
-                            phi_297_ = _e190;
-                            phi_299_ = select(true, false, (_e190 == 2u));
-                        } else {
-                            phi_296_ = u32();
-                            phi_297_ = 0u;
-                            phi_299_ = true;
-                        }
-                        let _e194 = phi_296_;
-                        let _e196 = phi_297_;
-                        let _e198 = phi_299_;
-                        if _e198 {
-                            phi_304_ = (_e196 + 1u);
-                        } else {
-                            phi_304_ = 0u;
-                        }
-                        let _e202 = phi_304_;
-                        let _e203 = select(_e194, _e196, _e198);
-                        let _e204 = select(_e189, select(2u, _e189, _e188), _e198);
-                        let _e205 = -(_e184);
-                        let _e206 = (_e205 / 2i);
-                        let _e211 = bitcast<f32>((bitcast<u32>((_e206 + 127i)) << bitcast<u32>(23i)));
-                        let _e217 = bitcast<f32>((bitcast<u32>(((_e205 - _e206) + 127i)) << bitcast<u32>(23i)));
-                        let _e222 = global_3.member[_e79].member.member;
-                        let _e223 = (_e203 == 0u);
-                        if _e223 {
-                            phi_348_ = _e222[0];
-                        } else {
-                            phi_348_ = _e222[1];
-                        }
-                        let _e227 = phi_348_;
-                        let _e228 = (_e203 == 2u);
-                        if _e228 {
-                            phi_354_ = _e222[2];
-                        } else {
-                            phi_354_ = _e227;
-                        }
-                        let _e231 = phi_354_;
-                        let _e232 = global_3.member[_e79].member.member_2;
-                        if _e223 {
-                            phi_365_ = _e232[0];
-                        } else {
-                            phi_365_ = _e232[1];
-                        }
-                        let _e236 = phi_365_;
-                        if _e228 {
-                            phi_371_ = _e232[2];
-                        } else {
-                            phi_371_ = _e236;
-                        }
-                        let _e239 = phi_371_;
-                        let _e241 = ((_e239 * _e211) * _e217);
-                        let _e245 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e245 {
-                            let _e249 = (bitcast<f32>((bitcast<u32>(_e231) & 2147483647u)) * 0.00000011920929f);
-                            phi_394_ = select(0.00000000000011368684f, _e249, (_e249 > 0.00000000000011368684f));
-                        } else {
-                            phi_394_ = 0f;
-                        }
-                        let _e253 = phi_394_;
-                        let _e254 = (_e231 + _e253);
-                        let _e255 = (_e231 - _e253);
-                        let _e256 = select(_e241, 0f, _e245);
-                        if _e245 {
-                            phi_405_ = 38685626000000000000000000f;
-                        } else {
-                            phi_405_ = (1f / _e241);
-                        }
-                        let _e259 = phi_405_;
-                        let _e260 = (_e202 == 0u);
-                        if _e260 {
-                            phi_414_ = _e222[0];
-                        } else {
-                            phi_414_ = _e222[1];
-                        }
-                        let _e264 = phi_414_;
-                        let _e265 = (_e202 == 2u);
-                        if _e265 {
-                            phi_420_ = _e222[2];
-                        } else {
-                            phi_420_ = _e264;
-                        }
-                        let _e268 = phi_420_;
-                        if _e260 {
-                            phi_431_ = _e232[0];
-                        } else {
-                            phi_431_ = _e232[1];
-                        }
-                        let _e272 = phi_431_;
-                        if _e265 {
-                            phi_437_ = _e232[2];
-                        } else {
-                            phi_437_ = _e272;
-                        }
-                        let _e275 = phi_437_;
-                        let _e277 = ((_e275 * _e211) * _e217);
-                        let _e281 = (bitcast<f32>((bitcast<u32>(_e277) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e281 {
-                            let _e285 = (bitcast<f32>((bitcast<u32>(_e268) & 2147483647u)) * 0.00000011920929f);
-                            phi_460_ = select(0.00000000000011368684f, _e285, (_e285 > 0.00000000000011368684f));
-                        } else {
-                            phi_460_ = 0f;
-                        }
-                        let _e289 = phi_460_;
-                        let _e290 = (_e268 + _e289);
-                        let _e291 = (_e268 - _e289);
-                        let _e292 = select(_e277, 0f, _e281);
-                        if _e281 {
-                            phi_471_ = 38685626000000000000000000f;
-                        } else {
-                            phi_471_ = (1f / _e277);
-                        }
-                        let _e295 = phi_471_;
-                        let _e296 = (_e204 == 0u);
-                        if _e296 {
-                            phi_480_ = _e222[0];
-                        } else {
-                            phi_480_ = _e222[1];
-                        }
-                        let _e300 = phi_480_;
-                        let _e301 = (_e204 == 2u);
-                        if _e301 {
-                            phi_486_ = _e222[2];
-                        } else {
-                            phi_486_ = _e300;
-                        }
-                        let _e304 = phi_486_;
-                        if _e296 {
-                            phi_497_ = _e232[0];
-                        } else {
-                            phi_497_ = _e232[1];
-                        }
-                        let _e308 = phi_497_;
-                        if _e301 {
-                            phi_503_ = _e232[2];
-                        } else {
-                            phi_503_ = _e308;
-                        }
-                        let _e311 = phi_503_;
-                        let _e313 = ((_e311 * _e211) * _e217);
-                        let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e317 {
-                            let _e321 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) * 0.00000011920929f);
-                            phi_526_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
-                        } else {
-                            phi_526_ = 0f;
-                        }
-                        let _e325 = phi_526_;
-                        let _e326 = (_e304 + _e325);
-                        let _e327 = (_e304 - _e325);
-                        let _e328 = select(_e313, 0f, _e317);
-                        if _e317 {
-                            phi_537_ = 38685626000000000000000000f;
-                        } else {
-                            phi_537_ = (1f / _e313);
-                        }
-                        let _e331 = phi_537_;
-                        let _e334 = bitcast<f32>((bitcast<u32>(_e231) & 2147483647u));
-                        let _e337 = bitcast<f32>((bitcast<u32>(_e268) & 2147483647u));
-                        let _e339 = select(_e337, _e334, (_e334 > _e337));
-                        let _e342 = bitcast<f32>((bitcast<u32>(_e304) & 2147483647u));
-                        if (_e165 && (select(_e342, _e339, (_e339 > _e342)) <= 1099511600000f)) {
-                            let _e347 = (_e184 / 3i);
-                            let _e354 = bitcast<f32>((bitcast<u32>((_e347 + 127i)) << bitcast<u32>(23i)));
-                            let _e361 = bitcast<f32>((bitcast<u32>(((_e184 - (2i * _e347)) + 127i)) << bitcast<u32>(23i)));
-                            let _e362 = (((_e149 * _e354) * _e354) * _e361);
-                            let _e364 = select(340282350000000000000000000000000000000f, _e362, (_e362 < 340282350000000000000000000000000000000f));
-                            let _e369 = (((_e159 * _e354) * _e354) * _e361);
-                            let _e371 = select(340282350000000000000000000000000000000f, _e369, (_e369 < 340282350000000000000000000000000000000f));
-                            phi_637_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
-                            phi_638_ = select(-340282350000000000000000000000000000000f, _e364, (_e364 > -340282350000000000000000000000000000000f));
-                        } else {
-                            phi_637_ = 0f;
-                            phi_638_ = 1f;
-                        }
-                        let _e375 = phi_637_;
-                        let _e377 = phi_638_;
-                        if _e80 {
-                        } else {
-                            break;
-                        }
-                        let _e383 = global_3.member[_e79].member_2;
-                        local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                        local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2405_ = false;
-                        phi_921_ = type_47(type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e375), 0u, 0u);
-                        phi_924_ = select(0u, 2147483648u, (_e65 == 0u));
-                        phi_926_ = ((3u * _e65) + 1u);
-                        phi_928_ = (_e377 <= _e375);
-                        phi_930_ = 0u;
-                        loop {
-                            let _e390 = phi_2405_;
-                            let _e392 = phi_921_;
-                            let _e394 = phi_924_;
-                            let _e396 = phi_926_;
-                            let _e398 = phi_928_;
-                            let _e400 = phi_930_;
-                            local_2 = _e392;
-                            local_3 = _e392;
-                            if _e398 {
-                                phi_941_ = true;
-                            } else {
-                                phi_941_ = (_e400 > 0u);
-                            }
-                            let _e403 = phi_941_;
-                            if _e403 {
-                                let _e404 = (_e396 > 0u);
-                                if _e404 {
-                                    if _e398 {
-                                        phi_972_ = _e394;
-                                        phi_973_ = _e398;
-                                        phi_974_ = _e400;
-                                    } else {
-                                        let _e405 = (_e400 - 1u);
-                                        let _e406 = (_e405 % 128u);
-                                        let _e407 = (_e406 < 128u);
-                                        if _e407 {
-                                        } else {
-                                            phi_2509_ = true;
-                                            break;
-                                        }
-                                        let _e409 = local_1[_e406];
-                                        if _e407 {
-                                        } else {
-                                            phi_2509_ = true;
-                                            break;
-                                        }
-                                        let _e411 = local[_e406];
-                                        phi_972_ = _e409;
-                                        phi_973_ = (_e411 <= _e392.member.member_1);
-                                        phi_974_ = _e405;
-                                    }
-                                    let _e416 = phi_972_;
-                                    let _e418 = phi_973_;
-                                    let _e420 = phi_974_;
-                                    if _e418 {
-                                        if ((_e416 & 2147483648u) != 0u) {
-                                            phi_989_ = _e392;
-                                            phi_992_ = type_7(0u, ((_e416 >> bitcast<u32>(28u)) & 7u));
-                                            loop {
-                                                let _e625 = phi_989_;
-                                                let _e627 = phi_992_;
-                                                local_4 = _e625;
-                                                if (_e627.member < _e627.member_1) {
-                                                    phi_993_ = type_7((_e627.member + 1u), _e627.member_1);
-                                                    phi_1015_ = type_7(1u, _e627.member);
-                                                } else {
-                                                    phi_993_ = _e627;
-                                                    phi_1015_ = type_7(0u, type_7().member_1);
-                                                }
-                                                let _e640 = phi_993_;
-                                                let _e642 = phi_1015_;
-                                                let _e646 = (bitcast<i32>(_e642.member) != 0i);
-                                                if _e646 {
-                                                    let _e652 = type_47(_e625.member, _e625.member_1, (_e625.member_2 + 1u));
-                                                    let _e653 = ((_e416 & 268435455u) + _e642.member_1);
-                                                    let _e654 = (_e653 < _e67);
-                                                    if _e654 {
-                                                        if _e654 {
-                                                        } else {
-                                                            phi_2399_ = true;
-                                                            break;
-                                                        }
-                                                        let _e658 = global_1.member[_e653].member_1;
-                                                        phi_1039_ = _e658;
-                                                    } else {
-                                                        phi_1039_ = 4294967295u;
-                                                    }
-                                                    let _e660 = phi_1039_;
-                                                    if (_e653 >= _e67) {
-                                                        phi_1128_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
-                                                    } else {
-                                                        if _e654 {
-                                                        } else {
-                                                            phi_2399_ = true;
-                                                            break;
-                                                        }
-                                                        let _e662 = (_e203 % 3u);
-                                                        let _e663 = (_e202 % 3u);
-                                                        let _e664 = (_e204 % 3u);
-                                                        if (_e662 < 9u) {
-                                                        } else {
-                                                            phi_2399_ = true;
-                                                            break;
-                                                        }
-                                                        let _e670 = global_1.member[_e653].member[_e662];
-                                                        if (_e663 < 9u) {
-                                                        } else {
-                                                            phi_2399_ = true;
-                                                            break;
-                                                        }
-                                                        let _e676 = global_1.member[_e653].member[_e663];
-                                                        if (_e664 < 9u) {
-                                                        } else {
-                                                            phi_2399_ = true;
-                                                            break;
-                                                        }
-                                                        let _e682 = global_1.member[_e653].member[_e664];
-                                                        let _e684 = (3u + _e662);
-                                                        if (_e684 < 9u) {
-                                                        } else {
-                                                            phi_2399_ = true;
-                                                            break;
-                                                        }
-                                                        let _e690 = global_1.member[_e653].member[_e684];
-                                                        let _e691 = (3u + _e663);
-                                                        if (_e691 < 9u) {
-                                                        } else {
-                                                            phi_2399_ = true;
-                                                            break;
-                                                        }
-                                                        let _e697 = global_1.member[_e653].member[_e691];
-                                                        let _e698 = (3u + _e664);
-                                                        if (_e698 < 9u) {
-                                                        } else {
-                                                            phi_2399_ = true;
-                                                            break;
-                                                        }
-                                                        let _e704 = global_1.member[_e653].member[_e698];
-                                                        let _e706 = (6u + _e662);
-                                                        if (_e706 < 9u) {
-                                                        } else {
-                                                            phi_2399_ = true;
-                                                            break;
-                                                        }
-                                                        let _e712 = global_1.member[_e653].member[_e706];
-                                                        let _e713 = (6u + _e663);
-                                                        if (_e713 < 9u) {
-                                                        } else {
-                                                            phi_2399_ = true;
-                                                            break;
-                                                        }
-                                                        let _e719 = global_1.member[_e653].member[_e713];
-                                                        let _e720 = (6u + _e664);
-                                                        if (_e720 < 9u) {
-                                                        } else {
-                                                            phi_2399_ = true;
-                                                            break;
-                                                        }
-                                                        let _e726 = global_1.member[_e653].member[_e720];
-                                                        phi_1128_ = array<array<f32, 3>, 3>(array<f32, 3>(_e670, _e676, _e682), array<f32, 3>(_e690, _e697, _e704), array<f32, 3>(_e712, _e719, _e726));
-                                                    }
-                                                    let _e730 = phi_1128_;
-                                                    let _e739 = (_e730[0][2] - _e304);
-                                                    let _e742 = (((_e730[0][0] - _e231) * _e328) - (_e739 * _e256));
-                                                    let _e745 = (((_e730[0][1] - _e268) * _e328) - (_e739 * _e292));
-                                                    let _e752 = (_e730[1][2] - _e304);
-                                                    let _e755 = (((_e730[1][0] - _e231) * _e328) - (_e752 * _e256));
-                                                    let _e758 = (((_e730[1][1] - _e268) * _e328) - (_e752 * _e292));
-                                                    let _e765 = (_e730[2][2] - _e304);
-                                                    let _e768 = (((_e730[2][0] - _e231) * _e328) - (_e765 * _e256));
-                                                    let _e771 = (((_e730[2][1] - _e268) * _e328) - (_e765 * _e292));
-                                                    let _e772 = (_e768 * _e758);
-                                                    let _e773 = (_e771 * _e755);
-                                                    let _e774 = (_e742 * _e771);
-                                                    let _e775 = (_e745 * _e768);
-                                                    let _e776 = (_e755 * _e745);
-                                                    let _e777 = (_e758 * _e742);
-                                                    let _e782 = (((_e772 >= _e773) && (_e774 >= _e775)) && (_e776 >= _e777));
-                                                    if (_e782 || (((_e772 <= _e773) && (_e774 <= _e775)) && (_e776 <= _e777))) {
-                                                        let _e789 = select(-1f, 1f, _e782);
-                                                        let _e791 = ((_e772 - _e773) * _e789);
-                                                        let _e793 = select(0f, _e791, (_e791 > 0f));
-                                                        let _e795 = ((_e774 - _e775) * _e789);
-                                                        let _e797 = select(0f, _e795, (_e795 > 0f));
-                                                        let _e799 = ((_e776 - _e777) * _e789);
-                                                        let _e801 = select(0f, _e799, (_e799 > 0f));
-                                                        let _e803 = ((_e793 + _e797) + _e801);
-                                                        if (_e803 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1694_ = type_22();
-                                                            phi_1695_ = true;
-                                                        } else {
-                                                            let _e806 = select(_e730[1][0], _e730[0][0], (_e730[0][0] < _e730[1][0]));
-                                                            let _e810 = select(_e730[1][0], _e730[0][0], (_e730[0][0] > _e730[1][0]));
-                                                            let _e814 = select(_e730[1][1], _e730[0][1], (_e730[0][1] < _e730[1][1]));
-                                                            let _e818 = select(_e730[1][1], _e730[0][1], (_e730[0][1] > _e730[1][1]));
-                                                            let _e822 = select(_e730[1][2], _e730[0][2], (_e730[0][2] < _e730[1][2]));
-                                                            let _e826 = select(_e730[1][2], _e730[0][2], (_e730[0][2] > _e730[1][2]));
-                                                            let _e831 = ((select(_e730[2][0], _e806, (_e806 < _e730[2][0])) - _e254) * _e259);
-                                                            let _e832 = ((select(_e730[2][0], _e810, (_e810 > _e730[2][0])) - _e255) * _e259);
-                                                            let _e835 = ((select(_e730[2][1], _e814, (_e814 < _e730[2][1])) - _e290) * _e295);
-                                                            let _e836 = ((select(_e730[2][1], _e818, (_e818 > _e730[2][1])) - _e291) * _e295);
-                                                            let _e839 = ((select(_e730[2][2], _e822, (_e822 < _e730[2][2])) - _e326) * _e331);
-                                                            let _e840 = ((select(_e730[2][2], _e826, (_e826 > _e730[2][2])) - _e327) * _e331);
-                                                            let _e842 = select(_e840, _e839, (_e839 < _e840));
-                                                            let _e844 = select(_e840, _e839, (_e839 > _e840));
-                                                            let _e846 = select(_e832, _e831, (_e831 < _e832));
-                                                            let _e848 = select(_e836, _e835, (_e835 < _e836));
-                                                            let _e850 = select(_e848, _e846, (_e846 > _e848));
-                                                            let _e852 = select(_e842, _e850, (_e850 > _e842));
-                                                            let _e854 = select(_e832, _e831, (_e831 > _e832));
-                                                            let _e856 = select(_e836, _e835, (_e835 > _e836));
-                                                            let _e858 = select(_e856, _e854, (_e854 < _e856));
-                                                            let _e860 = select(_e844, _e858, (_e858 < _e844));
-                                                            let _e861 = -(_e842);
-                                                            let _e867 = select(_e377, _e852, (_e852 > _e377));
-                                                            if (_e867 > (_e860 + (select(_e861, _e844, (_e844 > _e861)) * 0.0000019073523f))) {
-                                                                phi_1689_ = type_22();
-                                                                phi_1690_ = true;
-                                                            } else {
-                                                                let _e869 = (_e867 > _e625.member.member_1);
-                                                                if _e869 {
-                                                                    phi_1688_ = type_22();
-                                                                } else {
-                                                                    let _e873 = (_e730[1][0] - _e730[0][0]);
-                                                                    let _e874 = (_e730[1][1] - _e730[0][1]);
-                                                                    let _e875 = (_e730[1][2] - _e730[0][2]);
-                                                                    let _e876 = vec3<f32>(_e873, _e874, _e875);
-                                                                    let _e877 = (_e730[2][0] - _e730[1][0]);
-                                                                    let _e878 = (_e730[2][1] - _e730[1][1]);
-                                                                    let _e879 = (_e730[2][2] - _e730[1][2]);
-                                                                    let _e880 = vec3<f32>(_e877, _e878, _e879);
-                                                                    let _e881 = (_e730[0][0] - _e730[2][0]);
-                                                                    let _e882 = (_e730[0][1] - _e730[2][1]);
-                                                                    let _e883 = (_e730[0][2] - _e730[2][2]);
-                                                                    let _e884 = vec3<f32>(_e881, _e882, _e883);
-                                                                    let _e887 = bitcast<f32>((bitcast<u32>(_e873) & 2147483647u));
-                                                                    let _e890 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
-                                                                    let _e892 = select(_e890, _e887, (_e887 > _e890));
-                                                                    let _e895 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
-                                                                    let _e897 = select(_e895, _e892, (_e892 > _e895));
-                                                                    let _e900 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
-                                                                    let _e903 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
-                                                                    let _e905 = select(_e903, _e900, (_e900 > _e903));
-                                                                    let _e908 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
-                                                                    let _e910 = select(_e908, _e905, (_e905 > _e908));
-                                                                    let _e913 = bitcast<f32>((bitcast<u32>(_e881) & 2147483647u));
-                                                                    let _e916 = bitcast<f32>((bitcast<u32>(_e882) & 2147483647u));
-                                                                    let _e918 = select(_e916, _e913, (_e913 > _e916));
-                                                                    let _e921 = bitcast<f32>((bitcast<u32>(_e883) & 2147483647u));
-                                                                    let _e923 = select(_e921, _e918, (_e918 > _e921));
-                                                                    let _e925 = select(_e910, _e897, (_e897 > _e910));
-                                                                    let _e927 = select(_e923, _e925, (_e925 > _e923));
-                                                                    if (_e897 == _e927) {
-                                                                        phi_1599_ = _e880;
-                                                                        phi_1600_ = _e884;
-                                                                    } else {
-                                                                        let _e930 = vec3((_e910 == _e927));
-                                                                        phi_1599_ = select(_e876, _e884, _e930);
-                                                                        phi_1600_ = select(_e880, _e876, _e930);
-                                                                    }
-                                                                    let _e934 = phi_1599_;
-                                                                    let _e936 = phi_1600_;
-                                                                    let _e943 = ((_e934.y * _e936.z) - (_e936.y * _e934.z));
-                                                                    let _e948 = ((_e934.z * _e936.x) - (_e936.z * _e934.x));
-                                                                    let _e951 = ((_e934.x * _e936.y) - (_e936.x * _e934.y));
-                                                                    if (_e793 >= _e797) {
-                                                                        phi_1631_ = select(true, false, (_e793 >= _e801));
-                                                                    } else {
-                                                                        phi_1631_ = true;
-                                                                    }
-                                                                    let _e956 = phi_1631_;
-                                                                    if _e956 {
-                                                                        phi_1640_ = select(vec3<f32>(_e730[2][0], _e730[2][1], _e730[2][2]), vec3<f32>(_e730[1][0], _e730[1][1], _e730[1][2]), vec3((_e797 >= _e801)));
-                                                                    } else {
-                                                                        phi_1640_ = vec3<f32>(_e730[0][0], _e730[0][1], _e730[0][2]);
-                                                                    }
-                                                                    let _e961 = phi_1640_;
-                                                                    let _e978 = ((((_e943 * (_e961.x - _e231)) + (_e948 * (_e961.y - _e268))) + (_e951 * (_e961.z - _e304))) / (((_e943 * _e256) + (_e948 * _e292)) + (_e951 * _e328)));
-                                                                    let _e980 = select(_e860, _e978, (_e978 < _e860));
-                                                                    let _e982 = select(_e852, _e980, (_e980 > _e852));
-                                                                    if (_e982 >= _e377) {
-                                                                        let _e984 = (_e982 <= _e625.member.member_1);
-                                                                        if _e984 {
-                                                                            let _e985 = (1f / _e803);
-                                                                            phi_1680_ = type_22(_e982, (_e797 * _e985), (_e801 * _e985), _e660);
-                                                                        } else {
-                                                                            phi_1680_ = type_22();
-                                                                        }
-                                                                        let _e990 = phi_1680_;
-                                                                        phi_1682_ = _e990;
-                                                                        phi_1683_ = select(true, false, _e984);
-                                                                    } else {
-                                                                        phi_1682_ = type_22();
-                                                                        phi_1683_ = true;
-                                                                    }
-                                                                    let _e993 = phi_1682_;
-                                                                    let _e995 = phi_1683_;
-                                                                    if _e995 {
-                                                                        phi_1687_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                    } else {
-                                                                        phi_1687_ = _e993;
-                                                                    }
-                                                                    let _e997 = phi_1687_;
-                                                                    phi_1688_ = _e997;
-                                                                }
-                                                                let _e999 = phi_1688_;
-                                                                phi_1689_ = _e999;
-                                                                phi_1690_ = _e869;
-                                                            }
-                                                            let _e1001 = phi_1689_;
-                                                            let _e1003 = phi_1690_;
-                                                            phi_1694_ = _e1001;
-                                                            phi_1695_ = _e1003;
-                                                        }
-                                                        let _e1005 = phi_1694_;
-                                                        let _e1007 = phi_1695_;
-                                                        phi_1699_ = _e1005;
-                                                        phi_1700_ = _e1007;
-                                                    } else {
-                                                        phi_1699_ = type_22();
-                                                        phi_1700_ = true;
-                                                    }
-                                                    let _e1009 = phi_1699_;
-                                                    let _e1011 = phi_1700_;
-                                                    if _e1011 {
-                                                        phi_1704_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                    } else {
-                                                        phi_1704_ = _e1009;
-                                                    }
-                                                    let _e1013 = phi_1704_;
-                                                    if (_e1013.member_3 != 4294967295u) {
-                                                        if (_e660 != _e383) {
-                                                            if (_e1013.member < _e625.member.member.member) {
-                                                                phi_1730_ = true;
-                                                            } else {
-                                                                if (_e1013.member == _e625.member.member.member) {
-                                                                    phi_1729_ = (_e1013.member_3 < _e625.member.member.member_3);
-                                                                } else {
-                                                                    phi_1729_ = false;
-                                                                }
-                                                                let _e1028 = phi_1729_;
-                                                                phi_1730_ = _e1028;
-                                                            }
-                                                            let _e1030 = phi_1730_;
-                                                            if _e1030 {
-                                                                phi_1737_ = type_47(type_42(_e1013, _e1013.member), _e652.member_1, _e652.member_2);
-                                                            } else {
-                                                                phi_1737_ = _e652;
-                                                            }
-                                                            let _e1037 = phi_1737_;
-                                                            phi_1738_ = _e1037;
-                                                        } else {
-                                                            phi_1738_ = _e652;
-                                                        }
-                                                        let _e1039 = phi_1738_;
-                                                        phi_1739_ = _e1039;
-                                                    } else {
-                                                        phi_1739_ = _e652;
-                                                    }
-                                                    let _e1041 = phi_1739_;
-                                                    phi_990_ = _e1041;
-                                                } else {
-                                                    phi_990_ = type_47();
-                                                }
-                                                let _e1043 = phi_990_;
-                                                continue;
-                                                continuing {
-                                                    phi_989_ = _e1043;
-                                                    phi_992_ = _e640;
-                                                    phi_2399_ = _e390;
-                                                    break if !(_e646);
-                                                }
-                                            }
-                                            let _e1046 = phi_2399_;
-                                            phi_2509_ = _e1046;
-                                            if _e1046 {
-                                                break;
-                                            }
-                                            phi_2513_ = _e1046;
-                                            let _e1255 = local_4;
-                                            phi_2196_ = _e1255;
-                                            phi_2197_ = _e416;
-                                            phi_2198_ = false;
-                                            phi_2199_ = _e420;
-                                        } else {
-                                            if (_e416 >= _e65) {
-                                                phi_1802_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
-                                            } else {
-                                                if (_e416 < _e65) {
-                                                } else {
-                                                    phi_2509_ = true;
-                                                    break;
-                                                }
-                                                let _e436 = (_e203 % 3u);
-                                                if (_e436 < 3u) {
-                                                } else {
-                                                    phi_2509_ = true;
-                                                    break;
-                                                }
-                                                let _e442 = global_2.member[_e416].member[_e436];
-                                                let _e448 = (_e202 % 3u);
-                                                if (_e448 < 3u) {
-                                                } else {
-                                                    phi_2509_ = true;
-                                                    break;
-                                                }
-                                                let _e454 = global_2.member[_e416].member[_e448];
-                                                let _e460 = (_e204 % 3u);
-                                                if (_e460 < 3u) {
-                                                } else {
-                                                    phi_2509_ = true;
-                                                    break;
-                                                }
-                                                let _e466 = global_2.member[_e416].member[_e460];
-                                                let _e476 = global_2.member[_e416].member_1;
-                                                let _e480 = global_2.member[_e416].member_2;
-                                                phi_1802_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e442[0], _e442[1], _e442[2], _e442[3]), vec4<f32>(_e454[0], _e454[1], _e454[2], _e454[3]), vec4<f32>(_e466[0], _e466[1], _e466[2], _e466[3])), _e476, _e480);
-                                            }
-                                            let _e483 = phi_1802_;
-                                            let _e496 = ((_e483.member[0].x - _e254) * _e259);
-                                            let _e497 = ((_e483.member[0].y - _e254) * _e259);
-                                            let _e498 = ((_e483.member[0].z - _e255) * _e259);
-                                            let _e499 = ((_e483.member[0].w - _e255) * _e259);
-                                            let _e509 = ((_e483.member[1].x - _e290) * _e295);
-                                            let _e510 = ((_e483.member[1].y - _e290) * _e295);
-                                            let _e511 = ((_e483.member[1].z - _e291) * _e295);
-                                            let _e512 = ((_e483.member[1].w - _e291) * _e295);
-                                            let _e522 = ((_e483.member[2].x - _e326) * _e331);
-                                            let _e523 = ((_e483.member[2].y - _e326) * _e331);
-                                            let _e524 = ((_e483.member[2].z - _e327) * _e331);
-                                            let _e525 = ((_e483.member[2].w - _e327) * _e331);
-                                            let _e527 = select(_e524, _e522, (_e522 < _e524));
-                                            let _e529 = select(_e525, _e523, (_e523 < _e525));
-                                            let _e531 = select(_e524, _e522, (_e522 > _e524));
-                                            let _e533 = select(_e525, _e523, (_e523 > _e525));
-                                            let _e535 = select(_e498, _e496, (_e496 < _e498));
-                                            let _e537 = select(_e499, _e497, (_e497 < _e499));
-                                            let _e539 = select(_e511, _e509, (_e509 < _e511));
-                                            let _e541 = select(_e512, _e510, (_e510 < _e512));
-                                            let _e543 = select(_e539, _e535, (_e535 > _e539));
-                                            let _e545 = select(_e541, _e537, (_e537 > _e541));
-                                            let _e547 = select(_e527, _e543, (_e543 > _e527));
-                                            let _e549 = select(_e529, _e545, (_e545 > _e529));
-                                            let _e551 = select(_e498, _e496, (_e496 > _e498));
-                                            let _e553 = select(_e499, _e497, (_e497 > _e499));
-                                            let _e555 = select(_e511, _e509, (_e509 > _e511));
-                                            let _e557 = select(_e512, _e510, (_e510 > _e512));
-                                            let _e559 = select(_e555, _e551, (_e551 < _e555));
-                                            let _e561 = select(_e557, _e553, (_e553 < _e557));
-                                            let _e566 = -(_e527);
-                                            let _e567 = -(_e529);
-                                            let _e574 = (select(_e531, _e559, (_e559 < _e531)) + (select(_e566, _e531, (_e531 > _e566)) * 0.0000019073523f));
-                                            let _e575 = (select(_e533, _e561, (_e561 < _e533)) + (select(_e567, _e533, (_e533 > _e567)) * 0.0000019073523f));
-                                            let _e577 = select(_e377, _e547, (_e547 > _e377));
-                                            let _e579 = select(_e377, _e549, (_e549 > _e377));
-                                            let _e584 = (_e577 <= select(_e392.member.member_1, _e574, (_e574 < _e392.member.member_1)));
-                                            let _e585 = (_e579 <= select(_e392.member.member_1, _e575, (_e575 < _e392.member.member_1)));
-                                            let _e586 = (_e577 <= _e579);
-                                            if _e584 {
-                                                if _e585 {
-                                                    if _e586 {
-                                                        phi_2146_ = _e483.member_2;
-                                                    } else {
-                                                        phi_2146_ = _e483.member_1;
-                                                    }
-                                                    let _e590 = phi_2146_;
-                                                    let _e591 = (_e420 % 128u);
-                                                    let _e592 = (_e591 < 128u);
-                                                    if _e592 {
-                                                    } else {
-                                                        phi_2509_ = true;
-                                                        break;
-                                                    }
-                                                    local_1[_e591] = _e590;
-                                                    if _e592 {
-                                                    } else {
-                                                        phi_2509_ = true;
-                                                        break;
-                                                    }
-                                                    local[_e591] = select(_e579, _e577, (_e577 > _e579));
-                                                    if _e586 {
-                                                        phi_2173_ = _e483.member_1;
-                                                    } else {
-                                                        phi_2173_ = _e483.member_2;
-                                                    }
-                                                    let _e601 = phi_2173_;
-                                                    phi_2174_ = _e601;
-                                                    phi_2175_ = (_e420 + 1u);
-                                                } else {
-                                                    phi_2174_ = u32();
-                                                    phi_2175_ = u32();
-                                                }
-                                                let _e603 = phi_2174_;
-                                                let _e605 = phi_2175_;
-                                                phi_2177_ = _e603;
-                                                phi_2178_ = _e605;
-                                                phi_2179_ = select(true, false, _e585);
-                                            } else {
-                                                phi_2177_ = u32();
-                                                phi_2178_ = u32();
-                                                phi_2179_ = true;
-                                            }
-                                            let _e608 = phi_2177_;
-                                            let _e610 = phi_2178_;
-                                            let _e612 = phi_2179_;
-                                            if _e612 {
-                                                if _e584 {
-                                                    phi_2188_ = _e483.member_1;
-                                                } else {
-                                                    phi_2188_ = _e483.member_2;
-                                                }
-                                                let _e616 = phi_2188_;
-                                                phi_2193_ = _e616;
-                                                phi_2194_ = select(_e585, true, _e584);
-                                            } else {
-                                                phi_2193_ = _e608;
-                                                phi_2194_ = _e418;
-                                            }
-                                            let _e619 = phi_2193_;
-                                            let _e621 = phi_2194_;
-                                            phi_2513_ = _e390;
-                                            phi_2196_ = type_47(_e392.member, (_e392.member_1 + 1u), _e392.member_2);
-                                            phi_2197_ = _e619;
-                                            phi_2198_ = _e621;
-                                            phi_2199_ = select(_e610, _e420, _e612);
-                                        }
-                                        let _e1048 = phi_2513_;
-                                        let _e1050 = phi_2196_;
-                                        let _e1052 = phi_2197_;
-                                        let _e1054 = phi_2198_;
-                                        let _e1056 = phi_2199_;
-                                        phi_2512_ = _e1048;
-                                        phi_2200_ = _e1050;
-                                        phi_2201_ = _e1052;
-                                        phi_2202_ = (_e396 - 1u);
-                                        phi_2203_ = _e1054;
-                                        phi_2204_ = _e1056;
-                                    } else {
-                                        phi_2512_ = _e390;
-                                        phi_2200_ = _e392;
-                                        phi_2201_ = _e416;
-                                        phi_2202_ = _e396;
-                                        phi_2203_ = _e418;
-                                        phi_2204_ = _e420;
-                                    }
-                                    let _e1058 = phi_2512_;
-                                    let _e1060 = phi_2200_;
-                                    let _e1062 = phi_2201_;
-                                    let _e1064 = phi_2202_;
-                                    let _e1066 = phi_2203_;
-                                    let _e1068 = phi_2204_;
-                                    phi_2511_ = _e1058;
-                                    phi_2205_ = _e1060;
-                                    phi_2206_ = _e1062;
-                                    phi_2207_ = _e1064;
-                                    phi_2208_ = _e1066;
-                                    phi_2209_ = _e1068;
-                                } else {
-                                    phi_2511_ = _e390;
-                                    phi_2205_ = type_47();
-                                    phi_2206_ = u32();
-                                    phi_2207_ = u32();
-                                    phi_2208_ = bool();
-                                    phi_2209_ = u32();
-                                }
-                                let _e1070 = phi_2511_;
-                                let _e1072 = phi_2205_;
-                                let _e1074 = phi_2206_;
-                                let _e1076 = phi_2207_;
-                                let _e1078 = phi_2208_;
-                                let _e1080 = phi_2209_;
-                                phi_2510_ = _e1070;
-                                phi_922_ = _e1072;
-                                phi_925_ = _e1074;
-                                phi_927_ = _e1076;
-                                phi_929_ = _e1078;
-                                phi_931_ = _e1080;
-                                phi_2210_ = _e404;
-                            } else {
-                                phi_2510_ = _e390;
-                                phi_922_ = type_47();
-                                phi_925_ = u32();
-                                phi_927_ = u32();
-                                phi_929_ = bool();
-                                phi_931_ = u32();
-                                phi_2210_ = false;
-                            }
-                            let _e1082 = phi_2510_;
-                            let _e1084 = phi_922_;
-                            let _e1086 = phi_925_;
-                            let _e1088 = phi_927_;
-                            let _e1090 = phi_929_;
-                            let _e1092 = phi_931_;
-                            let _e1094 = phi_2210_;
-                            continue;
-                            continuing {
-                                phi_2405_ = _e1082;
-                                phi_921_ = _e1084;
-                                phi_924_ = _e1086;
-                                phi_926_ = _e1088;
-                                phi_928_ = _e1090;
-                                phi_930_ = _e1092;
-                                phi_2509_ = _e1082;
-                                break if !(_e1094);
-                            }
-                        }
-                        let _e1097 = phi_2509_;
-                        if _e1097 {
-                            break;
-                        }
-                        let _e1099 = local_2;
-                        if (_e1099.member.member.member_3 != 4294967295u) {
-                            let _e1105 = (_e205 / 3i);
-                            let _e1112 = bitcast<f32>((bitcast<u32>((_e1105 + 127i)) << bitcast<u32>(23i)));
-                            let _e1120 = (((_e1099.member.member.member * _e1112) * _e1112) * bitcast<f32>((bitcast<u32>(((_e205 - (2i * _e1105)) + 127i)) << bitcast<u32>(23i))));
-                            let _e1122 = select(340282350000000000000000000000000000000f, _e1120, (_e1120 < 340282350000000000000000000000000000000f));
-                            phi_2262_ = type_22(select(-340282350000000000000000000000000000000f, _e1122, (_e1122 > -340282350000000000000000000000000000000f)), _e1099.member.member.member_1, _e1099.member.member.member_2, _e1099.member.member.member_3);
-                        } else {
-                            phi_2262_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                        }
-                        let _e1129 = phi_2262_;
+            let _e64 = global;
+            let _e66 = arrayLength((&global_2.member));
+            let _e68 = arrayLength((&global_1.member));
+            let _e76 = arrayLength((&global_6.member));
+            let _e80 = (_e64.x + (_e64.y * 2097152u));
+            let _e81 = (_e80 < arrayLength((&global_3.member)));
+            if _e81 {
+                let _e82 = (_e80 < arrayLength((&global_4.member)));
+                if _e82 {
+                    let _e83 = (_e80 < arrayLength((&global_5.member)));
+                    if _e83 {
                         if _e81 {
                         } else {
                             break;
                         }
-                        global_4.member[_e79] = _e1129;
-                        let _e1133 = local_3;
+                        let _e93 = global_3.member[_e80].member.member_2[0u];
+                        let _e95 = (bitcast<u32>(_e93) & 2147483647u);
+                        let _e101 = global_3.member[_e80].member.member_2[1u];
+                        let _e103 = (bitcast<u32>(_e101) & 2147483647u);
+                        let _e109 = global_3.member[_e80].member.member_2[2u];
+                        let _e111 = (bitcast<u32>(_e109) & 2147483647u);
+                        let _e117 = global_3.member[_e80].member.member[0u];
+                        let _e119 = (bitcast<u32>(_e117) & 2147483647u);
+                        let _e125 = global_3.member[_e80].member.member[1u];
+                        let _e127 = (bitcast<u32>(_e125) & 2147483647u);
+                        let _e133 = global_3.member[_e80].member.member[2u];
+                        let _e135 = (bitcast<u32>(_e133) & 2147483647u);
+                        let _e137 = select(_e103, _e95, (_e103 < _e95));
+                        let _e139 = select(_e111, _e137, (_e111 < _e137));
+                        let _e141 = select(_e119, _e139, (_e119 < _e139));
+                        let _e143 = select(_e127, _e141, (_e127 < _e141));
+                        let _e145 = select(_e135, _e143, (_e135 < _e143));
+                        let _e150 = global_3.member[_e80].member.member_1;
+                        let _e152 = (bitcast<u32>(_e150) & 2147483647u);
+                        let _e160 = global_3.member[_e80].member.member_3;
+                        let _e166 = (((select(_e152, _e145, (_e152 < _e145)) < 2139095040u) && ((bitcast<u32>(_e160) & 2147483647u) <= 2139095040u)) && (_e139 > 0u));
+                        if _e166 {
+                            let _e169 = (bitcast<u32>(bitcast<f32>(_e139)) & 2147483647u);
+                            if (_e169 >= 8388608u) {
+                                phi_276_ = (bitcast<i32>((_e169 >> bitcast<u32>(23i))) - 127i);
+                            } else {
+                                phi_276_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e169)), 32u, (_e169 == 0u))));
+                            }
+                            let _e183 = phi_276_;
+                            phi_277_ = _e183;
+                        } else {
+                            phi_277_ = 0i;
+                        }
+                        let _e185 = phi_277_;
+                        let _e186 = (_e95 == _e139);
+                        if _e186 {
+                            phi_287_ = true;
+                        } else {
+                            phi_287_ = (_e103 == _e139);
+                        }
+                        let _e189 = phi_287_;
+                        let _e190 = select(1u, 0u, _e186);
+                        if _e189 {
+                            let _e191 = (_e190 + 1u);
+                            phi_297_ = _e191;
+                            phi_298_ = _e191;
+                            phi_300_ = select(true, false, (_e191 == 2u));
+                        } else {
+                            phi_297_ = u32();
+                            phi_298_ = 0u;
+                            phi_300_ = true;
+                        }
+                        let _e195 = phi_297_;
+                        let _e197 = phi_298_;
+                        let _e199 = phi_300_;
+                        if _e199 {
+                            phi_305_ = (_e197 + 1u);
+                        } else {
+                            phi_305_ = 0u;
+                        }
+                        let _e203 = phi_305_;
+                        let _e204 = select(_e195, _e197, _e199);
+                        let _e205 = select(_e190, select(2u, _e190, _e189), _e199);
+                        let _e206 = -(_e185);
+                        if (_e206 < -126i) {
+                            phi_337_ = -126i;
+                        } else {
+                            phi_337_ = select(_e206, 127i, (_e206 > 127i));
+                        }
+                        let _e211 = phi_337_;
+                        let _e216 = bitcast<f32>((bitcast<u32>((_e211 + 127i)) << bitcast<u32>(23i)));
+                        let _e222 = bitcast<f32>((bitcast<u32>(((_e206 - _e211) + 127i)) << bitcast<u32>(23i)));
+                        let _e227 = global_3.member[_e80].member.member;
+                        let _e228 = (_e204 == 0u);
+                        if _e228 {
+                            phi_355_ = _e227[0];
+                        } else {
+                            phi_355_ = _e227[1];
+                        }
+                        let _e232 = phi_355_;
+                        let _e233 = (_e204 == 2u);
+                        if _e233 {
+                            phi_361_ = _e227[2];
+                        } else {
+                            phi_361_ = _e232;
+                        }
+                        let _e236 = phi_361_;
+                        let _e237 = global_3.member[_e80].member.member_2;
+                        if _e228 {
+                            phi_372_ = _e237[0];
+                        } else {
+                            phi_372_ = _e237[1];
+                        }
+                        let _e241 = phi_372_;
+                        if _e233 {
+                            phi_378_ = _e237[2];
+                        } else {
+                            phi_378_ = _e241;
+                        }
+                        let _e244 = phi_378_;
+                        let _e246 = ((_e244 * _e216) * _e222);
+                        let _e250 = (bitcast<f32>((bitcast<u32>(_e246) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e250 {
+                            let _e254 = (bitcast<f32>((bitcast<u32>(_e236) & 2147483647u)) * 0.00000011920929f);
+                            phi_401_ = select(0.00000000000011368684f, _e254, (_e254 > 0.00000000000011368684f));
+                        } else {
+                            phi_401_ = 0f;
+                        }
+                        let _e258 = phi_401_;
+                        let _e259 = (_e236 + _e258);
+                        let _e260 = (_e236 - _e258);
+                        let _e261 = select(_e246, 0f, _e250);
+                        if _e250 {
+                            phi_412_ = 38685626000000000000000000f;
+                        } else {
+                            phi_412_ = (1f / _e246);
+                        }
+                        let _e264 = phi_412_;
+                        let _e265 = (_e203 == 0u);
+                        if _e265 {
+                            phi_421_ = _e227[0];
+                        } else {
+                            phi_421_ = _e227[1];
+                        }
+                        let _e269 = phi_421_;
+                        let _e270 = (_e203 == 2u);
+                        if _e270 {
+                            phi_427_ = _e227[2];
+                        } else {
+                            phi_427_ = _e269;
+                        }
+                        let _e273 = phi_427_;
+                        if _e265 {
+                            phi_438_ = _e237[0];
+                        } else {
+                            phi_438_ = _e237[1];
+                        }
+                        let _e277 = phi_438_;
+                        if _e270 {
+                            phi_444_ = _e237[2];
+                        } else {
+                            phi_444_ = _e277;
+                        }
+                        let _e280 = phi_444_;
+                        let _e282 = ((_e280 * _e216) * _e222);
+                        let _e286 = (bitcast<f32>((bitcast<u32>(_e282) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e286 {
+                            let _e290 = (bitcast<f32>((bitcast<u32>(_e273) & 2147483647u)) * 0.00000011920929f);
+                            phi_467_ = select(0.00000000000011368684f, _e290, (_e290 > 0.00000000000011368684f));
+                        } else {
+                            phi_467_ = 0f;
+                        }
+                        let _e294 = phi_467_;
+                        let _e295 = (_e273 + _e294);
+                        let _e296 = (_e273 - _e294);
+                        let _e297 = select(_e282, 0f, _e286);
+                        if _e286 {
+                            phi_478_ = 38685626000000000000000000f;
+                        } else {
+                            phi_478_ = (1f / _e282);
+                        }
+                        let _e300 = phi_478_;
+                        let _e301 = (_e205 == 0u);
+                        if _e301 {
+                            phi_487_ = _e227[0];
+                        } else {
+                            phi_487_ = _e227[1];
+                        }
+                        let _e305 = phi_487_;
+                        let _e306 = (_e205 == 2u);
+                        if _e306 {
+                            phi_493_ = _e227[2];
+                        } else {
+                            phi_493_ = _e305;
+                        }
+                        let _e309 = phi_493_;
+                        if _e301 {
+                            phi_504_ = _e237[0];
+                        } else {
+                            phi_504_ = _e237[1];
+                        }
+                        let _e313 = phi_504_;
+                        if _e306 {
+                            phi_510_ = _e237[2];
+                        } else {
+                            phi_510_ = _e313;
+                        }
+                        let _e316 = phi_510_;
+                        let _e318 = ((_e316 * _e216) * _e222);
+                        let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e322 {
+                            let _e326 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
+                            phi_533_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
+                        } else {
+                            phi_533_ = 0f;
+                        }
+                        let _e330 = phi_533_;
+                        let _e331 = (_e309 + _e330);
+                        let _e332 = (_e309 - _e330);
+                        let _e333 = select(_e318, 0f, _e322);
+                        if _e322 {
+                            phi_544_ = 38685626000000000000000000f;
+                        } else {
+                            phi_544_ = (1f / _e318);
+                        }
+                        let _e336 = phi_544_;
+                        let _e339 = bitcast<f32>((bitcast<u32>(_e236) & 2147483647u));
+                        let _e342 = bitcast<f32>((bitcast<u32>(_e273) & 2147483647u));
+                        let _e344 = select(_e342, _e339, (_e339 > _e342));
+                        let _e347 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
+                        if (_e166 && (select(_e347, _e344, (_e344 > _e347)) <= 1099511600000f)) {
+                            let _e352 = (_e185 / 3i);
+                            let _e359 = bitcast<f32>((bitcast<u32>((_e352 + 127i)) << bitcast<u32>(23i)));
+                            let _e366 = bitcast<f32>((bitcast<u32>(((_e185 - (2i * _e352)) + 127i)) << bitcast<u32>(23i)));
+                            let _e367 = (((_e150 * _e359) * _e359) * _e366);
+                            let _e369 = select(340282350000000000000000000000000000000f, _e367, (_e367 < 340282350000000000000000000000000000000f));
+                            let _e374 = (((_e160 * _e359) * _e359) * _e366);
+                            let _e376 = select(340282350000000000000000000000000000000f, _e374, (_e374 < 340282350000000000000000000000000000000f));
+                            phi_644_ = select(-340282350000000000000000000000000000000f, _e376, (_e376 > -340282350000000000000000000000000000000f));
+                            phi_645_ = select(-340282350000000000000000000000000000000f, _e369, (_e369 > -340282350000000000000000000000000000000f));
+                        } else {
+                            phi_644_ = 0f;
+                            phi_645_ = 1f;
+                        }
+                        let _e380 = phi_644_;
+                        let _e382 = phi_645_;
+                        if _e81 {
+                        } else {
+                            break;
+                        }
+                        let _e388 = global_3.member[_e80].member_2;
+                        local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                        local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        phi_2412_ = false;
+                        phi_928_ = type_47(type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e380), 0u, 0u);
+                        phi_931_ = select(0u, 2147483648u, (_e66 == 0u));
+                        phi_933_ = ((3u * _e66) + 1u);
+                        phi_935_ = (_e382 <= _e380);
+                        phi_937_ = 0u;
+                        loop {
+                            let _e395 = phi_2412_;
+                            let _e397 = phi_928_;
+                            let _e399 = phi_931_;
+                            let _e401 = phi_933_;
+                            let _e403 = phi_935_;
+                            let _e405 = phi_937_;
+                            local_2 = _e397;
+                            local_3 = _e397;
+                            if _e403 {
+                                phi_948_ = true;
+                            } else {
+                                phi_948_ = (_e405 > 0u);
+                            }
+                            let _e408 = phi_948_;
+                            if _e408 {
+                                let _e409 = (_e401 > 0u);
+                                if _e409 {
+                                    if _e403 {
+                                        phi_979_ = _e399;
+                                        phi_980_ = _e403;
+                                        phi_981_ = _e405;
+                                    } else {
+                                        let _e410 = (_e405 - 1u);
+                                        let _e411 = (_e410 % 128u);
+                                        let _e412 = (_e411 < 128u);
+                                        if _e412 {
+                                        } else {
+                                            phi_2520_ = true;
+                                            break;
+                                        }
+                                        let _e414 = local_1[_e411];
+                                        if _e412 {
+                                        } else {
+                                            phi_2520_ = true;
+                                            break;
+                                        }
+                                        let _e416 = local[_e411];
+                                        phi_979_ = _e414;
+                                        phi_980_ = (_e416 <= _e397.member.member_1);
+                                        phi_981_ = _e410;
+                                    }
+                                    let _e421 = phi_979_;
+                                    let _e423 = phi_980_;
+                                    let _e425 = phi_981_;
+                                    if _e423 {
+                                        if ((_e421 & 2147483648u) != 0u) {
+                                            phi_996_ = _e397;
+                                            phi_999_ = type_7(0u, ((_e421 >> bitcast<u32>(28u)) & 7u));
+                                            loop {
+                                                let _e630 = phi_996_;
+                                                let _e632 = phi_999_;
+                                                local_4 = _e630;
+                                                if (_e632.member < _e632.member_1) {
+                                                    phi_1000_ = type_7((_e632.member + 1u), _e632.member_1);
+                                                    phi_1022_ = type_7(1u, _e632.member);
+                                                } else {
+                                                    phi_1000_ = _e632;
+                                                    phi_1022_ = type_7(0u, type_7().member_1);
+                                                }
+                                                let _e645 = phi_1000_;
+                                                let _e647 = phi_1022_;
+                                                let _e651 = (bitcast<i32>(_e647.member) != 0i);
+                                                if _e651 {
+                                                    let _e657 = type_47(_e630.member, _e630.member_1, (_e630.member_2 + 1u));
+                                                    let _e658 = ((_e421 & 268435455u) + _e647.member_1);
+                                                    let _e659 = (_e658 < _e68);
+                                                    if _e659 {
+                                                        if _e659 {
+                                                        } else {
+                                                            phi_2406_ = true;
+                                                            break;
+                                                        }
+                                                        let _e663 = global_1.member[_e658].member_1;
+                                                        phi_1046_ = _e663;
+                                                    } else {
+                                                        phi_1046_ = 4294967295u;
+                                                    }
+                                                    let _e665 = phi_1046_;
+                                                    if (_e658 >= _e68) {
+                                                        phi_1135_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    } else {
+                                                        if _e659 {
+                                                        } else {
+                                                            phi_2406_ = true;
+                                                            break;
+                                                        }
+                                                        let _e667 = (_e204 % 3u);
+                                                        let _e668 = (_e203 % 3u);
+                                                        let _e669 = (_e205 % 3u);
+                                                        if (_e667 < 9u) {
+                                                        } else {
+                                                            phi_2406_ = true;
+                                                            break;
+                                                        }
+                                                        let _e675 = global_1.member[_e658].member[_e667];
+                                                        if (_e668 < 9u) {
+                                                        } else {
+                                                            phi_2406_ = true;
+                                                            break;
+                                                        }
+                                                        let _e681 = global_1.member[_e658].member[_e668];
+                                                        if (_e669 < 9u) {
+                                                        } else {
+                                                            phi_2406_ = true;
+                                                            break;
+                                                        }
+                                                        let _e687 = global_1.member[_e658].member[_e669];
+                                                        let _e689 = (3u + _e667);
+                                                        if (_e689 < 9u) {
+                                                        } else {
+                                                            phi_2406_ = true;
+                                                            break;
+                                                        }
+                                                        let _e695 = global_1.member[_e658].member[_e689];
+                                                        let _e696 = (3u + _e668);
+                                                        if (_e696 < 9u) {
+                                                        } else {
+                                                            phi_2406_ = true;
+                                                            break;
+                                                        }
+                                                        let _e702 = global_1.member[_e658].member[_e696];
+                                                        let _e703 = (3u + _e669);
+                                                        if (_e703 < 9u) {
+                                                        } else {
+                                                            phi_2406_ = true;
+                                                            break;
+                                                        }
+                                                        let _e709 = global_1.member[_e658].member[_e703];
+                                                        let _e711 = (6u + _e667);
+                                                        if (_e711 < 9u) {
+                                                        } else {
+                                                            phi_2406_ = true;
+                                                            break;
+                                                        }
+                                                        let _e717 = global_1.member[_e658].member[_e711];
+                                                        let _e718 = (6u + _e668);
+                                                        if (_e718 < 9u) {
+                                                        } else {
+                                                            phi_2406_ = true;
+                                                            break;
+                                                        }
+                                                        let _e724 = global_1.member[_e658].member[_e718];
+                                                        let _e725 = (6u + _e669);
+                                                        if (_e725 < 9u) {
+                                                        } else {
+                                                            phi_2406_ = true;
+                                                            break;
+                                                        }
+                                                        let _e731 = global_1.member[_e658].member[_e725];
+                                                        phi_1135_ = array<array<f32, 3>, 3>(array<f32, 3>(_e675, _e681, _e687), array<f32, 3>(_e695, _e702, _e709), array<f32, 3>(_e717, _e724, _e731));
+                                                    }
+                                                    let _e735 = phi_1135_;
+                                                    let _e744 = (_e735[0][2] - _e309);
+                                                    let _e747 = (((_e735[0][0] - _e236) * _e333) - (_e744 * _e261));
+                                                    let _e750 = (((_e735[0][1] - _e273) * _e333) - (_e744 * _e297));
+                                                    let _e757 = (_e735[1][2] - _e309);
+                                                    let _e760 = (((_e735[1][0] - _e236) * _e333) - (_e757 * _e261));
+                                                    let _e763 = (((_e735[1][1] - _e273) * _e333) - (_e757 * _e297));
+                                                    let _e770 = (_e735[2][2] - _e309);
+                                                    let _e773 = (((_e735[2][0] - _e236) * _e333) - (_e770 * _e261));
+                                                    let _e776 = (((_e735[2][1] - _e273) * _e333) - (_e770 * _e297));
+                                                    let _e777 = (_e773 * _e763);
+                                                    let _e778 = (_e776 * _e760);
+                                                    let _e779 = (_e747 * _e776);
+                                                    let _e780 = (_e750 * _e773);
+                                                    let _e781 = (_e760 * _e750);
+                                                    let _e782 = (_e763 * _e747);
+                                                    let _e787 = (((_e777 >= _e778) && (_e779 >= _e780)) && (_e781 >= _e782));
+                                                    if (_e787 || (((_e777 <= _e778) && (_e779 <= _e780)) && (_e781 <= _e782))) {
+                                                        let _e794 = select(-1f, 1f, _e787);
+                                                        let _e796 = ((_e777 - _e778) * _e794);
+                                                        let _e798 = select(0f, _e796, (_e796 > 0f));
+                                                        let _e800 = ((_e779 - _e780) * _e794);
+                                                        let _e802 = select(0f, _e800, (_e800 > 0f));
+                                                        let _e804 = ((_e781 - _e782) * _e794);
+                                                        let _e806 = select(0f, _e804, (_e804 > 0f));
+                                                        let _e808 = ((_e798 + _e802) + _e806);
+                                                        if (_e808 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1701_ = type_22();
+                                                            phi_1702_ = true;
+                                                        } else {
+                                                            let _e811 = select(_e735[1][0], _e735[0][0], (_e735[0][0] < _e735[1][0]));
+                                                            let _e815 = select(_e735[1][0], _e735[0][0], (_e735[0][0] > _e735[1][0]));
+                                                            let _e819 = select(_e735[1][1], _e735[0][1], (_e735[0][1] < _e735[1][1]));
+                                                            let _e823 = select(_e735[1][1], _e735[0][1], (_e735[0][1] > _e735[1][1]));
+                                                            let _e827 = select(_e735[1][2], _e735[0][2], (_e735[0][2] < _e735[1][2]));
+                                                            let _e831 = select(_e735[1][2], _e735[0][2], (_e735[0][2] > _e735[1][2]));
+                                                            let _e836 = ((select(_e735[2][0], _e811, (_e811 < _e735[2][0])) - _e259) * _e264);
+                                                            let _e837 = ((select(_e735[2][0], _e815, (_e815 > _e735[2][0])) - _e260) * _e264);
+                                                            let _e840 = ((select(_e735[2][1], _e819, (_e819 < _e735[2][1])) - _e295) * _e300);
+                                                            let _e841 = ((select(_e735[2][1], _e823, (_e823 > _e735[2][1])) - _e296) * _e300);
+                                                            let _e844 = ((select(_e735[2][2], _e827, (_e827 < _e735[2][2])) - _e331) * _e336);
+                                                            let _e845 = ((select(_e735[2][2], _e831, (_e831 > _e735[2][2])) - _e332) * _e336);
+                                                            let _e847 = select(_e845, _e844, (_e844 < _e845));
+                                                            let _e849 = select(_e845, _e844, (_e844 > _e845));
+                                                            let _e851 = select(_e837, _e836, (_e836 < _e837));
+                                                            let _e853 = select(_e841, _e840, (_e840 < _e841));
+                                                            let _e855 = select(_e853, _e851, (_e851 > _e853));
+                                                            let _e857 = select(_e847, _e855, (_e855 > _e847));
+                                                            let _e859 = select(_e837, _e836, (_e836 > _e837));
+                                                            let _e861 = select(_e841, _e840, (_e840 > _e841));
+                                                            let _e863 = select(_e861, _e859, (_e859 < _e861));
+                                                            let _e865 = select(_e849, _e863, (_e863 < _e849));
+                                                            let _e866 = -(_e847);
+                                                            let _e872 = select(_e382, _e857, (_e857 > _e382));
+                                                            if (_e872 > (_e865 + (select(_e866, _e849, (_e849 > _e866)) * 0.0000019073523f))) {
+                                                                phi_1696_ = type_22();
+                                                                phi_1697_ = true;
+                                                            } else {
+                                                                let _e874 = (_e872 > _e630.member.member_1);
+                                                                if _e874 {
+                                                                    phi_1695_ = type_22();
+                                                                } else {
+                                                                    let _e878 = (_e735[1][0] - _e735[0][0]);
+                                                                    let _e879 = (_e735[1][1] - _e735[0][1]);
+                                                                    let _e880 = (_e735[1][2] - _e735[0][2]);
+                                                                    let _e881 = vec3<f32>(_e878, _e879, _e880);
+                                                                    let _e882 = (_e735[2][0] - _e735[1][0]);
+                                                                    let _e883 = (_e735[2][1] - _e735[1][1]);
+                                                                    let _e884 = (_e735[2][2] - _e735[1][2]);
+                                                                    let _e885 = vec3<f32>(_e882, _e883, _e884);
+                                                                    let _e886 = (_e735[0][0] - _e735[2][0]);
+                                                                    let _e887 = (_e735[0][1] - _e735[2][1]);
+                                                                    let _e888 = (_e735[0][2] - _e735[2][2]);
+                                                                    let _e889 = vec3<f32>(_e886, _e887, _e888);
+                                                                    let _e892 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
+                                                                    let _e895 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
+                                                                    let _e897 = select(_e895, _e892, (_e892 > _e895));
+                                                                    let _e900 = bitcast<f32>((bitcast<u32>(_e880) & 2147483647u));
+                                                                    let _e902 = select(_e900, _e897, (_e897 > _e900));
+                                                                    let _e905 = bitcast<f32>((bitcast<u32>(_e882) & 2147483647u));
+                                                                    let _e908 = bitcast<f32>((bitcast<u32>(_e883) & 2147483647u));
+                                                                    let _e910 = select(_e908, _e905, (_e905 > _e908));
+                                                                    let _e913 = bitcast<f32>((bitcast<u32>(_e884) & 2147483647u));
+                                                                    let _e915 = select(_e913, _e910, (_e910 > _e913));
+                                                                    let _e918 = bitcast<f32>((bitcast<u32>(_e886) & 2147483647u));
+                                                                    let _e921 = bitcast<f32>((bitcast<u32>(_e887) & 2147483647u));
+                                                                    let _e923 = select(_e921, _e918, (_e918 > _e921));
+                                                                    let _e926 = bitcast<f32>((bitcast<u32>(_e888) & 2147483647u));
+                                                                    let _e928 = select(_e926, _e923, (_e923 > _e926));
+                                                                    let _e930 = select(_e915, _e902, (_e902 > _e915));
+                                                                    let _e932 = select(_e928, _e930, (_e930 > _e928));
+                                                                    if (_e902 == _e932) {
+                                                                        phi_1606_ = _e885;
+                                                                        phi_1607_ = _e889;
+                                                                    } else {
+                                                                        let _e935 = vec3((_e915 == _e932));
+                                                                        phi_1606_ = select(_e881, _e889, _e935);
+                                                                        phi_1607_ = select(_e885, _e881, _e935);
+                                                                    }
+                                                                    let _e939 = phi_1606_;
+                                                                    let _e941 = phi_1607_;
+                                                                    let _e948 = ((_e939.y * _e941.z) - (_e941.y * _e939.z));
+                                                                    let _e953 = ((_e939.z * _e941.x) - (_e941.z * _e939.x));
+                                                                    let _e956 = ((_e939.x * _e941.y) - (_e941.x * _e939.y));
+                                                                    if (_e798 >= _e802) {
+                                                                        phi_1638_ = select(true, false, (_e798 >= _e806));
+                                                                    } else {
+                                                                        phi_1638_ = true;
+                                                                    }
+                                                                    let _e961 = phi_1638_;
+                                                                    if _e961 {
+                                                                        phi_1647_ = select(vec3<f32>(_e735[2][0], _e735[2][1], _e735[2][2]), vec3<f32>(_e735[1][0], _e735[1][1], _e735[1][2]), vec3((_e802 >= _e806)));
+                                                                    } else {
+                                                                        phi_1647_ = vec3<f32>(_e735[0][0], _e735[0][1], _e735[0][2]);
+                                                                    }
+                                                                    let _e966 = phi_1647_;
+                                                                    let _e983 = ((((_e948 * (_e966.x - _e236)) + (_e953 * (_e966.y - _e273))) + (_e956 * (_e966.z - _e309))) / (((_e948 * _e261) + (_e953 * _e297)) + (_e956 * _e333)));
+                                                                    let _e985 = select(_e865, _e983, (_e983 < _e865));
+                                                                    let _e987 = select(_e857, _e985, (_e985 > _e857));
+                                                                    if (_e987 >= _e382) {
+                                                                        let _e989 = (_e987 <= _e630.member.member_1);
+                                                                        if _e989 {
+                                                                            let _e990 = (1f / _e808);
+                                                                            phi_1687_ = type_22(_e987, (_e802 * _e990), (_e806 * _e990), _e665);
+                                                                        } else {
+                                                                            phi_1687_ = type_22();
+                                                                        }
+                                                                        let _e995 = phi_1687_;
+                                                                        phi_1689_ = _e995;
+                                                                        phi_1690_ = select(true, false, _e989);
+                                                                    } else {
+                                                                        phi_1689_ = type_22();
+                                                                        phi_1690_ = true;
+                                                                    }
+                                                                    let _e998 = phi_1689_;
+                                                                    let _e1000 = phi_1690_;
+                                                                    if _e1000 {
+                                                                        phi_1694_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    } else {
+                                                                        phi_1694_ = _e998;
+                                                                    }
+                                                                    let _e1002 = phi_1694_;
+                                                                    phi_1695_ = _e1002;
+                                                                }
+                                                                let _e1004 = phi_1695_;
+                                                                phi_1696_ = _e1004;
+                                                                phi_1697_ = _e874;
+                                                            }
+                                                            let _e1006 = phi_1696_;
+                                                            let _e1008 = phi_1697_;
+                                                            phi_1701_ = _e1006;
+                                                            phi_1702_ = _e1008;
+                                                        }
+                                                        let _e1010 = phi_1701_;
+                                                        let _e1012 = phi_1702_;
+                                                        phi_1706_ = _e1010;
+                                                        phi_1707_ = _e1012;
+                                                    } else {
+                                                        phi_1706_ = type_22();
+                                                        phi_1707_ = true;
+                                                    }
+                                                    let _e1014 = phi_1706_;
+                                                    let _e1016 = phi_1707_;
+                                                    if _e1016 {
+                                                        phi_1711_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    } else {
+                                                        phi_1711_ = _e1014;
+                                                    }
+                                                    let _e1018 = phi_1711_;
+                                                    if (_e1018.member_3 != 4294967295u) {
+                                                        if (_e665 != _e388) {
+                                                            if (_e1018.member < _e630.member.member.member) {
+                                                                phi_1737_ = true;
+                                                            } else {
+                                                                if (_e1018.member == _e630.member.member.member) {
+                                                                    phi_1736_ = (_e1018.member_3 < _e630.member.member.member_3);
+                                                                } else {
+                                                                    phi_1736_ = false;
+                                                                }
+                                                                let _e1033 = phi_1736_;
+                                                                phi_1737_ = _e1033;
+                                                            }
+                                                            let _e1035 = phi_1737_;
+                                                            if _e1035 {
+                                                                phi_1744_ = type_47(type_42(_e1018, _e1018.member), _e657.member_1, _e657.member_2);
+                                                            } else {
+                                                                phi_1744_ = _e657;
+                                                            }
+                                                            let _e1042 = phi_1744_;
+                                                            phi_1745_ = _e1042;
+                                                        } else {
+                                                            phi_1745_ = _e657;
+                                                        }
+                                                        let _e1044 = phi_1745_;
+                                                        phi_1746_ = _e1044;
+                                                    } else {
+                                                        phi_1746_ = _e657;
+                                                    }
+                                                    let _e1046 = phi_1746_;
+                                                    phi_997_ = _e1046;
+                                                } else {
+                                                    phi_997_ = type_47();
+                                                }
+                                                let _e1048 = phi_997_;
+                                                continue;
+                                                continuing {
+                                                    phi_996_ = _e1048;
+                                                    phi_999_ = _e645;
+                                                    phi_2406_ = _e395;
+                                                    break if !(_e651);
+                                                }
+                                            }
+                                            let _e1051 = phi_2406_;
+                                            phi_2520_ = _e1051;
+                                            if _e1051 {
+                                                break;
+                                            }
+                                            phi_2524_ = _e1051;
+                                            let _e1261 = local_4;
+                                            phi_2203_ = _e1261;
+                                            phi_2204_ = _e421;
+                                            phi_2205_ = false;
+                                            phi_2206_ = _e425;
+                                        } else {
+                                            if (_e421 >= _e66) {
+                                                phi_1809_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            } else {
+                                                if (_e421 < _e66) {
+                                                } else {
+                                                    phi_2520_ = true;
+                                                    break;
+                                                }
+                                                let _e441 = (_e204 % 3u);
+                                                if (_e441 < 3u) {
+                                                } else {
+                                                    phi_2520_ = true;
+                                                    break;
+                                                }
+                                                let _e447 = global_2.member[_e421].member[_e441];
+                                                let _e453 = (_e203 % 3u);
+                                                if (_e453 < 3u) {
+                                                } else {
+                                                    phi_2520_ = true;
+                                                    break;
+                                                }
+                                                let _e459 = global_2.member[_e421].member[_e453];
+                                                let _e465 = (_e205 % 3u);
+                                                if (_e465 < 3u) {
+                                                } else {
+                                                    phi_2520_ = true;
+                                                    break;
+                                                }
+                                                let _e471 = global_2.member[_e421].member[_e465];
+                                                let _e481 = global_2.member[_e421].member_1;
+                                                let _e485 = global_2.member[_e421].member_2;
+                                                phi_1809_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e447[0], _e447[1], _e447[2], _e447[3]), vec4<f32>(_e459[0], _e459[1], _e459[2], _e459[3]), vec4<f32>(_e471[0], _e471[1], _e471[2], _e471[3])), _e481, _e485);
+                                            }
+                                            let _e488 = phi_1809_;
+                                            let _e501 = ((_e488.member[0].x - _e259) * _e264);
+                                            let _e502 = ((_e488.member[0].y - _e259) * _e264);
+                                            let _e503 = ((_e488.member[0].z - _e260) * _e264);
+                                            let _e504 = ((_e488.member[0].w - _e260) * _e264);
+                                            let _e514 = ((_e488.member[1].x - _e295) * _e300);
+                                            let _e515 = ((_e488.member[1].y - _e295) * _e300);
+                                            let _e516 = ((_e488.member[1].z - _e296) * _e300);
+                                            let _e517 = ((_e488.member[1].w - _e296) * _e300);
+                                            let _e527 = ((_e488.member[2].x - _e331) * _e336);
+                                            let _e528 = ((_e488.member[2].y - _e331) * _e336);
+                                            let _e529 = ((_e488.member[2].z - _e332) * _e336);
+                                            let _e530 = ((_e488.member[2].w - _e332) * _e336);
+                                            let _e532 = select(_e529, _e527, (_e527 < _e529));
+                                            let _e534 = select(_e530, _e528, (_e528 < _e530));
+                                            let _e536 = select(_e529, _e527, (_e527 > _e529));
+                                            let _e538 = select(_e530, _e528, (_e528 > _e530));
+                                            let _e540 = select(_e503, _e501, (_e501 < _e503));
+                                            let _e542 = select(_e504, _e502, (_e502 < _e504));
+                                            let _e544 = select(_e516, _e514, (_e514 < _e516));
+                                            let _e546 = select(_e517, _e515, (_e515 < _e517));
+                                            let _e548 = select(_e544, _e540, (_e540 > _e544));
+                                            let _e550 = select(_e546, _e542, (_e542 > _e546));
+                                            let _e552 = select(_e532, _e548, (_e548 > _e532));
+                                            let _e554 = select(_e534, _e550, (_e550 > _e534));
+                                            let _e556 = select(_e503, _e501, (_e501 > _e503));
+                                            let _e558 = select(_e504, _e502, (_e502 > _e504));
+                                            let _e560 = select(_e516, _e514, (_e514 > _e516));
+                                            let _e562 = select(_e517, _e515, (_e515 > _e517));
+                                            let _e564 = select(_e560, _e556, (_e556 < _e560));
+                                            let _e566 = select(_e562, _e558, (_e558 < _e562));
+                                            let _e571 = -(_e532);
+                                            let _e572 = -(_e534);
+                                            let _e579 = (select(_e536, _e564, (_e564 < _e536)) + (select(_e571, _e536, (_e536 > _e571)) * 0.0000019073523f));
+                                            let _e580 = (select(_e538, _e566, (_e566 < _e538)) + (select(_e572, _e538, (_e538 > _e572)) * 0.0000019073523f));
+                                            let _e582 = select(_e382, _e552, (_e552 > _e382));
+                                            let _e584 = select(_e382, _e554, (_e554 > _e382));
+                                            let _e589 = (_e582 <= select(_e397.member.member_1, _e579, (_e579 < _e397.member.member_1)));
+                                            let _e590 = (_e584 <= select(_e397.member.member_1, _e580, (_e580 < _e397.member.member_1)));
+                                            let _e591 = (_e582 <= _e584);
+                                            if _e589 {
+                                                if _e590 {
+                                                    if _e591 {
+                                                        phi_2153_ = _e488.member_2;
+                                                    } else {
+                                                        phi_2153_ = _e488.member_1;
+                                                    }
+                                                    let _e595 = phi_2153_;
+                                                    let _e596 = (_e425 % 128u);
+                                                    let _e597 = (_e596 < 128u);
+                                                    if _e597 {
+                                                    } else {
+                                                        phi_2520_ = true;
+                                                        break;
+                                                    }
+                                                    local_1[_e596] = _e595;
+                                                    if _e597 {
+                                                    } else {
+                                                        phi_2520_ = true;
+                                                        break;
+                                                    }
+                                                    local[_e596] = select(_e584, _e582, (_e582 > _e584));
+                                                    if _e591 {
+                                                        phi_2180_ = _e488.member_1;
+                                                    } else {
+                                                        phi_2180_ = _e488.member_2;
+                                                    }
+                                                    let _e606 = phi_2180_;
+                                                    phi_2181_ = _e606;
+                                                    phi_2182_ = (_e425 + 1u);
+                                                } else {
+                                                    phi_2181_ = u32();
+                                                    phi_2182_ = u32();
+                                                }
+                                                let _e608 = phi_2181_;
+                                                let _e610 = phi_2182_;
+                                                phi_2184_ = _e608;
+                                                phi_2185_ = _e610;
+                                                phi_2186_ = select(true, false, _e590);
+                                            } else {
+                                                phi_2184_ = u32();
+                                                phi_2185_ = u32();
+                                                phi_2186_ = true;
+                                            }
+                                            let _e613 = phi_2184_;
+                                            let _e615 = phi_2185_;
+                                            let _e617 = phi_2186_;
+                                            if _e617 {
+                                                if _e589 {
+                                                    phi_2195_ = _e488.member_1;
+                                                } else {
+                                                    phi_2195_ = _e488.member_2;
+                                                }
+                                                let _e621 = phi_2195_;
+                                                phi_2200_ = _e621;
+                                                phi_2201_ = select(_e590, true, _e589);
+                                            } else {
+                                                phi_2200_ = _e613;
+                                                phi_2201_ = _e423;
+                                            }
+                                            let _e624 = phi_2200_;
+                                            let _e626 = phi_2201_;
+                                            phi_2524_ = _e395;
+                                            phi_2203_ = type_47(_e397.member, (_e397.member_1 + 1u), _e397.member_2);
+                                            phi_2204_ = _e624;
+                                            phi_2205_ = _e626;
+                                            phi_2206_ = select(_e615, _e425, _e617);
+                                        }
+                                        let _e1053 = phi_2524_;
+                                        let _e1055 = phi_2203_;
+                                        let _e1057 = phi_2204_;
+                                        let _e1059 = phi_2205_;
+                                        let _e1061 = phi_2206_;
+                                        phi_2523_ = _e1053;
+                                        phi_2207_ = _e1055;
+                                        phi_2208_ = _e1057;
+                                        phi_2209_ = (_e401 - 1u);
+                                        phi_2210_ = _e1059;
+                                        phi_2211_ = _e1061;
+                                    } else {
+                                        phi_2523_ = _e395;
+                                        phi_2207_ = _e397;
+                                        phi_2208_ = _e421;
+                                        phi_2209_ = _e401;
+                                        phi_2210_ = _e423;
+                                        phi_2211_ = _e425;
+                                    }
+                                    let _e1063 = phi_2523_;
+                                    let _e1065 = phi_2207_;
+                                    let _e1067 = phi_2208_;
+                                    let _e1069 = phi_2209_;
+                                    let _e1071 = phi_2210_;
+                                    let _e1073 = phi_2211_;
+                                    phi_2522_ = _e1063;
+                                    phi_2212_ = _e1065;
+                                    phi_2213_ = _e1067;
+                                    phi_2214_ = _e1069;
+                                    phi_2215_ = _e1071;
+                                    phi_2216_ = _e1073;
+                                } else {
+                                    phi_2522_ = _e395;
+                                    phi_2212_ = type_47();
+                                    phi_2213_ = u32();
+                                    phi_2214_ = u32();
+                                    phi_2215_ = bool();
+                                    phi_2216_ = u32();
+                                }
+                                let _e1075 = phi_2522_;
+                                let _e1077 = phi_2212_;
+                                let _e1079 = phi_2213_;
+                                let _e1081 = phi_2214_;
+                                let _e1083 = phi_2215_;
+                                let _e1085 = phi_2216_;
+                                phi_2521_ = _e1075;
+                                phi_929_ = _e1077;
+                                phi_932_ = _e1079;
+                                phi_934_ = _e1081;
+                                phi_936_ = _e1083;
+                                phi_938_ = _e1085;
+                                phi_2217_ = _e409;
+                            } else {
+                                phi_2521_ = _e395;
+                                phi_929_ = type_47();
+                                phi_932_ = u32();
+                                phi_934_ = u32();
+                                phi_936_ = bool();
+                                phi_938_ = u32();
+                                phi_2217_ = false;
+                            }
+                            let _e1087 = phi_2521_;
+                            let _e1089 = phi_929_;
+                            let _e1091 = phi_932_;
+                            let _e1093 = phi_934_;
+                            let _e1095 = phi_936_;
+                            let _e1097 = phi_938_;
+                            let _e1099 = phi_2217_;
+                            continue;
+                            continuing {
+                                phi_2412_ = _e1087;
+                                phi_928_ = _e1089;
+                                phi_931_ = _e1091;
+                                phi_933_ = _e1093;
+                                phi_935_ = _e1095;
+                                phi_937_ = _e1097;
+                                phi_2520_ = _e1087;
+                                break if !(_e1099);
+                            }
+                        }
+                        let _e1102 = phi_2520_;
+                        if _e1102 {
+                            break;
+                        }
+                        let _e1104 = local_2;
+                        if (_e1104.member.member.member_3 != 4294967295u) {
+                            let _e1110 = (_e206 / 3i);
+                            let _e1117 = bitcast<f32>((bitcast<u32>((_e1110 + 127i)) << bitcast<u32>(23i)));
+                            let _e1125 = (((_e1104.member.member.member * _e1117) * _e1117) * bitcast<f32>((bitcast<u32>(((_e206 - (2i * _e1110)) + 127i)) << bitcast<u32>(23i))));
+                            let _e1127 = select(340282350000000000000000000000000000000f, _e1125, (_e1125 < 340282350000000000000000000000000000000f));
+                            phi_2269_ = type_22(select(-340282350000000000000000000000000000000f, _e1127, (_e1127 > -340282350000000000000000000000000000000f)), _e1104.member.member.member_1, _e1104.member.member.member_2, _e1104.member.member.member_3);
+                        } else {
+                            phi_2269_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        }
+                        let _e1134 = phi_2269_;
                         if _e82 {
                         } else {
                             break;
                         }
-                        global_5.member[_e79] = _e1133.member_1;
-                        if _e80 {
+                        global_4.member[_e80] = _e1134;
+                        let _e1138 = local_3;
+                        if _e83 {
                         } else {
                             break;
                         }
-                        let _e1138 = select(0u, 1u, (_e149 <= _e159));
-                        if (_e1138 > 0u) {
-                            let _e1140 = (1u < _e75);
-                            if _e1140 {
-                                if (0u < _e75) {
+                        global_5.member[_e80] = _e1138.member_1;
+                        if _e81 {
+                        } else {
+                            break;
+                        }
+                        let _e1143 = select(0u, 1u, (_e150 <= _e160));
+                        if (_e1143 > 0u) {
+                            let _e1145 = (1u < _e76);
+                            if _e1145 {
+                                if (0u < _e76) {
                                 } else {
                                     break;
                                 }
-                                let _e1144 = atomicAdd((&global_6.member[0u]), _e1138);
-                                if ((_e1144 + _e1138) < _e1144) {
-                                    if _e1140 {
+                                let _e1149 = atomicAdd((&global_6.member[0u]), _e1143);
+                                if ((_e1149 + _e1143) < _e1149) {
+                                    if _e1145 {
                                     } else {
                                         break;
                                     }
-                                    let _e1149 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e1154 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1152 = select(0u, 1u, (_e1129.member_3 != 4294967295u));
-                        if (_e1152 > 0u) {
-                            let _e1154 = (3u < _e75);
-                            if _e1154 {
-                                if (2u < _e75) {
+                        let _e1157 = select(0u, 1u, (_e1134.member_3 != 4294967295u));
+                        if (_e1157 > 0u) {
+                            let _e1159 = (3u < _e76);
+                            if _e1159 {
+                                if (2u < _e76) {
                                 } else {
                                     break;
                                 }
-                                let _e1158 = atomicAdd((&global_6.member[2u]), _e1152);
-                                if ((_e1158 + _e1152) < _e1158) {
-                                    if _e1154 {
+                                let _e1163 = atomicAdd((&global_6.member[2u]), _e1157);
+                                if ((_e1163 + _e1157) < _e1163) {
+                                    if _e1159 {
                                     } else {
                                         break;
                                     }
-                                    let _e1163 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e1168 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1133.member_1 > 0u) {
-                            let _e1165 = (5u < _e75);
-                            if _e1165 {
-                                if (4u < _e75) {
+                        if (_e1138.member_1 > 0u) {
+                            let _e1170 = (5u < _e76);
+                            if _e1170 {
+                                if (4u < _e76) {
                                 } else {
                                     break;
                                 }
-                                let _e1169 = atomicAdd((&global_6.member[4u]), _e1133.member_1);
-                                if ((_e1169 + _e1133.member_1) < _e1169) {
-                                    if _e1165 {
+                                let _e1174 = atomicAdd((&global_6.member[4u]), _e1138.member_1);
+                                if ((_e1174 + _e1138.member_1) < _e1174) {
+                                    if _e1170 {
                                     } else {
                                         break;
                                     }
-                                    let _e1174 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e1179 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

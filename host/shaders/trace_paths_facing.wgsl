@@ -115,1163 +115,1175 @@ var<storage, read_write> global_9: type_66;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_270_: type_46;
-    var phi_380_: i32;
-    var phi_381_: i32;
-    var phi_391_: bool;
-    var phi_401_: u32;
-    var phi_402_: u32;
-    var phi_404_: bool;
-    var phi_409_: u32;
-    var phi_453_: f32;
-    var phi_459_: f32;
-    var phi_470_: f32;
-    var phi_476_: f32;
-    var phi_499_: f32;
-    var phi_510_: f32;
-    var phi_519_: f32;
-    var phi_525_: f32;
-    var phi_536_: f32;
-    var phi_542_: f32;
-    var phi_565_: f32;
-    var phi_576_: f32;
-    var phi_585_: f32;
-    var phi_591_: f32;
-    var phi_602_: f32;
-    var phi_608_: f32;
-    var phi_631_: f32;
-    var phi_642_: f32;
-    var phi_742_: f32;
-    var phi_743_: f32;
-    var phi_2779_: bool;
-    var phi_1017_: type_49;
-    var phi_1020_: u32;
-    var phi_1022_: u32;
-    var phi_1024_: bool;
-    var phi_1026_: u32;
-    var phi_1037_: bool;
-    var phi_1068_: u32;
-    var phi_1069_: bool;
-    var phi_1070_: u32;
-    var phi_2214_: type_53;
-    var phi_2558_: u32;
-    var phi_2585_: u32;
-    var phi_2586_: u32;
-    var phi_2587_: u32;
-    var phi_2589_: u32;
-    var phi_2590_: u32;
-    var phi_2591_: bool;
+    var phi_250_: i32;
+    var phi_274_: type_46;
+    var phi_384_: i32;
+    var phi_385_: i32;
+    var phi_395_: bool;
+    var phi_405_: u32;
+    var phi_406_: u32;
+    var phi_408_: bool;
+    var phi_413_: u32;
+    var phi_445_: i32;
+    var phi_463_: f32;
+    var phi_469_: f32;
+    var phi_480_: f32;
+    var phi_486_: f32;
+    var phi_509_: f32;
+    var phi_520_: f32;
+    var phi_529_: f32;
+    var phi_535_: f32;
+    var phi_546_: f32;
+    var phi_552_: f32;
+    var phi_575_: f32;
+    var phi_586_: f32;
+    var phi_595_: f32;
+    var phi_601_: f32;
+    var phi_612_: f32;
+    var phi_618_: f32;
+    var phi_641_: f32;
+    var phi_652_: f32;
+    var phi_752_: f32;
+    var phi_753_: f32;
+    var phi_2789_: bool;
+    var phi_1027_: type_49;
+    var phi_1030_: u32;
+    var phi_1032_: u32;
+    var phi_1034_: bool;
+    var phi_1036_: u32;
+    var phi_1047_: bool;
+    var phi_1078_: u32;
+    var phi_1079_: bool;
+    var phi_1080_: u32;
+    var phi_2224_: type_53;
+    var phi_2568_: u32;
+    var phi_2595_: u32;
+    var phi_2596_: u32;
+    var phi_2597_: u32;
+    var phi_2599_: u32;
     var phi_2600_: u32;
-    var phi_2605_: u32;
-    var phi_2606_: bool;
-    var phi_1085_: type_49;
-    var phi_1088_: type_8;
-    var phi_1089_: type_8;
-    var phi_1111_: type_8;
-    var phi_1132_: u32;
-    var phi_1221_: array<array<f32, 3>, 3>;
-    var phi_1692_: vec3<f32>;
-    var phi_1693_: vec3<f32>;
-    var phi_1724_: bool;
-    var phi_1733_: vec3<f32>;
-    var phi_1773_: type_28;
-    var phi_1775_: type_28;
-    var phi_1776_: bool;
-    var phi_1780_: type_28;
-    var phi_1781_: type_28;
-    var phi_1782_: type_28;
-    var phi_1783_: bool;
-    var phi_1787_: type_28;
-    var phi_1788_: bool;
+    var phi_2601_: bool;
+    var phi_2610_: u32;
+    var phi_2615_: u32;
+    var phi_2616_: bool;
+    var phi_1095_: type_49;
+    var phi_1098_: type_8;
+    var phi_1099_: type_8;
+    var phi_1121_: type_8;
+    var phi_1142_: u32;
+    var phi_1231_: array<array<f32, 3>, 3>;
+    var phi_1702_: vec3<f32>;
+    var phi_1703_: vec3<f32>;
+    var phi_1734_: bool;
+    var phi_1743_: vec3<f32>;
+    var phi_1783_: type_28;
+    var phi_1785_: type_28;
+    var phi_1786_: bool;
+    var phi_1790_: type_28;
+    var phi_1791_: type_28;
     var phi_1792_: type_28;
     var phi_1793_: bool;
     var phi_1797_: type_28;
-    var phi_1820_: u32;
-    var phi_1834_: i32;
-    var phi_1854_: vec3<f32>;
-    var phi_1855_: vec3<f32>;
-    var phi_1871_: vec3<f32>;
-    var phi_1872_: vec3<f32>;
-    var phi_1888_: vec3<f32>;
-    var phi_1889_: vec3<f32>;
-    var phi_1925_: vec3<f32>;
-    var phi_2107_: f32;
-    var phi_2125_: bool;
-    var phi_2126_: bool;
-    var phi_2145_: bool;
-    var phi_2146_: bool;
-    var phi_2152_: type_49;
-    var phi_2153_: type_49;
-    var phi_2154_: type_49;
-    var phi_1086_: type_49;
-    var phi_2773_: bool;
-    var phi_2908_: bool;
-    var phi_2608_: type_49;
-    var phi_2609_: u32;
-    var phi_2610_: bool;
-    var phi_2611_: u32;
-    var phi_2907_: bool;
-    var phi_2612_: type_49;
-    var phi_2613_: u32;
-    var phi_2614_: u32;
-    var phi_2615_: bool;
-    var phi_2616_: u32;
-    var phi_2906_: bool;
-    var phi_2617_: type_49;
-    var phi_2618_: u32;
+    var phi_1798_: bool;
+    var phi_1802_: type_28;
+    var phi_1803_: bool;
+    var phi_1807_: type_28;
+    var phi_1830_: u32;
+    var phi_1844_: i32;
+    var phi_1864_: vec3<f32>;
+    var phi_1865_: vec3<f32>;
+    var phi_1881_: vec3<f32>;
+    var phi_1882_: vec3<f32>;
+    var phi_1898_: vec3<f32>;
+    var phi_1899_: vec3<f32>;
+    var phi_1935_: vec3<f32>;
+    var phi_2117_: f32;
+    var phi_2135_: bool;
+    var phi_2136_: bool;
+    var phi_2155_: bool;
+    var phi_2156_: bool;
+    var phi_2162_: type_49;
+    var phi_2163_: type_49;
+    var phi_2164_: type_49;
+    var phi_1096_: type_49;
+    var phi_2783_: bool;
+    var phi_2924_: bool;
+    var phi_2618_: type_49;
     var phi_2619_: u32;
     var phi_2620_: bool;
     var phi_2621_: u32;
-    var phi_2905_: bool;
-    var phi_1018_: type_49;
-    var phi_1021_: u32;
-    var phi_1023_: u32;
-    var phi_1025_: bool;
-    var phi_1027_: u32;
-    var phi_2622_: bool;
-    var phi_2904_: bool;
+    var phi_2923_: bool;
+    var phi_2622_: type_49;
+    var phi_2623_: u32;
+    var phi_2624_: u32;
+    var phi_2625_: bool;
+    var phi_2626_: u32;
+    var phi_2922_: bool;
+    var phi_2627_: type_49;
+    var phi_2628_: u32;
+    var phi_2629_: u32;
+    var phi_2630_: bool;
+    var phi_2631_: u32;
+    var phi_2921_: bool;
+    var phi_1028_: type_49;
+    var phi_1031_: u32;
+    var phi_1033_: u32;
+    var phi_1035_: bool;
+    var phi_1037_: u32;
+    var phi_2632_: bool;
+    var phi_2920_: bool;
     var local_2: type_49;
-    var phi_2674_: type_28;
+    var phi_2684_: type_28;
     var local_3: type_49;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e72 = global;
-            let _e74 = arrayLength((&global_3.member));
-            let _e76 = arrayLength((&global_4.member));
-            let _e88 = arrayLength((&global_9.member));
-            let _e92 = (_e72.x + (_e72.y * 2097152u));
-            let _e93 = (_e92 < arrayLength((&global_7.member)));
-            if _e93 {
-                let _e94 = (_e92 < arrayLength((&global_8.member)));
-                if _e94 {
-                    let _e97 = global_1.member[0u];
-                    let _e101 = global_2.member[0u][0u];
-                    let _e105 = global_2.member[0u][1u];
-                    let _e109 = global_2.member[0u][2u];
-                    let _e113 = global_2.member[0u][3u];
-                    let _e117 = global_2.member[1u][0u];
-                    let _e121 = global_2.member[1u][1u];
-                    let _e125 = global_2.member[1u][2u];
-                    let _e129 = global_2.member[1u][3u];
-                    let _e130 = bitcast<f32>(_e101);
-                    let _e131 = bitcast<f32>(_e105);
-                    let _e132 = bitcast<f32>(_e109);
-                    let _e134 = bitcast<f32>(_e117);
-                    let _e135 = array<u32, 3>(_e121, _e125, _e129);
-                    let _e137 = bitcast<i32>(_e97);
-                    let _e138 = (_e137 / 2i);
-                    let _e143 = bitcast<f32>((bitcast<u32>((_e138 + 127i)) << bitcast<u32>(23i)));
-                    let _e149 = bitcast<f32>((bitcast<u32>(((_e137 - _e138) + 127i)) << bitcast<u32>(23i)));
-                    if (_e113 == 0u) {
-                        phi_270_ = type_46(array<f32, 3>(_e130, _e131, _e132), _e113, _e134, _e135);
+            let _e73 = global;
+            let _e75 = arrayLength((&global_3.member));
+            let _e77 = arrayLength((&global_4.member));
+            let _e89 = arrayLength((&global_9.member));
+            let _e93 = (_e73.x + (_e73.y * 2097152u));
+            let _e94 = (_e93 < arrayLength((&global_7.member)));
+            if _e94 {
+                let _e95 = (_e93 < arrayLength((&global_8.member)));
+                if _e95 {
+                    let _e98 = global_1.member[0u];
+                    let _e102 = global_2.member[0u][0u];
+                    let _e106 = global_2.member[0u][1u];
+                    let _e110 = global_2.member[0u][2u];
+                    let _e114 = global_2.member[0u][3u];
+                    let _e118 = global_2.member[1u][0u];
+                    let _e122 = global_2.member[1u][1u];
+                    let _e126 = global_2.member[1u][2u];
+                    let _e130 = global_2.member[1u][3u];
+                    let _e131 = bitcast<f32>(_e102);
+                    let _e132 = bitcast<f32>(_e106);
+                    let _e133 = bitcast<f32>(_e110);
+                    let _e135 = bitcast<f32>(_e118);
+                    let _e136 = array<u32, 3>(_e122, _e126, _e130);
+                    let _e138 = bitcast<i32>(_e98);
+                    if (_e138 < -126i) {
+                        phi_250_ = -126i;
                     } else {
-                        phi_270_ = type_46(array<f32, 3>(((_e130 * _e143) * _e149), ((_e131 * _e143) * _e149), ((_e132 * _e143) * _e149)), _e113, ((_e134 * _e143) * _e149), _e135);
+                        phi_250_ = select(_e138, 127i, (_e138 > 127i));
                     }
-                    let _e162 = phi_270_;
-                    if _e93 {
+                    let _e143 = phi_250_;
+                    let _e148 = bitcast<f32>((bitcast<u32>((_e143 + 127i)) << bitcast<u32>(23i)));
+                    let _e154 = bitcast<f32>((bitcast<u32>(((_e138 - _e143) + 127i)) << bitcast<u32>(23i)));
+                    if (_e114 == 0u) {
+                        phi_274_ = type_46(array<f32, 3>(_e131, _e132, _e133), _e114, _e135, _e136);
                     } else {
-                        break;
+                        phi_274_ = type_46(array<f32, 3>(((_e131 * _e148) * _e154), ((_e132 * _e148) * _e154), ((_e133 * _e148) * _e154)), _e114, ((_e135 * _e148) * _e154), _e136);
                     }
-                    if _e93 {
-                    } else {
-                        break;
-                    }
-                    let _e166 = global_7.member[_e92].member_2;
-                    let _e176 = global_7.member[_e92].member.member_2[0u];
-                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
-                    let _e184 = global_7.member[_e92].member.member_2[1u];
-                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
-                    let _e192 = global_7.member[_e92].member.member_2[2u];
-                    let _e194 = (bitcast<u32>(_e192) & 2147483647u);
-                    let _e200 = global_7.member[_e92].member.member[0u];
-                    let _e202 = (bitcast<u32>(_e200) & 2147483647u);
-                    let _e208 = global_7.member[_e92].member.member[1u];
-                    let _e210 = (bitcast<u32>(_e208) & 2147483647u);
-                    let _e216 = global_7.member[_e92].member.member[2u];
-                    let _e218 = (bitcast<u32>(_e216) & 2147483647u);
-                    let _e220 = select(_e186, _e178, (_e186 < _e178));
-                    let _e222 = select(_e194, _e220, (_e194 < _e220));
-                    let _e224 = select(_e202, _e222, (_e202 < _e222));
-                    let _e226 = select(_e210, _e224, (_e210 < _e224));
-                    let _e228 = select(_e218, _e226, (_e218 < _e226));
-                    let _e233 = global_7.member[_e92].member.member_1;
-                    let _e235 = (bitcast<u32>(_e233) & 2147483647u);
-                    let _e243 = global_7.member[_e92].member.member_3;
-                    let _e249 = (((select(_e235, _e228, (_e235 < _e228)) < 2139095040u) && ((bitcast<u32>(_e243) & 2147483647u) <= 2139095040u)) && (_e222 > 0u));
-                    if _e249 {
-                        let _e252 = (bitcast<u32>(bitcast<f32>(_e222)) & 2147483647u);
-                        if (_e252 >= 8388608u) {
-                            phi_380_ = (bitcast<i32>((_e252 >> bitcast<u32>(23i))) - 127i);
-                        } else {
-                            phi_380_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e252)), 32u, (_e252 == 0u))));
-                        }
-                        let _e266 = phi_380_;
-                        phi_381_ = _e266;
-                    } else {
-                        phi_381_ = 0i;
-                    }
-                    let _e268 = phi_381_;
-                    let _e269 = (_e178 == _e222);
-                    if _e269 {
-                        phi_391_ = true;
-                    } else {
-                        phi_391_ = (_e186 == _e222);
-                    }
-                    let _e272 = phi_391_;
-                    let _e273 = select(1u, 0u, _e269);
-                    if _e272 {
-                        let _e274 = (_e273 + 1u);
-                        phi_401_ = _e274;
-                        phi_402_ = _e274;
-                        phi_404_ = select(true, false, (_e274 == 2u));
-                    } else {
-                        phi_401_ = u32();
-                        phi_402_ = 0u;
-                        phi_404_ = true;
-                    }
-                    let _e278 = phi_401_;
-                    let _e280 = phi_402_;
-                    let _e282 = phi_404_;
-                    if _e282 {
-                        phi_409_ = (_e280 + 1u);
-                    } else {
-                        phi_409_ = 0u;
-                    }
-                    let _e286 = phi_409_;
-                    let _e287 = select(_e278, _e280, _e282);
-                    let _e288 = select(_e273, select(2u, _e273, _e272), _e282);
-                    let _e289 = -(_e268);
-                    let _e290 = (_e289 / 2i);
-                    let _e295 = bitcast<f32>((bitcast<u32>((_e290 + 127i)) << bitcast<u32>(23i)));
-                    let _e301 = bitcast<f32>((bitcast<u32>(((_e289 - _e290) + 127i)) << bitcast<u32>(23i)));
-                    let _e306 = global_7.member[_e92].member.member;
-                    let _e307 = (_e287 == 0u);
-                    if _e307 {
-                        phi_453_ = _e306[0];
-                    } else {
-                        phi_453_ = _e306[1];
-                    }
-                    let _e311 = phi_453_;
-                    let _e312 = (_e287 == 2u);
-                    if _e312 {
-                        phi_459_ = _e306[2];
-                    } else {
-                        phi_459_ = _e311;
-                    }
-                    let _e315 = phi_459_;
-                    let _e316 = global_7.member[_e92].member.member_2;
-                    if _e307 {
-                        phi_470_ = _e316[0];
-                    } else {
-                        phi_470_ = _e316[1];
-                    }
-                    let _e320 = phi_470_;
-                    if _e312 {
-                        phi_476_ = _e316[2];
-                    } else {
-                        phi_476_ = _e320;
-                    }
-                    let _e323 = phi_476_;
-                    let _e325 = ((_e323 * _e295) * _e301);
-                    let _e329 = (bitcast<f32>((bitcast<u32>(_e325) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e329 {
-                        let _e333 = (bitcast<f32>((bitcast<u32>(_e315) & 2147483647u)) * 0.00000011920929f);
-                        phi_499_ = select(0.00000000000011368684f, _e333, (_e333 > 0.00000000000011368684f));
-                    } else {
-                        phi_499_ = 0f;
-                    }
-                    let _e337 = phi_499_;
-                    let _e338 = (_e315 + _e337);
-                    let _e339 = (_e315 - _e337);
-                    let _e340 = select(_e325, 0f, _e329);
-                    if _e329 {
-                        phi_510_ = 38685626000000000000000000f;
-                    } else {
-                        phi_510_ = (1f / _e325);
-                    }
-                    let _e343 = phi_510_;
-                    let _e344 = (_e286 == 0u);
-                    if _e344 {
-                        phi_519_ = _e306[0];
-                    } else {
-                        phi_519_ = _e306[1];
-                    }
-                    let _e348 = phi_519_;
-                    let _e349 = (_e286 == 2u);
-                    if _e349 {
-                        phi_525_ = _e306[2];
-                    } else {
-                        phi_525_ = _e348;
-                    }
-                    let _e352 = phi_525_;
-                    if _e344 {
-                        phi_536_ = _e316[0];
-                    } else {
-                        phi_536_ = _e316[1];
-                    }
-                    let _e356 = phi_536_;
-                    if _e349 {
-                        phi_542_ = _e316[2];
-                    } else {
-                        phi_542_ = _e356;
-                    }
-                    let _e359 = phi_542_;
-                    let _e361 = ((_e359 * _e295) * _e301);
-                    let _e365 = (bitcast<f32>((bitcast<u32>(_e361) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e365 {
-                        let _e369 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) * 0.00000011920929f);
-                        phi_565_ = select(0.00000000000011368684f, _e369, (_e369 > 0.00000000000011368684f));
-                    } else {
-                        phi_565_ = 0f;
-                    }
-                    let _e373 = phi_565_;
-                    let _e374 = (_e352 + _e373);
-                    let _e375 = (_e352 - _e373);
-                    let _e376 = select(_e361, 0f, _e365);
-                    if _e365 {
-                        phi_576_ = 38685626000000000000000000f;
-                    } else {
-                        phi_576_ = (1f / _e361);
-                    }
-                    let _e379 = phi_576_;
-                    let _e380 = (_e288 == 0u);
-                    if _e380 {
-                        phi_585_ = _e306[0];
-                    } else {
-                        phi_585_ = _e306[1];
-                    }
-                    let _e384 = phi_585_;
-                    let _e385 = (_e288 == 2u);
-                    if _e385 {
-                        phi_591_ = _e306[2];
-                    } else {
-                        phi_591_ = _e384;
-                    }
-                    let _e388 = phi_591_;
-                    if _e380 {
-                        phi_602_ = _e316[0];
-                    } else {
-                        phi_602_ = _e316[1];
-                    }
-                    let _e392 = phi_602_;
-                    if _e385 {
-                        phi_608_ = _e316[2];
-                    } else {
-                        phi_608_ = _e392;
-                    }
-                    let _e395 = phi_608_;
-                    let _e397 = ((_e395 * _e295) * _e301);
-                    let _e401 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e401 {
-                        let _e405 = (bitcast<f32>((bitcast<u32>(_e388) & 2147483647u)) * 0.00000011920929f);
-                        phi_631_ = select(0.00000000000011368684f, _e405, (_e405 > 0.00000000000011368684f));
-                    } else {
-                        phi_631_ = 0f;
-                    }
-                    let _e409 = phi_631_;
-                    let _e410 = (_e388 + _e409);
-                    let _e411 = (_e388 - _e409);
-                    let _e412 = select(_e397, 0f, _e401);
-                    if _e401 {
-                        phi_642_ = 38685626000000000000000000f;
-                    } else {
-                        phi_642_ = (1f / _e397);
-                    }
-                    let _e415 = phi_642_;
-                    let _e418 = bitcast<f32>((bitcast<u32>(_e315) & 2147483647u));
-                    let _e421 = bitcast<f32>((bitcast<u32>(_e352) & 2147483647u));
-                    let _e423 = select(_e421, _e418, (_e418 > _e421));
-                    let _e426 = bitcast<f32>((bitcast<u32>(_e388) & 2147483647u));
-                    if (_e249 && (select(_e426, _e423, (_e423 > _e426)) <= 1099511600000f)) {
-                        let _e431 = (_e268 / 3i);
-                        let _e438 = bitcast<f32>((bitcast<u32>((_e431 + 127i)) << bitcast<u32>(23i)));
-                        let _e445 = bitcast<f32>((bitcast<u32>(((_e268 - (2i * _e431)) + 127i)) << bitcast<u32>(23i)));
-                        let _e446 = (((_e233 * _e438) * _e438) * _e445);
-                        let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
-                        let _e453 = (((_e243 * _e438) * _e438) * _e445);
-                        let _e455 = select(340282350000000000000000000000000000000f, _e453, (_e453 < 340282350000000000000000000000000000000f));
-                        phi_742_ = select(-340282350000000000000000000000000000000f, _e455, (_e455 > -340282350000000000000000000000000000000f));
-                        phi_743_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
-                    } else {
-                        phi_742_ = 0f;
-                        phi_743_ = 1f;
-                    }
-                    let _e459 = phi_742_;
-                    let _e461 = phi_743_;
-                    local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2779_ = false;
-                    phi_1017_ = type_49(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e459);
-                    phi_1020_ = select(0u, 2147483648u, (_e74 == 0u));
-                    phi_1022_ = ((3u * _e74) + 1u);
-                    phi_1024_ = (_e461 <= _e459);
-                    phi_1026_ = 0u;
-                    loop {
-                        let _e469 = phi_2779_;
-                        let _e471 = phi_1017_;
-                        let _e473 = phi_1020_;
-                        let _e475 = phi_1022_;
-                        let _e477 = phi_1024_;
-                        let _e479 = phi_1026_;
-                        local_2 = _e471;
-                        if _e477 {
-                            phi_1037_ = true;
-                        } else {
-                            phi_1037_ = (_e479 > 0u);
-                        }
-                        let _e482 = phi_1037_;
-                        if _e482 {
-                            let _e483 = (_e475 > 0u);
-                            if _e483 {
-                                if _e477 {
-                                    phi_1068_ = _e473;
-                                    phi_1069_ = _e477;
-                                    phi_1070_ = _e479;
-                                } else {
-                                    let _e484 = (_e479 - 1u);
-                                    let _e485 = (_e484 % 128u);
-                                    let _e486 = (_e485 < 128u);
-                                    if _e486 {
-                                    } else {
-                                        phi_2904_ = true;
-                                        break;
-                                    }
-                                    let _e488 = local_1[_e485];
-                                    if _e486 {
-                                    } else {
-                                        phi_2904_ = true;
-                                        break;
-                                    }
-                                    let _e490 = local[_e485];
-                                    phi_1068_ = _e488;
-                                    phi_1069_ = (_e490 <= _e471.member_1);
-                                    phi_1070_ = _e484;
-                                }
-                                let _e494 = phi_1068_;
-                                let _e496 = phi_1069_;
-                                let _e498 = phi_1070_;
-                                if _e496 {
-                                    if ((_e494 & 2147483648u) != 0u) {
-                                        phi_1085_ = _e471;
-                                        phi_1088_ = type_8(0u, ((_e494 >> bitcast<u32>(28u)) & 7u));
-                                        loop {
-                                            let _e696 = phi_1085_;
-                                            let _e698 = phi_1088_;
-                                            local_3 = _e696;
-                                            if (_e698.member < _e698.member_1) {
-                                                phi_1089_ = type_8((_e698.member + 1u), _e698.member_1);
-                                                phi_1111_ = type_8(1u, _e698.member);
-                                            } else {
-                                                phi_1089_ = _e698;
-                                                phi_1111_ = type_8(0u, type_8().member_1);
-                                            }
-                                            let _e711 = phi_1089_;
-                                            let _e713 = phi_1111_;
-                                            let _e717 = (bitcast<i32>(_e713.member) != 0i);
-                                            if _e717 {
-                                                let _e718 = ((_e494 & 268435455u) + _e713.member_1);
-                                                let _e719 = (_e718 < _e76);
-                                                if _e719 {
-                                                    if _e719 {
-                                                    } else {
-                                                        phi_2773_ = true;
-                                                        break;
-                                                    }
-                                                    let _e723 = global_4.member[_e718].member_1;
-                                                    phi_1132_ = _e723;
-                                                } else {
-                                                    phi_1132_ = 4294967295u;
-                                                }
-                                                let _e725 = phi_1132_;
-                                                if (_e718 >= _e76) {
-                                                    phi_1221_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
-                                                } else {
-                                                    if _e719 {
-                                                    } else {
-                                                        phi_2773_ = true;
-                                                        break;
-                                                    }
-                                                    let _e727 = (_e287 % 3u);
-                                                    let _e728 = (_e286 % 3u);
-                                                    let _e729 = (_e288 % 3u);
-                                                    if (_e727 < 9u) {
-                                                    } else {
-                                                        phi_2773_ = true;
-                                                        break;
-                                                    }
-                                                    let _e735 = global_4.member[_e718].member[_e727];
-                                                    if (_e728 < 9u) {
-                                                    } else {
-                                                        phi_2773_ = true;
-                                                        break;
-                                                    }
-                                                    let _e741 = global_4.member[_e718].member[_e728];
-                                                    if (_e729 < 9u) {
-                                                    } else {
-                                                        phi_2773_ = true;
-                                                        break;
-                                                    }
-                                                    let _e747 = global_4.member[_e718].member[_e729];
-                                                    let _e749 = (3u + _e727);
-                                                    if (_e749 < 9u) {
-                                                    } else {
-                                                        phi_2773_ = true;
-                                                        break;
-                                                    }
-                                                    let _e755 = global_4.member[_e718].member[_e749];
-                                                    let _e756 = (3u + _e728);
-                                                    if (_e756 < 9u) {
-                                                    } else {
-                                                        phi_2773_ = true;
-                                                        break;
-                                                    }
-                                                    let _e762 = global_4.member[_e718].member[_e756];
-                                                    let _e763 = (3u + _e729);
-                                                    if (_e763 < 9u) {
-                                                    } else {
-                                                        phi_2773_ = true;
-                                                        break;
-                                                    }
-                                                    let _e769 = global_4.member[_e718].member[_e763];
-                                                    let _e771 = (6u + _e727);
-                                                    if (_e771 < 9u) {
-                                                    } else {
-                                                        phi_2773_ = true;
-                                                        break;
-                                                    }
-                                                    let _e777 = global_4.member[_e718].member[_e771];
-                                                    let _e778 = (6u + _e728);
-                                                    if (_e778 < 9u) {
-                                                    } else {
-                                                        phi_2773_ = true;
-                                                        break;
-                                                    }
-                                                    let _e784 = global_4.member[_e718].member[_e778];
-                                                    let _e785 = (6u + _e729);
-                                                    if (_e785 < 9u) {
-                                                    } else {
-                                                        phi_2773_ = true;
-                                                        break;
-                                                    }
-                                                    let _e791 = global_4.member[_e718].member[_e785];
-                                                    phi_1221_ = array<array<f32, 3>, 3>(array<f32, 3>(_e735, _e741, _e747), array<f32, 3>(_e755, _e762, _e769), array<f32, 3>(_e777, _e784, _e791));
-                                                }
-                                                let _e795 = phi_1221_;
-                                                let _e803 = (_e795[0][2] - _e388);
-                                                let _e806 = (((_e795[0][0] - _e315) * _e412) - (_e803 * _e340));
-                                                let _e809 = (((_e795[0][1] - _e352) * _e412) - (_e803 * _e376));
-                                                let _e816 = (_e795[1][2] - _e388);
-                                                let _e819 = (((_e795[1][0] - _e315) * _e412) - (_e816 * _e340));
-                                                let _e822 = (((_e795[1][1] - _e352) * _e412) - (_e816 * _e376));
-                                                let _e829 = (_e795[2][2] - _e388);
-                                                let _e832 = (((_e795[2][0] - _e315) * _e412) - (_e829 * _e340));
-                                                let _e835 = (((_e795[2][1] - _e352) * _e412) - (_e829 * _e376));
-                                                let _e836 = (_e832 * _e822);
-                                                let _e837 = (_e835 * _e819);
-                                                let _e838 = (_e806 * _e835);
-                                                let _e839 = (_e809 * _e832);
-                                                let _e840 = (_e819 * _e809);
-                                                let _e841 = (_e822 * _e806);
-                                                let _e846 = (((_e836 >= _e837) && (_e838 >= _e839)) && (_e840 >= _e841));
-                                                if (_e846 || (((_e836 <= _e837) && (_e838 <= _e839)) && (_e840 <= _e841))) {
-                                                    let _e853 = select(-1f, 1f, _e846);
-                                                    let _e855 = ((_e836 - _e837) * _e853);
-                                                    let _e857 = select(0f, _e855, (_e855 > 0f));
-                                                    let _e859 = ((_e838 - _e839) * _e853);
-                                                    let _e861 = select(0f, _e859, (_e859 > 0f));
-                                                    let _e863 = ((_e840 - _e841) * _e853);
-                                                    let _e865 = select(0f, _e863, (_e863 > 0f));
-                                                    let _e867 = ((_e857 + _e861) + _e865);
-                                                    if (_e867 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1787_ = type_28();
-                                                        phi_1788_ = true;
-                                                    } else {
-                                                        let _e870 = select(_e795[1][0], _e795[0][0], (_e795[0][0] < _e795[1][0]));
-                                                        let _e874 = select(_e795[1][0], _e795[0][0], (_e795[0][0] > _e795[1][0]));
-                                                        let _e878 = select(_e795[1][1], _e795[0][1], (_e795[0][1] < _e795[1][1]));
-                                                        let _e882 = select(_e795[1][1], _e795[0][1], (_e795[0][1] > _e795[1][1]));
-                                                        let _e886 = select(_e795[1][2], _e795[0][2], (_e795[0][2] < _e795[1][2]));
-                                                        let _e890 = select(_e795[1][2], _e795[0][2], (_e795[0][2] > _e795[1][2]));
-                                                        let _e895 = ((select(_e795[2][0], _e870, (_e870 < _e795[2][0])) - _e338) * _e343);
-                                                        let _e896 = ((select(_e795[2][0], _e874, (_e874 > _e795[2][0])) - _e339) * _e343);
-                                                        let _e899 = ((select(_e795[2][1], _e878, (_e878 < _e795[2][1])) - _e374) * _e379);
-                                                        let _e900 = ((select(_e795[2][1], _e882, (_e882 > _e795[2][1])) - _e375) * _e379);
-                                                        let _e903 = ((select(_e795[2][2], _e886, (_e886 < _e795[2][2])) - _e410) * _e415);
-                                                        let _e904 = ((select(_e795[2][2], _e890, (_e890 > _e795[2][2])) - _e411) * _e415);
-                                                        let _e906 = select(_e904, _e903, (_e903 < _e904));
-                                                        let _e908 = select(_e904, _e903, (_e903 > _e904));
-                                                        let _e910 = select(_e896, _e895, (_e895 < _e896));
-                                                        let _e912 = select(_e900, _e899, (_e899 < _e900));
-                                                        let _e914 = select(_e912, _e910, (_e910 > _e912));
-                                                        let _e916 = select(_e906, _e914, (_e914 > _e906));
-                                                        let _e918 = select(_e896, _e895, (_e895 > _e896));
-                                                        let _e920 = select(_e900, _e899, (_e899 > _e900));
-                                                        let _e922 = select(_e920, _e918, (_e918 < _e920));
-                                                        let _e924 = select(_e908, _e922, (_e922 < _e908));
-                                                        let _e925 = -(_e906);
-                                                        let _e931 = select(_e461, _e916, (_e916 > _e461));
-                                                        if (_e931 > (_e924 + (select(_e925, _e908, (_e908 > _e925)) * 0.0000019073523f))) {
-                                                            phi_1782_ = type_28();
-                                                            phi_1783_ = true;
-                                                        } else {
-                                                            let _e933 = (_e931 > _e696.member_1);
-                                                            if _e933 {
-                                                                phi_1781_ = type_28();
-                                                            } else {
-                                                                let _e937 = (_e795[1][0] - _e795[0][0]);
-                                                                let _e938 = (_e795[1][1] - _e795[0][1]);
-                                                                let _e939 = (_e795[1][2] - _e795[0][2]);
-                                                                let _e940 = vec3<f32>(_e937, _e938, _e939);
-                                                                let _e941 = (_e795[2][0] - _e795[1][0]);
-                                                                let _e942 = (_e795[2][1] - _e795[1][1]);
-                                                                let _e943 = (_e795[2][2] - _e795[1][2]);
-                                                                let _e944 = vec3<f32>(_e941, _e942, _e943);
-                                                                let _e945 = (_e795[0][0] - _e795[2][0]);
-                                                                let _e946 = (_e795[0][1] - _e795[2][1]);
-                                                                let _e947 = (_e795[0][2] - _e795[2][2]);
-                                                                let _e948 = vec3<f32>(_e945, _e946, _e947);
-                                                                let _e951 = bitcast<f32>((bitcast<u32>(_e937) & 2147483647u));
-                                                                let _e954 = bitcast<f32>((bitcast<u32>(_e938) & 2147483647u));
-                                                                let _e956 = select(_e954, _e951, (_e951 > _e954));
-                                                                let _e959 = bitcast<f32>((bitcast<u32>(_e939) & 2147483647u));
-                                                                let _e961 = select(_e959, _e956, (_e956 > _e959));
-                                                                let _e964 = bitcast<f32>((bitcast<u32>(_e941) & 2147483647u));
-                                                                let _e967 = bitcast<f32>((bitcast<u32>(_e942) & 2147483647u));
-                                                                let _e969 = select(_e967, _e964, (_e964 > _e967));
-                                                                let _e972 = bitcast<f32>((bitcast<u32>(_e943) & 2147483647u));
-                                                                let _e974 = select(_e972, _e969, (_e969 > _e972));
-                                                                let _e977 = bitcast<f32>((bitcast<u32>(_e945) & 2147483647u));
-                                                                let _e980 = bitcast<f32>((bitcast<u32>(_e946) & 2147483647u));
-                                                                let _e982 = select(_e980, _e977, (_e977 > _e980));
-                                                                let _e985 = bitcast<f32>((bitcast<u32>(_e947) & 2147483647u));
-                                                                let _e987 = select(_e985, _e982, (_e982 > _e985));
-                                                                let _e989 = select(_e974, _e961, (_e961 > _e974));
-                                                                let _e991 = select(_e987, _e989, (_e989 > _e987));
-                                                                if (_e961 == _e991) {
-                                                                    phi_1692_ = _e944;
-                                                                    phi_1693_ = _e948;
-                                                                } else {
-                                                                    let _e994 = vec3((_e974 == _e991));
-                                                                    phi_1692_ = select(_e940, _e948, _e994);
-                                                                    phi_1693_ = select(_e944, _e940, _e994);
-                                                                }
-                                                                let _e998 = phi_1692_;
-                                                                let _e1000 = phi_1693_;
-                                                                let _e1007 = ((_e998.y * _e1000.z) - (_e1000.y * _e998.z));
-                                                                let _e1012 = ((_e998.z * _e1000.x) - (_e1000.z * _e998.x));
-                                                                let _e1015 = ((_e998.x * _e1000.y) - (_e1000.x * _e998.y));
-                                                                if (_e857 >= _e861) {
-                                                                    phi_1724_ = select(true, false, (_e857 >= _e865));
-                                                                } else {
-                                                                    phi_1724_ = true;
-                                                                }
-                                                                let _e1020 = phi_1724_;
-                                                                if _e1020 {
-                                                                    phi_1733_ = select(vec3<f32>(_e795[2][0], _e795[2][1], _e795[2][2]), vec3<f32>(_e795[1][0], _e795[1][1], _e795[1][2]), vec3((_e861 >= _e865)));
-                                                                } else {
-                                                                    phi_1733_ = vec3<f32>(_e795[0][0], _e795[0][1], _e795[0][2]);
-                                                                }
-                                                                let _e1025 = phi_1733_;
-                                                                let _e1042 = ((((_e1007 * (_e1025.x - _e315)) + (_e1012 * (_e1025.y - _e352))) + (_e1015 * (_e1025.z - _e388))) / (((_e1007 * _e340) + (_e1012 * _e376)) + (_e1015 * _e412)));
-                                                                let _e1044 = select(_e924, _e1042, (_e1042 < _e924));
-                                                                let _e1046 = select(_e916, _e1044, (_e1044 > _e916));
-                                                                if (_e1046 >= _e461) {
-                                                                    let _e1048 = (_e1046 <= _e696.member_1);
-                                                                    if _e1048 {
-                                                                        let _e1049 = (1f / _e867);
-                                                                        phi_1773_ = type_28(_e1046, (_e861 * _e1049), (_e865 * _e1049), _e725);
-                                                                    } else {
-                                                                        phi_1773_ = type_28();
-                                                                    }
-                                                                    let _e1054 = phi_1773_;
-                                                                    phi_1775_ = _e1054;
-                                                                    phi_1776_ = select(true, false, _e1048);
-                                                                } else {
-                                                                    phi_1775_ = type_28();
-                                                                    phi_1776_ = true;
-                                                                }
-                                                                let _e1057 = phi_1775_;
-                                                                let _e1059 = phi_1776_;
-                                                                if _e1059 {
-                                                                    phi_1780_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1780_ = _e1057;
-                                                                }
-                                                                let _e1061 = phi_1780_;
-                                                                phi_1781_ = _e1061;
-                                                            }
-                                                            let _e1063 = phi_1781_;
-                                                            phi_1782_ = _e1063;
-                                                            phi_1783_ = _e933;
-                                                        }
-                                                        let _e1065 = phi_1782_;
-                                                        let _e1067 = phi_1783_;
-                                                        phi_1787_ = _e1065;
-                                                        phi_1788_ = _e1067;
-                                                    }
-                                                    let _e1069 = phi_1787_;
-                                                    let _e1071 = phi_1788_;
-                                                    phi_1792_ = _e1069;
-                                                    phi_1793_ = _e1071;
-                                                } else {
-                                                    phi_1792_ = type_28();
-                                                    phi_1793_ = true;
-                                                }
-                                                let _e1073 = phi_1792_;
-                                                let _e1075 = phi_1793_;
-                                                if _e1075 {
-                                                    phi_1797_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_1797_ = _e1073;
-                                                }
-                                                let _e1077 = phi_1797_;
-                                                if (_e1077.member_3 != 4294967295u) {
-                                                    if (_e725 == _e166) {
-                                                        phi_2126_ = false;
-                                                    } else {
-                                                        let _e1081 = (_e725 < arrayLength((&global_5.member)));
-                                                        if _e1081 {
-                                                            if _e1081 {
-                                                            } else {
-                                                                phi_2773_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1083 = global_5.member[_e725];
-                                                            phi_1820_ = _e1083;
-                                                        } else {
-                                                            phi_1820_ = 4294967295u;
-                                                        }
-                                                        let _e1085 = phi_1820_;
-                                                        let _e1086 = (_e1085 < arrayLength((&global_6.member)));
-                                                        if _e1086 {
-                                                            if _e1086 {
-                                                            } else {
-                                                                phi_2773_ = true;
-                                                                break;
-                                                            }
-                                                            let _e1088 = global_6.member[_e1085];
-                                                            phi_1834_ = _e1088;
-                                                        } else {
-                                                            phi_1834_ = 0i;
-                                                        }
-                                                        let _e1090 = phi_1834_;
-                                                        let _e1091 = (_e1090 == 0i);
-                                                        if _e1091 {
-                                                            phi_2125_ = true;
-                                                        } else {
-                                                            if _e307 {
-                                                                phi_1855_ = vec3<f32>(_e795[0][0], _e795[0][1], _e795[0][2]);
-                                                            } else {
-                                                                if (_e287 == 1u) {
-                                                                    phi_1854_ = vec3<f32>(_e795[0][2], _e795[0][0], _e795[0][1]);
-                                                                } else {
-                                                                    phi_1854_ = vec3<f32>(_e795[0][1], _e795[0][2], _e795[0][0]);
-                                                                }
-                                                                let _e1096 = phi_1854_;
-                                                                phi_1855_ = _e1096;
-                                                            }
-                                                            let _e1099 = phi_1855_;
-                                                            if _e307 {
-                                                                phi_1872_ = vec3<f32>(_e795[1][0], _e795[1][1], _e795[1][2]);
-                                                            } else {
-                                                                if (_e287 == 1u) {
-                                                                    phi_1871_ = vec3<f32>(_e795[1][2], _e795[1][0], _e795[1][1]);
-                                                                } else {
-                                                                    phi_1871_ = vec3<f32>(_e795[1][1], _e795[1][2], _e795[1][0]);
-                                                                }
-                                                                let _e1104 = phi_1871_;
-                                                                phi_1872_ = _e1104;
-                                                            }
-                                                            let _e1107 = phi_1872_;
-                                                            if _e307 {
-                                                                phi_1889_ = vec3<f32>(_e795[2][0], _e795[2][1], _e795[2][2]);
-                                                            } else {
-                                                                if (_e287 == 1u) {
-                                                                    phi_1888_ = vec3<f32>(_e795[2][2], _e795[2][0], _e795[2][1]);
-                                                                } else {
-                                                                    phi_1888_ = vec3<f32>(_e795[2][1], _e795[2][2], _e795[2][0]);
-                                                                }
-                                                                let _e1112 = phi_1888_;
-                                                                phi_1889_ = _e1112;
-                                                            }
-                                                            let _e1115 = phi_1889_;
-                                                            let _e1118 = (_e1107.x - _e1099.x);
-                                                            let _e1121 = (_e1107.y - _e1099.y);
-                                                            let _e1124 = (_e1107.z - _e1099.z);
-                                                            let _e1126 = (_e1115.x - _e1099.x);
-                                                            let _e1128 = (_e1115.y - _e1099.y);
-                                                            let _e1130 = (_e1115.z - _e1099.z);
-                                                            if (_e162.member_1 == 1u) {
-                                                                phi_1925_ = (vec3<f32>(_e162.member[0], _e162.member[1], _e162.member[2]) - _e1099);
-                                                            } else {
-                                                                phi_1925_ = vec3<f32>(_e162.member[0], _e162.member[1], _e162.member[2]);
-                                                            }
-                                                            let _e1145 = phi_1925_;
-                                                            let _e1151 = bitcast<f32>((bitcast<u32>((_e1118 * _e1128)) ^ _e162.member_3[0]));
-                                                            let _e1155 = bitcast<f32>((bitcast<u32>((_e1121 * _e1126)) ^ _e162.member_3[0]));
-                                                            let _e1159 = bitcast<f32>((bitcast<u32>((_e1121 * _e1130)) ^ _e162.member_3[0]));
-                                                            let _e1163 = bitcast<f32>((bitcast<u32>((_e1124 * _e1128)) ^ _e162.member_3[0]));
-                                                            let _e1167 = bitcast<f32>((bitcast<u32>((_e1124 * _e1126)) ^ _e162.member_3[0]));
-                                                            let _e1171 = bitcast<f32>((bitcast<u32>((_e1118 * _e1130)) ^ _e162.member_3[0]));
-                                                            let _e1172 = (_e1159 - _e1163);
-                                                            let _e1173 = (_e1167 - _e1171);
-                                                            let _e1174 = (_e1151 - _e1155);
-                                                            let _e1198 = (bitcast<f32>((bitcast<u32>(_e1159) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1163) & 2147483647u)));
-                                                            let _e1205 = (bitcast<f32>((bitcast<u32>(_e1167) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1171) & 2147483647u)));
-                                                            let _e1212 = (bitcast<f32>((bitcast<u32>(_e1151) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1155) & 2147483647u)));
-                                                            if (_e162.member_2 == 0f) {
-                                                                phi_2107_ = 0f;
-                                                            } else {
-                                                                let _e1242 = bitcast<f32>((bitcast<u32>(_e1172) & 2147483647u));
-                                                                let _e1245 = bitcast<f32>((bitcast<u32>(_e1173) & 2147483647u));
-                                                                let _e1248 = bitcast<f32>((bitcast<u32>(_e1174) & 2147483647u));
-                                                                let _e1250 = select(_e1248, _e1245, (_e1245 > _e1248));
-                                                                let _e1254 = select(_e1248, _e1245, (_e1245 < _e1248));
-                                                                let _e1258 = select(_e1245, _e1242, (_e1242 < _e1245));
-                                                                let _e1260 = select(_e1245, _e1242, (_e1242 > _e1245));
-                                                                let _e1262 = select(_e1248, _e1260, (_e1260 < _e1248));
-                                                                phi_2107_ = bitcast<f32>((bitcast<u32>((_e162.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1250, _e1242, (_e1242 > _e1250)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1262, _e1258, (_e1258 > _e1262)))) ^ _e162.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1254, _e1242, (_e1242 < _e1254)))) ^ _e162.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1198 + _e1205) + _e1212))) ^ _e162.member_3[0]))) * 1.0000005f)) ^ _e162.member_3[0])))) ^ _e162.member_3[0]));
-                                                            }
-                                                            let _e1289 = phi_2107_;
-                                                            phi_2125_ = (_e1091 || !(((((bitcast<f32>((bitcast<u32>((_e1145.x * _e1172)) ^ _e162.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1145.y * _e1173)) ^ _e162.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1145.z * _e1174)) ^ _e162.member_3[0]))) * f32(-(_e1090))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1145.x) & 2147483647u)) * _e1198)) ^ _e162.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1145.y) & 2147483647u)) * _e1205)) ^ _e162.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1145.z) & 2147483647u)) * _e1212)) ^ _e162.member_3[0]))))) ^ _e162.member_3[0])) + _e1289) + 0.0000000000000000000000000000000000001880791f))));
-                                                        }
-                                                        let _e1303 = phi_2125_;
-                                                        phi_2126_ = _e1303;
-                                                    }
-                                                    let _e1305 = phi_2126_;
-                                                    if _e1305 {
-                                                        if (_e1077.member < _e696.member.member) {
-                                                            phi_2146_ = true;
-                                                        } else {
-                                                            if (_e1077.member == _e696.member.member) {
-                                                                phi_2145_ = (_e1077.member_3 < _e696.member.member_3);
-                                                            } else {
-                                                                phi_2145_ = false;
-                                                            }
-                                                            let _e1315 = phi_2145_;
-                                                            phi_2146_ = _e1315;
-                                                        }
-                                                        let _e1317 = phi_2146_;
-                                                        if _e1317 {
-                                                            phi_2152_ = type_49(_e1077, _e1077.member);
-                                                        } else {
-                                                            phi_2152_ = _e696;
-                                                        }
-                                                        let _e1320 = phi_2152_;
-                                                        phi_2153_ = _e1320;
-                                                    } else {
-                                                        phi_2153_ = _e696;
-                                                    }
-                                                    let _e1322 = phi_2153_;
-                                                    phi_2154_ = _e1322;
-                                                } else {
-                                                    phi_2154_ = _e696;
-                                                }
-                                                let _e1324 = phi_2154_;
-                                                phi_1086_ = _e1324;
-                                            } else {
-                                                phi_1086_ = type_49();
-                                            }
-                                            let _e1326 = phi_1086_;
-                                            continue;
-                                            continuing {
-                                                phi_1085_ = _e1326;
-                                                phi_1088_ = _e711;
-                                                phi_2773_ = _e469;
-                                                break if !(_e717);
-                                            }
-                                        }
-                                        let _e1329 = phi_2773_;
-                                        phi_2904_ = _e1329;
-                                        if _e1329 {
-                                            break;
-                                        }
-                                        phi_2908_ = _e1329;
-                                        let _e1534 = local_3;
-                                        phi_2608_ = _e1534;
-                                        phi_2609_ = _e494;
-                                        phi_2610_ = false;
-                                        phi_2611_ = _e498;
-                                    } else {
-                                        if (_e494 >= _e74) {
-                                            phi_2214_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
-                                        } else {
-                                            if (_e494 < _e74) {
-                                            } else {
-                                                phi_2904_ = true;
-                                                break;
-                                            }
-                                            let _e508 = (_e287 % 3u);
-                                            if (_e508 < 3u) {
-                                            } else {
-                                                phi_2904_ = true;
-                                                break;
-                                            }
-                                            let _e514 = global_3.member[_e494].member[_e508];
-                                            let _e520 = (_e286 % 3u);
-                                            if (_e520 < 3u) {
-                                            } else {
-                                                phi_2904_ = true;
-                                                break;
-                                            }
-                                            let _e526 = global_3.member[_e494].member[_e520];
-                                            let _e532 = (_e288 % 3u);
-                                            if (_e532 < 3u) {
-                                            } else {
-                                                phi_2904_ = true;
-                                                break;
-                                            }
-                                            let _e538 = global_3.member[_e494].member[_e532];
-                                            let _e548 = global_3.member[_e494].member_1;
-                                            let _e552 = global_3.member[_e494].member_2;
-                                            phi_2214_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e514[0], _e514[1], _e514[2], _e514[3]), vec4<f32>(_e526[0], _e526[1], _e526[2], _e526[3]), vec4<f32>(_e538[0], _e538[1], _e538[2], _e538[3])), _e548, _e552);
-                                        }
-                                        let _e555 = phi_2214_;
-                                        let _e567 = ((_e555.member[0].x - _e338) * _e343);
-                                        let _e568 = ((_e555.member[0].y - _e338) * _e343);
-                                        let _e569 = ((_e555.member[0].z - _e339) * _e343);
-                                        let _e570 = ((_e555.member[0].w - _e339) * _e343);
-                                        let _e580 = ((_e555.member[1].x - _e374) * _e379);
-                                        let _e581 = ((_e555.member[1].y - _e374) * _e379);
-                                        let _e582 = ((_e555.member[1].z - _e375) * _e379);
-                                        let _e583 = ((_e555.member[1].w - _e375) * _e379);
-                                        let _e593 = ((_e555.member[2].x - _e410) * _e415);
-                                        let _e594 = ((_e555.member[2].y - _e410) * _e415);
-                                        let _e595 = ((_e555.member[2].z - _e411) * _e415);
-                                        let _e596 = ((_e555.member[2].w - _e411) * _e415);
-                                        let _e598 = select(_e595, _e593, (_e593 < _e595));
-                                        let _e600 = select(_e596, _e594, (_e594 < _e596));
-                                        let _e602 = select(_e595, _e593, (_e593 > _e595));
-                                        let _e604 = select(_e596, _e594, (_e594 > _e596));
-                                        let _e606 = select(_e569, _e567, (_e567 < _e569));
-                                        let _e608 = select(_e570, _e568, (_e568 < _e570));
-                                        let _e610 = select(_e582, _e580, (_e580 < _e582));
-                                        let _e612 = select(_e583, _e581, (_e581 < _e583));
-                                        let _e614 = select(_e610, _e606, (_e606 > _e610));
-                                        let _e616 = select(_e612, _e608, (_e608 > _e612));
-                                        let _e618 = select(_e598, _e614, (_e614 > _e598));
-                                        let _e620 = select(_e600, _e616, (_e616 > _e600));
-                                        let _e622 = select(_e569, _e567, (_e567 > _e569));
-                                        let _e624 = select(_e570, _e568, (_e568 > _e570));
-                                        let _e626 = select(_e582, _e580, (_e580 > _e582));
-                                        let _e628 = select(_e583, _e581, (_e581 > _e583));
-                                        let _e630 = select(_e626, _e622, (_e622 < _e626));
-                                        let _e632 = select(_e628, _e624, (_e624 < _e628));
-                                        let _e637 = -(_e598);
-                                        let _e638 = -(_e600);
-                                        let _e645 = (select(_e602, _e630, (_e630 < _e602)) + (select(_e637, _e602, (_e602 > _e637)) * 0.0000019073523f));
-                                        let _e646 = (select(_e604, _e632, (_e632 < _e604)) + (select(_e638, _e604, (_e604 > _e638)) * 0.0000019073523f));
-                                        let _e648 = select(_e461, _e618, (_e618 > _e461));
-                                        let _e650 = select(_e461, _e620, (_e620 > _e461));
-                                        let _e655 = (_e648 <= select(_e471.member_1, _e645, (_e645 < _e471.member_1)));
-                                        let _e656 = (_e650 <= select(_e471.member_1, _e646, (_e646 < _e471.member_1)));
-                                        let _e657 = (_e648 <= _e650);
-                                        if _e655 {
-                                            if _e656 {
-                                                if _e657 {
-                                                    phi_2558_ = _e555.member_2;
-                                                } else {
-                                                    phi_2558_ = _e555.member_1;
-                                                }
-                                                let _e661 = phi_2558_;
-                                                let _e662 = (_e498 % 128u);
-                                                let _e663 = (_e662 < 128u);
-                                                if _e663 {
-                                                } else {
-                                                    phi_2904_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e662] = _e661;
-                                                if _e663 {
-                                                } else {
-                                                    phi_2904_ = true;
-                                                    break;
-                                                }
-                                                local[_e662] = select(_e650, _e648, (_e648 > _e650));
-                                                if _e657 {
-                                                    phi_2585_ = _e555.member_1;
-                                                } else {
-                                                    phi_2585_ = _e555.member_2;
-                                                }
-                                                let _e672 = phi_2585_;
-                                                phi_2586_ = _e672;
-                                                phi_2587_ = (_e498 + 1u);
-                                            } else {
-                                                phi_2586_ = u32();
-                                                phi_2587_ = u32();
-                                            }
-                                            let _e674 = phi_2586_;
-                                            let _e676 = phi_2587_;
-                                            phi_2589_ = _e674;
-                                            phi_2590_ = _e676;
-                                            phi_2591_ = select(true, false, _e656);
-                                        } else {
-                                            phi_2589_ = u32();
-                                            phi_2590_ = u32();
-                                            phi_2591_ = true;
-                                        }
-                                        let _e679 = phi_2589_;
-                                        let _e681 = phi_2590_;
-                                        let _e683 = phi_2591_;
-                                        if _e683 {
-                                            if _e655 {
-                                                phi_2600_ = _e555.member_1;
-                                            } else {
-                                                phi_2600_ = _e555.member_2;
-                                            }
-                                            let _e687 = phi_2600_;
-                                            phi_2605_ = _e687;
-                                            phi_2606_ = select(_e656, true, _e655);
-                                        } else {
-                                            phi_2605_ = _e679;
-                                            phi_2606_ = _e496;
-                                        }
-                                        let _e690 = phi_2605_;
-                                        let _e692 = phi_2606_;
-                                        phi_2908_ = _e469;
-                                        phi_2608_ = _e471;
-                                        phi_2609_ = _e690;
-                                        phi_2610_ = _e692;
-                                        phi_2611_ = select(_e681, _e498, _e683);
-                                    }
-                                    let _e1331 = phi_2908_;
-                                    let _e1333 = phi_2608_;
-                                    let _e1335 = phi_2609_;
-                                    let _e1337 = phi_2610_;
-                                    let _e1339 = phi_2611_;
-                                    phi_2907_ = _e1331;
-                                    phi_2612_ = _e1333;
-                                    phi_2613_ = _e1335;
-                                    phi_2614_ = (_e475 - 1u);
-                                    phi_2615_ = _e1337;
-                                    phi_2616_ = _e1339;
-                                } else {
-                                    phi_2907_ = _e469;
-                                    phi_2612_ = _e471;
-                                    phi_2613_ = _e494;
-                                    phi_2614_ = _e475;
-                                    phi_2615_ = _e496;
-                                    phi_2616_ = _e498;
-                                }
-                                let _e1341 = phi_2907_;
-                                let _e1343 = phi_2612_;
-                                let _e1345 = phi_2613_;
-                                let _e1347 = phi_2614_;
-                                let _e1349 = phi_2615_;
-                                let _e1351 = phi_2616_;
-                                phi_2906_ = _e1341;
-                                phi_2617_ = _e1343;
-                                phi_2618_ = _e1345;
-                                phi_2619_ = _e1347;
-                                phi_2620_ = _e1349;
-                                phi_2621_ = _e1351;
-                            } else {
-                                phi_2906_ = _e469;
-                                phi_2617_ = type_49();
-                                phi_2618_ = u32();
-                                phi_2619_ = u32();
-                                phi_2620_ = bool();
-                                phi_2621_ = u32();
-                            }
-                            let _e1353 = phi_2906_;
-                            let _e1355 = phi_2617_;
-                            let _e1357 = phi_2618_;
-                            let _e1359 = phi_2619_;
-                            let _e1361 = phi_2620_;
-                            let _e1363 = phi_2621_;
-                            phi_2905_ = _e1353;
-                            phi_1018_ = _e1355;
-                            phi_1021_ = _e1357;
-                            phi_1023_ = _e1359;
-                            phi_1025_ = _e1361;
-                            phi_1027_ = _e1363;
-                            phi_2622_ = _e483;
-                        } else {
-                            phi_2905_ = _e469;
-                            phi_1018_ = type_49();
-                            phi_1021_ = u32();
-                            phi_1023_ = u32();
-                            phi_1025_ = bool();
-                            phi_1027_ = u32();
-                            phi_2622_ = false;
-                        }
-                        let _e1365 = phi_2905_;
-                        let _e1367 = phi_1018_;
-                        let _e1369 = phi_1021_;
-                        let _e1371 = phi_1023_;
-                        let _e1373 = phi_1025_;
-                        let _e1375 = phi_1027_;
-                        let _e1377 = phi_2622_;
-                        continue;
-                        continuing {
-                            phi_2779_ = _e1365;
-                            phi_1017_ = _e1367;
-                            phi_1020_ = _e1369;
-                            phi_1022_ = _e1371;
-                            phi_1024_ = _e1373;
-                            phi_1026_ = _e1375;
-                            phi_2904_ = _e1365;
-                            break if !(_e1377);
-                        }
-                    }
-                    let _e1380 = phi_2904_;
-                    if _e1380 {
-                        break;
-                    }
-                    let _e1382 = local_2;
-                    if (_e1382.member.member_3 != 4294967295u) {
-                        let _e1387 = (_e289 / 3i);
-                        let _e1394 = bitcast<f32>((bitcast<u32>((_e1387 + 127i)) << bitcast<u32>(23i)));
-                        let _e1402 = (((_e1382.member.member * _e1394) * _e1394) * bitcast<f32>((bitcast<u32>(((_e289 - (2i * _e1387)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1404 = select(340282350000000000000000000000000000000f, _e1402, (_e1402 < 340282350000000000000000000000000000000f));
-                        phi_2674_ = type_28(select(-340282350000000000000000000000000000000f, _e1404, (_e1404 > -340282350000000000000000000000000000000f)), _e1382.member.member_1, _e1382.member.member_2, _e1382.member.member_3);
-                    } else {
-                        phi_2674_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                    }
-                    let _e1411 = phi_2674_;
+                    let _e167 = phi_274_;
                     if _e94 {
                     } else {
                         break;
                     }
-                    global_8.member[_e92] = _e1411;
-                    if _e93 {
+                    if _e94 {
                     } else {
                         break;
                     }
-                    let _e1415 = select(0u, 1u, (_e233 <= _e243));
-                    if (_e1415 > 0u) {
-                        let _e1417 = (1u < _e88);
-                        if _e1417 {
-                            if (0u < _e88) {
+                    let _e171 = global_7.member[_e93].member_2;
+                    let _e181 = global_7.member[_e93].member.member_2[0u];
+                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
+                    let _e189 = global_7.member[_e93].member.member_2[1u];
+                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
+                    let _e197 = global_7.member[_e93].member.member_2[2u];
+                    let _e199 = (bitcast<u32>(_e197) & 2147483647u);
+                    let _e205 = global_7.member[_e93].member.member[0u];
+                    let _e207 = (bitcast<u32>(_e205) & 2147483647u);
+                    let _e213 = global_7.member[_e93].member.member[1u];
+                    let _e215 = (bitcast<u32>(_e213) & 2147483647u);
+                    let _e221 = global_7.member[_e93].member.member[2u];
+                    let _e223 = (bitcast<u32>(_e221) & 2147483647u);
+                    let _e225 = select(_e191, _e183, (_e191 < _e183));
+                    let _e227 = select(_e199, _e225, (_e199 < _e225));
+                    let _e229 = select(_e207, _e227, (_e207 < _e227));
+                    let _e231 = select(_e215, _e229, (_e215 < _e229));
+                    let _e233 = select(_e223, _e231, (_e223 < _e231));
+                    let _e238 = global_7.member[_e93].member.member_1;
+                    let _e240 = (bitcast<u32>(_e238) & 2147483647u);
+                    let _e248 = global_7.member[_e93].member.member_3;
+                    let _e254 = (((select(_e240, _e233, (_e240 < _e233)) < 2139095040u) && ((bitcast<u32>(_e248) & 2147483647u) <= 2139095040u)) && (_e227 > 0u));
+                    if _e254 {
+                        let _e257 = (bitcast<u32>(bitcast<f32>(_e227)) & 2147483647u);
+                        if (_e257 >= 8388608u) {
+                            phi_384_ = (bitcast<i32>((_e257 >> bitcast<u32>(23i))) - 127i);
+                        } else {
+                            phi_384_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e257)), 32u, (_e257 == 0u))));
+                        }
+                        let _e271 = phi_384_;
+                        phi_385_ = _e271;
+                    } else {
+                        phi_385_ = 0i;
+                    }
+                    let _e273 = phi_385_;
+                    let _e274 = (_e183 == _e227);
+                    if _e274 {
+                        phi_395_ = true;
+                    } else {
+                        phi_395_ = (_e191 == _e227);
+                    }
+                    let _e277 = phi_395_;
+                    let _e278 = select(1u, 0u, _e274);
+                    if _e277 {
+                        let _e279 = (_e278 + 1u);
+                        phi_405_ = _e279;
+                        phi_406_ = _e279;
+                        phi_408_ = select(true, false, (_e279 == 2u));
+                    } else {
+                        phi_405_ = u32();
+                        phi_406_ = 0u;
+                        phi_408_ = true;
+                    }
+                    let _e283 = phi_405_;
+                    let _e285 = phi_406_;
+                    let _e287 = phi_408_;
+                    if _e287 {
+                        phi_413_ = (_e285 + 1u);
+                    } else {
+                        phi_413_ = 0u;
+                    }
+                    let _e291 = phi_413_;
+                    let _e292 = select(_e283, _e285, _e287);
+                    let _e293 = select(_e278, select(2u, _e278, _e277), _e287);
+                    let _e294 = -(_e273);
+                    if (_e294 < -126i) {
+                        phi_445_ = -126i;
+                    } else {
+                        phi_445_ = select(_e294, 127i, (_e294 > 127i));
+                    }
+                    let _e299 = phi_445_;
+                    let _e304 = bitcast<f32>((bitcast<u32>((_e299 + 127i)) << bitcast<u32>(23i)));
+                    let _e310 = bitcast<f32>((bitcast<u32>(((_e294 - _e299) + 127i)) << bitcast<u32>(23i)));
+                    let _e315 = global_7.member[_e93].member.member;
+                    let _e316 = (_e292 == 0u);
+                    if _e316 {
+                        phi_463_ = _e315[0];
+                    } else {
+                        phi_463_ = _e315[1];
+                    }
+                    let _e320 = phi_463_;
+                    let _e321 = (_e292 == 2u);
+                    if _e321 {
+                        phi_469_ = _e315[2];
+                    } else {
+                        phi_469_ = _e320;
+                    }
+                    let _e324 = phi_469_;
+                    let _e325 = global_7.member[_e93].member.member_2;
+                    if _e316 {
+                        phi_480_ = _e325[0];
+                    } else {
+                        phi_480_ = _e325[1];
+                    }
+                    let _e329 = phi_480_;
+                    if _e321 {
+                        phi_486_ = _e325[2];
+                    } else {
+                        phi_486_ = _e329;
+                    }
+                    let _e332 = phi_486_;
+                    let _e334 = ((_e332 * _e304) * _e310);
+                    let _e338 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e338 {
+                        let _e342 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) * 0.00000011920929f);
+                        phi_509_ = select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f));
+                    } else {
+                        phi_509_ = 0f;
+                    }
+                    let _e346 = phi_509_;
+                    let _e347 = (_e324 + _e346);
+                    let _e348 = (_e324 - _e346);
+                    let _e349 = select(_e334, 0f, _e338);
+                    if _e338 {
+                        phi_520_ = 38685626000000000000000000f;
+                    } else {
+                        phi_520_ = (1f / _e334);
+                    }
+                    let _e352 = phi_520_;
+                    let _e353 = (_e291 == 0u);
+                    if _e353 {
+                        phi_529_ = _e315[0];
+                    } else {
+                        phi_529_ = _e315[1];
+                    }
+                    let _e357 = phi_529_;
+                    let _e358 = (_e291 == 2u);
+                    if _e358 {
+                        phi_535_ = _e315[2];
+                    } else {
+                        phi_535_ = _e357;
+                    }
+                    let _e361 = phi_535_;
+                    if _e353 {
+                        phi_546_ = _e325[0];
+                    } else {
+                        phi_546_ = _e325[1];
+                    }
+                    let _e365 = phi_546_;
+                    if _e358 {
+                        phi_552_ = _e325[2];
+                    } else {
+                        phi_552_ = _e365;
+                    }
+                    let _e368 = phi_552_;
+                    let _e370 = ((_e368 * _e304) * _e310);
+                    let _e374 = (bitcast<f32>((bitcast<u32>(_e370) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e374 {
+                        let _e378 = (bitcast<f32>((bitcast<u32>(_e361) & 2147483647u)) * 0.00000011920929f);
+                        phi_575_ = select(0.00000000000011368684f, _e378, (_e378 > 0.00000000000011368684f));
+                    } else {
+                        phi_575_ = 0f;
+                    }
+                    let _e382 = phi_575_;
+                    let _e383 = (_e361 + _e382);
+                    let _e384 = (_e361 - _e382);
+                    let _e385 = select(_e370, 0f, _e374);
+                    if _e374 {
+                        phi_586_ = 38685626000000000000000000f;
+                    } else {
+                        phi_586_ = (1f / _e370);
+                    }
+                    let _e388 = phi_586_;
+                    let _e389 = (_e293 == 0u);
+                    if _e389 {
+                        phi_595_ = _e315[0];
+                    } else {
+                        phi_595_ = _e315[1];
+                    }
+                    let _e393 = phi_595_;
+                    let _e394 = (_e293 == 2u);
+                    if _e394 {
+                        phi_601_ = _e315[2];
+                    } else {
+                        phi_601_ = _e393;
+                    }
+                    let _e397 = phi_601_;
+                    if _e389 {
+                        phi_612_ = _e325[0];
+                    } else {
+                        phi_612_ = _e325[1];
+                    }
+                    let _e401 = phi_612_;
+                    if _e394 {
+                        phi_618_ = _e325[2];
+                    } else {
+                        phi_618_ = _e401;
+                    }
+                    let _e404 = phi_618_;
+                    let _e406 = ((_e404 * _e304) * _e310);
+                    let _e410 = (bitcast<f32>((bitcast<u32>(_e406) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e410 {
+                        let _e414 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) * 0.00000011920929f);
+                        phi_641_ = select(0.00000000000011368684f, _e414, (_e414 > 0.00000000000011368684f));
+                    } else {
+                        phi_641_ = 0f;
+                    }
+                    let _e418 = phi_641_;
+                    let _e419 = (_e397 + _e418);
+                    let _e420 = (_e397 - _e418);
+                    let _e421 = select(_e406, 0f, _e410);
+                    if _e410 {
+                        phi_652_ = 38685626000000000000000000f;
+                    } else {
+                        phi_652_ = (1f / _e406);
+                    }
+                    let _e424 = phi_652_;
+                    let _e427 = bitcast<f32>((bitcast<u32>(_e324) & 2147483647u));
+                    let _e430 = bitcast<f32>((bitcast<u32>(_e361) & 2147483647u));
+                    let _e432 = select(_e430, _e427, (_e427 > _e430));
+                    let _e435 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
+                    if (_e254 && (select(_e435, _e432, (_e432 > _e435)) <= 1099511600000f)) {
+                        let _e440 = (_e273 / 3i);
+                        let _e447 = bitcast<f32>((bitcast<u32>((_e440 + 127i)) << bitcast<u32>(23i)));
+                        let _e454 = bitcast<f32>((bitcast<u32>(((_e273 - (2i * _e440)) + 127i)) << bitcast<u32>(23i)));
+                        let _e455 = (((_e238 * _e447) * _e447) * _e454);
+                        let _e457 = select(340282350000000000000000000000000000000f, _e455, (_e455 < 340282350000000000000000000000000000000f));
+                        let _e462 = (((_e248 * _e447) * _e447) * _e454);
+                        let _e464 = select(340282350000000000000000000000000000000f, _e462, (_e462 < 340282350000000000000000000000000000000f));
+                        phi_752_ = select(-340282350000000000000000000000000000000f, _e464, (_e464 > -340282350000000000000000000000000000000f));
+                        phi_753_ = select(-340282350000000000000000000000000000000f, _e457, (_e457 > -340282350000000000000000000000000000000f));
+                    } else {
+                        phi_752_ = 0f;
+                        phi_753_ = 1f;
+                    }
+                    let _e468 = phi_752_;
+                    let _e470 = phi_753_;
+                    local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    phi_2789_ = false;
+                    phi_1027_ = type_49(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e468);
+                    phi_1030_ = select(0u, 2147483648u, (_e75 == 0u));
+                    phi_1032_ = ((3u * _e75) + 1u);
+                    phi_1034_ = (_e470 <= _e468);
+                    phi_1036_ = 0u;
+                    loop {
+                        let _e478 = phi_2789_;
+                        let _e480 = phi_1027_;
+                        let _e482 = phi_1030_;
+                        let _e484 = phi_1032_;
+                        let _e486 = phi_1034_;
+                        let _e488 = phi_1036_;
+                        local_2 = _e480;
+                        if _e486 {
+                            phi_1047_ = true;
+                        } else {
+                            phi_1047_ = (_e488 > 0u);
+                        }
+                        let _e491 = phi_1047_;
+                        if _e491 {
+                            let _e492 = (_e484 > 0u);
+                            if _e492 {
+                                if _e486 {
+                                    phi_1078_ = _e482;
+                                    phi_1079_ = _e486;
+                                    phi_1080_ = _e488;
+                                } else {
+                                    let _e493 = (_e488 - 1u);
+                                    let _e494 = (_e493 % 128u);
+                                    let _e495 = (_e494 < 128u);
+                                    if _e495 {
+                                    } else {
+                                        phi_2920_ = true;
+                                        break;
+                                    }
+                                    let _e497 = local_1[_e494];
+                                    if _e495 {
+                                    } else {
+                                        phi_2920_ = true;
+                                        break;
+                                    }
+                                    let _e499 = local[_e494];
+                                    phi_1078_ = _e497;
+                                    phi_1079_ = (_e499 <= _e480.member_1);
+                                    phi_1080_ = _e493;
+                                }
+                                let _e503 = phi_1078_;
+                                let _e505 = phi_1079_;
+                                let _e507 = phi_1080_;
+                                if _e505 {
+                                    if ((_e503 & 2147483648u) != 0u) {
+                                        phi_1095_ = _e480;
+                                        phi_1098_ = type_8(0u, ((_e503 >> bitcast<u32>(28u)) & 7u));
+                                        loop {
+                                            let _e705 = phi_1095_;
+                                            let _e707 = phi_1098_;
+                                            local_3 = _e705;
+                                            if (_e707.member < _e707.member_1) {
+                                                phi_1099_ = type_8((_e707.member + 1u), _e707.member_1);
+                                                phi_1121_ = type_8(1u, _e707.member);
+                                            } else {
+                                                phi_1099_ = _e707;
+                                                phi_1121_ = type_8(0u, type_8().member_1);
+                                            }
+                                            let _e720 = phi_1099_;
+                                            let _e722 = phi_1121_;
+                                            let _e726 = (bitcast<i32>(_e722.member) != 0i);
+                                            if _e726 {
+                                                let _e727 = ((_e503 & 268435455u) + _e722.member_1);
+                                                let _e728 = (_e727 < _e77);
+                                                if _e728 {
+                                                    if _e728 {
+                                                    } else {
+                                                        phi_2783_ = true;
+                                                        break;
+                                                    }
+                                                    let _e732 = global_4.member[_e727].member_1;
+                                                    phi_1142_ = _e732;
+                                                } else {
+                                                    phi_1142_ = 4294967295u;
+                                                }
+                                                let _e734 = phi_1142_;
+                                                if (_e727 >= _e77) {
+                                                    phi_1231_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                } else {
+                                                    if _e728 {
+                                                    } else {
+                                                        phi_2783_ = true;
+                                                        break;
+                                                    }
+                                                    let _e736 = (_e292 % 3u);
+                                                    let _e737 = (_e291 % 3u);
+                                                    let _e738 = (_e293 % 3u);
+                                                    if (_e736 < 9u) {
+                                                    } else {
+                                                        phi_2783_ = true;
+                                                        break;
+                                                    }
+                                                    let _e744 = global_4.member[_e727].member[_e736];
+                                                    if (_e737 < 9u) {
+                                                    } else {
+                                                        phi_2783_ = true;
+                                                        break;
+                                                    }
+                                                    let _e750 = global_4.member[_e727].member[_e737];
+                                                    if (_e738 < 9u) {
+                                                    } else {
+                                                        phi_2783_ = true;
+                                                        break;
+                                                    }
+                                                    let _e756 = global_4.member[_e727].member[_e738];
+                                                    let _e758 = (3u + _e736);
+                                                    if (_e758 < 9u) {
+                                                    } else {
+                                                        phi_2783_ = true;
+                                                        break;
+                                                    }
+                                                    let _e764 = global_4.member[_e727].member[_e758];
+                                                    let _e765 = (3u + _e737);
+                                                    if (_e765 < 9u) {
+                                                    } else {
+                                                        phi_2783_ = true;
+                                                        break;
+                                                    }
+                                                    let _e771 = global_4.member[_e727].member[_e765];
+                                                    let _e772 = (3u + _e738);
+                                                    if (_e772 < 9u) {
+                                                    } else {
+                                                        phi_2783_ = true;
+                                                        break;
+                                                    }
+                                                    let _e778 = global_4.member[_e727].member[_e772];
+                                                    let _e780 = (6u + _e736);
+                                                    if (_e780 < 9u) {
+                                                    } else {
+                                                        phi_2783_ = true;
+                                                        break;
+                                                    }
+                                                    let _e786 = global_4.member[_e727].member[_e780];
+                                                    let _e787 = (6u + _e737);
+                                                    if (_e787 < 9u) {
+                                                    } else {
+                                                        phi_2783_ = true;
+                                                        break;
+                                                    }
+                                                    let _e793 = global_4.member[_e727].member[_e787];
+                                                    let _e794 = (6u + _e738);
+                                                    if (_e794 < 9u) {
+                                                    } else {
+                                                        phi_2783_ = true;
+                                                        break;
+                                                    }
+                                                    let _e800 = global_4.member[_e727].member[_e794];
+                                                    phi_1231_ = array<array<f32, 3>, 3>(array<f32, 3>(_e744, _e750, _e756), array<f32, 3>(_e764, _e771, _e778), array<f32, 3>(_e786, _e793, _e800));
+                                                }
+                                                let _e804 = phi_1231_;
+                                                let _e812 = (_e804[0][2] - _e397);
+                                                let _e815 = (((_e804[0][0] - _e324) * _e421) - (_e812 * _e349));
+                                                let _e818 = (((_e804[0][1] - _e361) * _e421) - (_e812 * _e385));
+                                                let _e825 = (_e804[1][2] - _e397);
+                                                let _e828 = (((_e804[1][0] - _e324) * _e421) - (_e825 * _e349));
+                                                let _e831 = (((_e804[1][1] - _e361) * _e421) - (_e825 * _e385));
+                                                let _e838 = (_e804[2][2] - _e397);
+                                                let _e841 = (((_e804[2][0] - _e324) * _e421) - (_e838 * _e349));
+                                                let _e844 = (((_e804[2][1] - _e361) * _e421) - (_e838 * _e385));
+                                                let _e845 = (_e841 * _e831);
+                                                let _e846 = (_e844 * _e828);
+                                                let _e847 = (_e815 * _e844);
+                                                let _e848 = (_e818 * _e841);
+                                                let _e849 = (_e828 * _e818);
+                                                let _e850 = (_e831 * _e815);
+                                                let _e855 = (((_e845 >= _e846) && (_e847 >= _e848)) && (_e849 >= _e850));
+                                                if (_e855 || (((_e845 <= _e846) && (_e847 <= _e848)) && (_e849 <= _e850))) {
+                                                    let _e862 = select(-1f, 1f, _e855);
+                                                    let _e864 = ((_e845 - _e846) * _e862);
+                                                    let _e866 = select(0f, _e864, (_e864 > 0f));
+                                                    let _e868 = ((_e847 - _e848) * _e862);
+                                                    let _e870 = select(0f, _e868, (_e868 > 0f));
+                                                    let _e872 = ((_e849 - _e850) * _e862);
+                                                    let _e874 = select(0f, _e872, (_e872 > 0f));
+                                                    let _e876 = ((_e866 + _e870) + _e874);
+                                                    if (_e876 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1797_ = type_28();
+                                                        phi_1798_ = true;
+                                                    } else {
+                                                        let _e879 = select(_e804[1][0], _e804[0][0], (_e804[0][0] < _e804[1][0]));
+                                                        let _e883 = select(_e804[1][0], _e804[0][0], (_e804[0][0] > _e804[1][0]));
+                                                        let _e887 = select(_e804[1][1], _e804[0][1], (_e804[0][1] < _e804[1][1]));
+                                                        let _e891 = select(_e804[1][1], _e804[0][1], (_e804[0][1] > _e804[1][1]));
+                                                        let _e895 = select(_e804[1][2], _e804[0][2], (_e804[0][2] < _e804[1][2]));
+                                                        let _e899 = select(_e804[1][2], _e804[0][2], (_e804[0][2] > _e804[1][2]));
+                                                        let _e904 = ((select(_e804[2][0], _e879, (_e879 < _e804[2][0])) - _e347) * _e352);
+                                                        let _e905 = ((select(_e804[2][0], _e883, (_e883 > _e804[2][0])) - _e348) * _e352);
+                                                        let _e908 = ((select(_e804[2][1], _e887, (_e887 < _e804[2][1])) - _e383) * _e388);
+                                                        let _e909 = ((select(_e804[2][1], _e891, (_e891 > _e804[2][1])) - _e384) * _e388);
+                                                        let _e912 = ((select(_e804[2][2], _e895, (_e895 < _e804[2][2])) - _e419) * _e424);
+                                                        let _e913 = ((select(_e804[2][2], _e899, (_e899 > _e804[2][2])) - _e420) * _e424);
+                                                        let _e915 = select(_e913, _e912, (_e912 < _e913));
+                                                        let _e917 = select(_e913, _e912, (_e912 > _e913));
+                                                        let _e919 = select(_e905, _e904, (_e904 < _e905));
+                                                        let _e921 = select(_e909, _e908, (_e908 < _e909));
+                                                        let _e923 = select(_e921, _e919, (_e919 > _e921));
+                                                        let _e925 = select(_e915, _e923, (_e923 > _e915));
+                                                        let _e927 = select(_e905, _e904, (_e904 > _e905));
+                                                        let _e929 = select(_e909, _e908, (_e908 > _e909));
+                                                        let _e931 = select(_e929, _e927, (_e927 < _e929));
+                                                        let _e933 = select(_e917, _e931, (_e931 < _e917));
+                                                        let _e934 = -(_e915);
+                                                        let _e940 = select(_e470, _e925, (_e925 > _e470));
+                                                        if (_e940 > (_e933 + (select(_e934, _e917, (_e917 > _e934)) * 0.0000019073523f))) {
+                                                            phi_1792_ = type_28();
+                                                            phi_1793_ = true;
+                                                        } else {
+                                                            let _e942 = (_e940 > _e705.member_1);
+                                                            if _e942 {
+                                                                phi_1791_ = type_28();
+                                                            } else {
+                                                                let _e946 = (_e804[1][0] - _e804[0][0]);
+                                                                let _e947 = (_e804[1][1] - _e804[0][1]);
+                                                                let _e948 = (_e804[1][2] - _e804[0][2]);
+                                                                let _e949 = vec3<f32>(_e946, _e947, _e948);
+                                                                let _e950 = (_e804[2][0] - _e804[1][0]);
+                                                                let _e951 = (_e804[2][1] - _e804[1][1]);
+                                                                let _e952 = (_e804[2][2] - _e804[1][2]);
+                                                                let _e953 = vec3<f32>(_e950, _e951, _e952);
+                                                                let _e954 = (_e804[0][0] - _e804[2][0]);
+                                                                let _e955 = (_e804[0][1] - _e804[2][1]);
+                                                                let _e956 = (_e804[0][2] - _e804[2][2]);
+                                                                let _e957 = vec3<f32>(_e954, _e955, _e956);
+                                                                let _e960 = bitcast<f32>((bitcast<u32>(_e946) & 2147483647u));
+                                                                let _e963 = bitcast<f32>((bitcast<u32>(_e947) & 2147483647u));
+                                                                let _e965 = select(_e963, _e960, (_e960 > _e963));
+                                                                let _e968 = bitcast<f32>((bitcast<u32>(_e948) & 2147483647u));
+                                                                let _e970 = select(_e968, _e965, (_e965 > _e968));
+                                                                let _e973 = bitcast<f32>((bitcast<u32>(_e950) & 2147483647u));
+                                                                let _e976 = bitcast<f32>((bitcast<u32>(_e951) & 2147483647u));
+                                                                let _e978 = select(_e976, _e973, (_e973 > _e976));
+                                                                let _e981 = bitcast<f32>((bitcast<u32>(_e952) & 2147483647u));
+                                                                let _e983 = select(_e981, _e978, (_e978 > _e981));
+                                                                let _e986 = bitcast<f32>((bitcast<u32>(_e954) & 2147483647u));
+                                                                let _e989 = bitcast<f32>((bitcast<u32>(_e955) & 2147483647u));
+                                                                let _e991 = select(_e989, _e986, (_e986 > _e989));
+                                                                let _e994 = bitcast<f32>((bitcast<u32>(_e956) & 2147483647u));
+                                                                let _e996 = select(_e994, _e991, (_e991 > _e994));
+                                                                let _e998 = select(_e983, _e970, (_e970 > _e983));
+                                                                let _e1000 = select(_e996, _e998, (_e998 > _e996));
+                                                                if (_e970 == _e1000) {
+                                                                    phi_1702_ = _e953;
+                                                                    phi_1703_ = _e957;
+                                                                } else {
+                                                                    let _e1003 = vec3((_e983 == _e1000));
+                                                                    phi_1702_ = select(_e949, _e957, _e1003);
+                                                                    phi_1703_ = select(_e953, _e949, _e1003);
+                                                                }
+                                                                let _e1007 = phi_1702_;
+                                                                let _e1009 = phi_1703_;
+                                                                let _e1016 = ((_e1007.y * _e1009.z) - (_e1009.y * _e1007.z));
+                                                                let _e1021 = ((_e1007.z * _e1009.x) - (_e1009.z * _e1007.x));
+                                                                let _e1024 = ((_e1007.x * _e1009.y) - (_e1009.x * _e1007.y));
+                                                                if (_e866 >= _e870) {
+                                                                    phi_1734_ = select(true, false, (_e866 >= _e874));
+                                                                } else {
+                                                                    phi_1734_ = true;
+                                                                }
+                                                                let _e1029 = phi_1734_;
+                                                                if _e1029 {
+                                                                    phi_1743_ = select(vec3<f32>(_e804[2][0], _e804[2][1], _e804[2][2]), vec3<f32>(_e804[1][0], _e804[1][1], _e804[1][2]), vec3((_e870 >= _e874)));
+                                                                } else {
+                                                                    phi_1743_ = vec3<f32>(_e804[0][0], _e804[0][1], _e804[0][2]);
+                                                                }
+                                                                let _e1034 = phi_1743_;
+                                                                let _e1051 = ((((_e1016 * (_e1034.x - _e324)) + (_e1021 * (_e1034.y - _e361))) + (_e1024 * (_e1034.z - _e397))) / (((_e1016 * _e349) + (_e1021 * _e385)) + (_e1024 * _e421)));
+                                                                let _e1053 = select(_e933, _e1051, (_e1051 < _e933));
+                                                                let _e1055 = select(_e925, _e1053, (_e1053 > _e925));
+                                                                if (_e1055 >= _e470) {
+                                                                    let _e1057 = (_e1055 <= _e705.member_1);
+                                                                    if _e1057 {
+                                                                        let _e1058 = (1f / _e876);
+                                                                        phi_1783_ = type_28(_e1055, (_e870 * _e1058), (_e874 * _e1058), _e734);
+                                                                    } else {
+                                                                        phi_1783_ = type_28();
+                                                                    }
+                                                                    let _e1063 = phi_1783_;
+                                                                    phi_1785_ = _e1063;
+                                                                    phi_1786_ = select(true, false, _e1057);
+                                                                } else {
+                                                                    phi_1785_ = type_28();
+                                                                    phi_1786_ = true;
+                                                                }
+                                                                let _e1066 = phi_1785_;
+                                                                let _e1068 = phi_1786_;
+                                                                if _e1068 {
+                                                                    phi_1790_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                } else {
+                                                                    phi_1790_ = _e1066;
+                                                                }
+                                                                let _e1070 = phi_1790_;
+                                                                phi_1791_ = _e1070;
+                                                            }
+                                                            let _e1072 = phi_1791_;
+                                                            phi_1792_ = _e1072;
+                                                            phi_1793_ = _e942;
+                                                        }
+                                                        let _e1074 = phi_1792_;
+                                                        let _e1076 = phi_1793_;
+                                                        phi_1797_ = _e1074;
+                                                        phi_1798_ = _e1076;
+                                                    }
+                                                    let _e1078 = phi_1797_;
+                                                    let _e1080 = phi_1798_;
+                                                    phi_1802_ = _e1078;
+                                                    phi_1803_ = _e1080;
+                                                } else {
+                                                    phi_1802_ = type_28();
+                                                    phi_1803_ = true;
+                                                }
+                                                let _e1082 = phi_1802_;
+                                                let _e1084 = phi_1803_;
+                                                if _e1084 {
+                                                    phi_1807_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                } else {
+                                                    phi_1807_ = _e1082;
+                                                }
+                                                let _e1086 = phi_1807_;
+                                                if (_e1086.member_3 != 4294967295u) {
+                                                    if (_e734 == _e171) {
+                                                        phi_2136_ = false;
+                                                    } else {
+                                                        let _e1090 = (_e734 < arrayLength((&global_5.member)));
+                                                        if _e1090 {
+                                                            if _e1090 {
+                                                            } else {
+                                                                phi_2783_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1092 = global_5.member[_e734];
+                                                            phi_1830_ = _e1092;
+                                                        } else {
+                                                            phi_1830_ = 4294967295u;
+                                                        }
+                                                        let _e1094 = phi_1830_;
+                                                        let _e1095 = (_e1094 < arrayLength((&global_6.member)));
+                                                        if _e1095 {
+                                                            if _e1095 {
+                                                            } else {
+                                                                phi_2783_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1097 = global_6.member[_e1094];
+                                                            phi_1844_ = _e1097;
+                                                        } else {
+                                                            phi_1844_ = 0i;
+                                                        }
+                                                        let _e1099 = phi_1844_;
+                                                        let _e1100 = (_e1099 == 0i);
+                                                        if _e1100 {
+                                                            phi_2135_ = true;
+                                                        } else {
+                                                            if _e316 {
+                                                                phi_1865_ = vec3<f32>(_e804[0][0], _e804[0][1], _e804[0][2]);
+                                                            } else {
+                                                                if (_e292 == 1u) {
+                                                                    phi_1864_ = vec3<f32>(_e804[0][2], _e804[0][0], _e804[0][1]);
+                                                                } else {
+                                                                    phi_1864_ = vec3<f32>(_e804[0][1], _e804[0][2], _e804[0][0]);
+                                                                }
+                                                                let _e1105 = phi_1864_;
+                                                                phi_1865_ = _e1105;
+                                                            }
+                                                            let _e1108 = phi_1865_;
+                                                            if _e316 {
+                                                                phi_1882_ = vec3<f32>(_e804[1][0], _e804[1][1], _e804[1][2]);
+                                                            } else {
+                                                                if (_e292 == 1u) {
+                                                                    phi_1881_ = vec3<f32>(_e804[1][2], _e804[1][0], _e804[1][1]);
+                                                                } else {
+                                                                    phi_1881_ = vec3<f32>(_e804[1][1], _e804[1][2], _e804[1][0]);
+                                                                }
+                                                                let _e1113 = phi_1881_;
+                                                                phi_1882_ = _e1113;
+                                                            }
+                                                            let _e1116 = phi_1882_;
+                                                            if _e316 {
+                                                                phi_1899_ = vec3<f32>(_e804[2][0], _e804[2][1], _e804[2][2]);
+                                                            } else {
+                                                                if (_e292 == 1u) {
+                                                                    phi_1898_ = vec3<f32>(_e804[2][2], _e804[2][0], _e804[2][1]);
+                                                                } else {
+                                                                    phi_1898_ = vec3<f32>(_e804[2][1], _e804[2][2], _e804[2][0]);
+                                                                }
+                                                                let _e1121 = phi_1898_;
+                                                                phi_1899_ = _e1121;
+                                                            }
+                                                            let _e1124 = phi_1899_;
+                                                            let _e1127 = (_e1116.x - _e1108.x);
+                                                            let _e1130 = (_e1116.y - _e1108.y);
+                                                            let _e1133 = (_e1116.z - _e1108.z);
+                                                            let _e1135 = (_e1124.x - _e1108.x);
+                                                            let _e1137 = (_e1124.y - _e1108.y);
+                                                            let _e1139 = (_e1124.z - _e1108.z);
+                                                            if (_e167.member_1 == 1u) {
+                                                                phi_1935_ = (vec3<f32>(_e167.member[0], _e167.member[1], _e167.member[2]) - _e1108);
+                                                            } else {
+                                                                phi_1935_ = vec3<f32>(_e167.member[0], _e167.member[1], _e167.member[2]);
+                                                            }
+                                                            let _e1154 = phi_1935_;
+                                                            let _e1160 = bitcast<f32>((bitcast<u32>((_e1127 * _e1137)) ^ _e167.member_3[0]));
+                                                            let _e1164 = bitcast<f32>((bitcast<u32>((_e1130 * _e1135)) ^ _e167.member_3[0]));
+                                                            let _e1168 = bitcast<f32>((bitcast<u32>((_e1130 * _e1139)) ^ _e167.member_3[0]));
+                                                            let _e1172 = bitcast<f32>((bitcast<u32>((_e1133 * _e1137)) ^ _e167.member_3[0]));
+                                                            let _e1176 = bitcast<f32>((bitcast<u32>((_e1133 * _e1135)) ^ _e167.member_3[0]));
+                                                            let _e1180 = bitcast<f32>((bitcast<u32>((_e1127 * _e1139)) ^ _e167.member_3[0]));
+                                                            let _e1181 = (_e1168 - _e1172);
+                                                            let _e1182 = (_e1176 - _e1180);
+                                                            let _e1183 = (_e1160 - _e1164);
+                                                            let _e1207 = (bitcast<f32>((bitcast<u32>(_e1168) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1172) & 2147483647u)));
+                                                            let _e1214 = (bitcast<f32>((bitcast<u32>(_e1176) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1180) & 2147483647u)));
+                                                            let _e1221 = (bitcast<f32>((bitcast<u32>(_e1160) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1164) & 2147483647u)));
+                                                            if (_e167.member_2 == 0f) {
+                                                                phi_2117_ = 0f;
+                                                            } else {
+                                                                let _e1251 = bitcast<f32>((bitcast<u32>(_e1181) & 2147483647u));
+                                                                let _e1254 = bitcast<f32>((bitcast<u32>(_e1182) & 2147483647u));
+                                                                let _e1257 = bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u));
+                                                                let _e1259 = select(_e1257, _e1254, (_e1254 > _e1257));
+                                                                let _e1263 = select(_e1257, _e1254, (_e1254 < _e1257));
+                                                                let _e1267 = select(_e1254, _e1251, (_e1251 < _e1254));
+                                                                let _e1269 = select(_e1254, _e1251, (_e1251 > _e1254));
+                                                                let _e1271 = select(_e1257, _e1269, (_e1269 < _e1257));
+                                                                phi_2117_ = bitcast<f32>((bitcast<u32>((_e167.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1259, _e1251, (_e1251 > _e1259)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1271, _e1267, (_e1267 > _e1271)))) ^ _e167.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1263, _e1251, (_e1251 < _e1263)))) ^ _e167.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1207 + _e1214) + _e1221))) ^ _e167.member_3[0]))) * 1.0000005f)) ^ _e167.member_3[0])))) ^ _e167.member_3[0]));
+                                                            }
+                                                            let _e1298 = phi_2117_;
+                                                            phi_2135_ = (_e1100 || !(((((bitcast<f32>((bitcast<u32>((_e1154.x * _e1181)) ^ _e167.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1154.y * _e1182)) ^ _e167.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1154.z * _e1183)) ^ _e167.member_3[0]))) * f32(-(_e1099))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1154.x) & 2147483647u)) * _e1207)) ^ _e167.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1154.y) & 2147483647u)) * _e1214)) ^ _e167.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1154.z) & 2147483647u)) * _e1221)) ^ _e167.member_3[0]))))) ^ _e167.member_3[0])) + _e1298) + 0.0000000000000000000000000000000000001880791f))));
+                                                        }
+                                                        let _e1312 = phi_2135_;
+                                                        phi_2136_ = _e1312;
+                                                    }
+                                                    let _e1314 = phi_2136_;
+                                                    if _e1314 {
+                                                        if (_e1086.member < _e705.member.member) {
+                                                            phi_2156_ = true;
+                                                        } else {
+                                                            if (_e1086.member == _e705.member.member) {
+                                                                phi_2155_ = (_e1086.member_3 < _e705.member.member_3);
+                                                            } else {
+                                                                phi_2155_ = false;
+                                                            }
+                                                            let _e1324 = phi_2155_;
+                                                            phi_2156_ = _e1324;
+                                                        }
+                                                        let _e1326 = phi_2156_;
+                                                        if _e1326 {
+                                                            phi_2162_ = type_49(_e1086, _e1086.member);
+                                                        } else {
+                                                            phi_2162_ = _e705;
+                                                        }
+                                                        let _e1329 = phi_2162_;
+                                                        phi_2163_ = _e1329;
+                                                    } else {
+                                                        phi_2163_ = _e705;
+                                                    }
+                                                    let _e1331 = phi_2163_;
+                                                    phi_2164_ = _e1331;
+                                                } else {
+                                                    phi_2164_ = _e705;
+                                                }
+                                                let _e1333 = phi_2164_;
+                                                phi_1096_ = _e1333;
+                                            } else {
+                                                phi_1096_ = type_49();
+                                            }
+                                            let _e1335 = phi_1096_;
+                                            continue;
+                                            continuing {
+                                                phi_1095_ = _e1335;
+                                                phi_1098_ = _e720;
+                                                phi_2783_ = _e478;
+                                                break if !(_e726);
+                                            }
+                                        }
+                                        let _e1338 = phi_2783_;
+                                        phi_2920_ = _e1338;
+                                        if _e1338 {
+                                            break;
+                                        }
+                                        phi_2924_ = _e1338;
+                                        let _e1545 = local_3;
+                                        phi_2618_ = _e1545;
+                                        phi_2619_ = _e503;
+                                        phi_2620_ = false;
+                                        phi_2621_ = _e507;
+                                    } else {
+                                        if (_e503 >= _e75) {
+                                            phi_2224_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        } else {
+                                            if (_e503 < _e75) {
+                                            } else {
+                                                phi_2920_ = true;
+                                                break;
+                                            }
+                                            let _e517 = (_e292 % 3u);
+                                            if (_e517 < 3u) {
+                                            } else {
+                                                phi_2920_ = true;
+                                                break;
+                                            }
+                                            let _e523 = global_3.member[_e503].member[_e517];
+                                            let _e529 = (_e291 % 3u);
+                                            if (_e529 < 3u) {
+                                            } else {
+                                                phi_2920_ = true;
+                                                break;
+                                            }
+                                            let _e535 = global_3.member[_e503].member[_e529];
+                                            let _e541 = (_e293 % 3u);
+                                            if (_e541 < 3u) {
+                                            } else {
+                                                phi_2920_ = true;
+                                                break;
+                                            }
+                                            let _e547 = global_3.member[_e503].member[_e541];
+                                            let _e557 = global_3.member[_e503].member_1;
+                                            let _e561 = global_3.member[_e503].member_2;
+                                            phi_2224_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e523[0], _e523[1], _e523[2], _e523[3]), vec4<f32>(_e535[0], _e535[1], _e535[2], _e535[3]), vec4<f32>(_e547[0], _e547[1], _e547[2], _e547[3])), _e557, _e561);
+                                        }
+                                        let _e564 = phi_2224_;
+                                        let _e576 = ((_e564.member[0].x - _e347) * _e352);
+                                        let _e577 = ((_e564.member[0].y - _e347) * _e352);
+                                        let _e578 = ((_e564.member[0].z - _e348) * _e352);
+                                        let _e579 = ((_e564.member[0].w - _e348) * _e352);
+                                        let _e589 = ((_e564.member[1].x - _e383) * _e388);
+                                        let _e590 = ((_e564.member[1].y - _e383) * _e388);
+                                        let _e591 = ((_e564.member[1].z - _e384) * _e388);
+                                        let _e592 = ((_e564.member[1].w - _e384) * _e388);
+                                        let _e602 = ((_e564.member[2].x - _e419) * _e424);
+                                        let _e603 = ((_e564.member[2].y - _e419) * _e424);
+                                        let _e604 = ((_e564.member[2].z - _e420) * _e424);
+                                        let _e605 = ((_e564.member[2].w - _e420) * _e424);
+                                        let _e607 = select(_e604, _e602, (_e602 < _e604));
+                                        let _e609 = select(_e605, _e603, (_e603 < _e605));
+                                        let _e611 = select(_e604, _e602, (_e602 > _e604));
+                                        let _e613 = select(_e605, _e603, (_e603 > _e605));
+                                        let _e615 = select(_e578, _e576, (_e576 < _e578));
+                                        let _e617 = select(_e579, _e577, (_e577 < _e579));
+                                        let _e619 = select(_e591, _e589, (_e589 < _e591));
+                                        let _e621 = select(_e592, _e590, (_e590 < _e592));
+                                        let _e623 = select(_e619, _e615, (_e615 > _e619));
+                                        let _e625 = select(_e621, _e617, (_e617 > _e621));
+                                        let _e627 = select(_e607, _e623, (_e623 > _e607));
+                                        let _e629 = select(_e609, _e625, (_e625 > _e609));
+                                        let _e631 = select(_e578, _e576, (_e576 > _e578));
+                                        let _e633 = select(_e579, _e577, (_e577 > _e579));
+                                        let _e635 = select(_e591, _e589, (_e589 > _e591));
+                                        let _e637 = select(_e592, _e590, (_e590 > _e592));
+                                        let _e639 = select(_e635, _e631, (_e631 < _e635));
+                                        let _e641 = select(_e637, _e633, (_e633 < _e637));
+                                        let _e646 = -(_e607);
+                                        let _e647 = -(_e609);
+                                        let _e654 = (select(_e611, _e639, (_e639 < _e611)) + (select(_e646, _e611, (_e611 > _e646)) * 0.0000019073523f));
+                                        let _e655 = (select(_e613, _e641, (_e641 < _e613)) + (select(_e647, _e613, (_e613 > _e647)) * 0.0000019073523f));
+                                        let _e657 = select(_e470, _e627, (_e627 > _e470));
+                                        let _e659 = select(_e470, _e629, (_e629 > _e470));
+                                        let _e664 = (_e657 <= select(_e480.member_1, _e654, (_e654 < _e480.member_1)));
+                                        let _e665 = (_e659 <= select(_e480.member_1, _e655, (_e655 < _e480.member_1)));
+                                        let _e666 = (_e657 <= _e659);
+                                        if _e664 {
+                                            if _e665 {
+                                                if _e666 {
+                                                    phi_2568_ = _e564.member_2;
+                                                } else {
+                                                    phi_2568_ = _e564.member_1;
+                                                }
+                                                let _e670 = phi_2568_;
+                                                let _e671 = (_e507 % 128u);
+                                                let _e672 = (_e671 < 128u);
+                                                if _e672 {
+                                                } else {
+                                                    phi_2920_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e671] = _e670;
+                                                if _e672 {
+                                                } else {
+                                                    phi_2920_ = true;
+                                                    break;
+                                                }
+                                                local[_e671] = select(_e659, _e657, (_e657 > _e659));
+                                                if _e666 {
+                                                    phi_2595_ = _e564.member_1;
+                                                } else {
+                                                    phi_2595_ = _e564.member_2;
+                                                }
+                                                let _e681 = phi_2595_;
+                                                phi_2596_ = _e681;
+                                                phi_2597_ = (_e507 + 1u);
+                                            } else {
+                                                phi_2596_ = u32();
+                                                phi_2597_ = u32();
+                                            }
+                                            let _e683 = phi_2596_;
+                                            let _e685 = phi_2597_;
+                                            phi_2599_ = _e683;
+                                            phi_2600_ = _e685;
+                                            phi_2601_ = select(true, false, _e665);
+                                        } else {
+                                            phi_2599_ = u32();
+                                            phi_2600_ = u32();
+                                            phi_2601_ = true;
+                                        }
+                                        let _e688 = phi_2599_;
+                                        let _e690 = phi_2600_;
+                                        let _e692 = phi_2601_;
+                                        if _e692 {
+                                            if _e664 {
+                                                phi_2610_ = _e564.member_1;
+                                            } else {
+                                                phi_2610_ = _e564.member_2;
+                                            }
+                                            let _e696 = phi_2610_;
+                                            phi_2615_ = _e696;
+                                            phi_2616_ = select(_e665, true, _e664);
+                                        } else {
+                                            phi_2615_ = _e688;
+                                            phi_2616_ = _e505;
+                                        }
+                                        let _e699 = phi_2615_;
+                                        let _e701 = phi_2616_;
+                                        phi_2924_ = _e478;
+                                        phi_2618_ = _e480;
+                                        phi_2619_ = _e699;
+                                        phi_2620_ = _e701;
+                                        phi_2621_ = select(_e690, _e507, _e692);
+                                    }
+                                    let _e1340 = phi_2924_;
+                                    let _e1342 = phi_2618_;
+                                    let _e1344 = phi_2619_;
+                                    let _e1346 = phi_2620_;
+                                    let _e1348 = phi_2621_;
+                                    phi_2923_ = _e1340;
+                                    phi_2622_ = _e1342;
+                                    phi_2623_ = _e1344;
+                                    phi_2624_ = (_e484 - 1u);
+                                    phi_2625_ = _e1346;
+                                    phi_2626_ = _e1348;
+                                } else {
+                                    phi_2923_ = _e478;
+                                    phi_2622_ = _e480;
+                                    phi_2623_ = _e503;
+                                    phi_2624_ = _e484;
+                                    phi_2625_ = _e505;
+                                    phi_2626_ = _e507;
+                                }
+                                let _e1350 = phi_2923_;
+                                let _e1352 = phi_2622_;
+                                let _e1354 = phi_2623_;
+                                let _e1356 = phi_2624_;
+                                let _e1358 = phi_2625_;
+                                let _e1360 = phi_2626_;
+                                phi_2922_ = _e1350;
+                                phi_2627_ = _e1352;
+                                phi_2628_ = _e1354;
+                                phi_2629_ = _e1356;
+                                phi_2630_ = _e1358;
+                                phi_2631_ = _e1360;
+                            } else {
+                                phi_2922_ = _e478;
+                                phi_2627_ = type_49();
+                                phi_2628_ = u32();
+                                phi_2629_ = u32();
+                                phi_2630_ = bool();
+                                phi_2631_ = u32();
+                            }
+                            let _e1362 = phi_2922_;
+                            let _e1364 = phi_2627_;
+                            let _e1366 = phi_2628_;
+                            let _e1368 = phi_2629_;
+                            let _e1370 = phi_2630_;
+                            let _e1372 = phi_2631_;
+                            phi_2921_ = _e1362;
+                            phi_1028_ = _e1364;
+                            phi_1031_ = _e1366;
+                            phi_1033_ = _e1368;
+                            phi_1035_ = _e1370;
+                            phi_1037_ = _e1372;
+                            phi_2632_ = _e492;
+                        } else {
+                            phi_2921_ = _e478;
+                            phi_1028_ = type_49();
+                            phi_1031_ = u32();
+                            phi_1033_ = u32();
+                            phi_1035_ = bool();
+                            phi_1037_ = u32();
+                            phi_2632_ = false;
+                        }
+                        let _e1374 = phi_2921_;
+                        let _e1376 = phi_1028_;
+                        let _e1378 = phi_1031_;
+                        let _e1380 = phi_1033_;
+                        let _e1382 = phi_1035_;
+                        let _e1384 = phi_1037_;
+                        let _e1386 = phi_2632_;
+                        continue;
+                        continuing {
+                            phi_2789_ = _e1374;
+                            phi_1027_ = _e1376;
+                            phi_1030_ = _e1378;
+                            phi_1032_ = _e1380;
+                            phi_1034_ = _e1382;
+                            phi_1036_ = _e1384;
+                            phi_2920_ = _e1374;
+                            break if !(_e1386);
+                        }
+                    }
+                    let _e1389 = phi_2920_;
+                    if _e1389 {
+                        break;
+                    }
+                    let _e1391 = local_2;
+                    if (_e1391.member.member_3 != 4294967295u) {
+                        let _e1396 = (_e294 / 3i);
+                        let _e1403 = bitcast<f32>((bitcast<u32>((_e1396 + 127i)) << bitcast<u32>(23i)));
+                        let _e1411 = (((_e1391.member.member * _e1403) * _e1403) * bitcast<f32>((bitcast<u32>(((_e294 - (2i * _e1396)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1413 = select(340282350000000000000000000000000000000f, _e1411, (_e1411 < 340282350000000000000000000000000000000f));
+                        phi_2684_ = type_28(select(-340282350000000000000000000000000000000f, _e1413, (_e1413 > -340282350000000000000000000000000000000f)), _e1391.member.member_1, _e1391.member.member_2, _e1391.member.member_3);
+                    } else {
+                        phi_2684_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                    }
+                    let _e1420 = phi_2684_;
+                    if _e95 {
+                    } else {
+                        break;
+                    }
+                    global_8.member[_e93] = _e1420;
+                    if _e94 {
+                    } else {
+                        break;
+                    }
+                    let _e1424 = select(0u, 1u, (_e238 <= _e248));
+                    if (_e1424 > 0u) {
+                        let _e1426 = (1u < _e89);
+                        if _e1426 {
+                            if (0u < _e89) {
                             } else {
                                 break;
                             }
-                            let _e1421 = atomicAdd((&global_9.member[0u]), _e1415);
-                            if ((_e1421 + _e1415) < _e1421) {
-                                if _e1417 {
+                            let _e1430 = atomicAdd((&global_9.member[0u]), _e1424);
+                            if ((_e1430 + _e1424) < _e1430) {
+                                if _e1426 {
                                 } else {
                                     break;
                                 }
-                                let _e1426 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e1435 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1429 = select(0u, 1u, (_e1411.member_3 != 4294967295u));
-                    if (_e1429 > 0u) {
-                        let _e1431 = (3u < _e88);
-                        if _e1431 {
-                            if (2u < _e88) {
+                    let _e1438 = select(0u, 1u, (_e1420.member_3 != 4294967295u));
+                    if (_e1438 > 0u) {
+                        let _e1440 = (3u < _e89);
+                        if _e1440 {
+                            if (2u < _e89) {
                             } else {
                                 break;
                             }
-                            let _e1435 = atomicAdd((&global_9.member[2u]), _e1429);
-                            if ((_e1435 + _e1429) < _e1435) {
-                                if _e1431 {
+                            let _e1444 = atomicAdd((&global_9.member[2u]), _e1438);
+                            if ((_e1444 + _e1438) < _e1444) {
+                                if _e1440 {
                                 } else {
                                     break;
                                 }
-                                let _e1440 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e1449 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

@@ -94,979 +94,985 @@ var<storage, read_write> global_5: type_26;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_320_: i32;
     var phi_321_: i32;
-    var phi_331_: bool;
-    var phi_341_: u32;
+    var phi_322_: i32;
+    var phi_332_: bool;
     var phi_342_: u32;
-    var phi_344_: bool;
-    var phi_349_: u32;
-    var phi_393_: f32;
-    var phi_399_: f32;
-    var phi_410_: f32;
-    var phi_416_: f32;
-    var phi_439_: f32;
-    var phi_450_: f32;
-    var phi_459_: f32;
-    var phi_465_: f32;
-    var phi_476_: f32;
-    var phi_482_: f32;
-    var phi_505_: f32;
-    var phi_516_: f32;
-    var phi_525_: f32;
-    var phi_531_: f32;
-    var phi_542_: f32;
-    var phi_548_: f32;
-    var phi_571_: f32;
-    var phi_582_: f32;
-    var phi_682_: f32;
-    var phi_683_: f32;
-    var phi_2294_: bool;
-    var phi_957_: type_47;
-    var phi_960_: u32;
-    var phi_962_: u32;
-    var phi_964_: bool;
-    var phi_966_: u32;
-    var phi_977_: bool;
-    var phi_1008_: u32;
-    var phi_1009_: bool;
-    var phi_1010_: u32;
-    var phi_1810_: type_46;
-    var phi_2154_: u32;
-    var phi_2181_: u32;
-    var phi_2182_: u32;
-    var phi_2183_: u32;
-    var phi_2185_: u32;
-    var phi_2186_: u32;
-    var phi_2187_: bool;
-    var phi_2196_: u32;
-    var phi_2201_: u32;
-    var phi_2202_: bool;
-    var phi_1025_: type_47;
-    var phi_1028_: type_7;
-    var phi_1029_: type_7;
-    var phi_1051_: type_7;
-    var phi_1072_: u32;
-    var phi_1161_: array<array<f32, 3>, 3>;
-    var phi_1632_: vec3<f32>;
-    var phi_1633_: vec3<f32>;
-    var phi_1664_: bool;
-    var phi_1673_: vec3<f32>;
-    var phi_1713_: type_22;
-    var phi_1715_: type_22;
-    var phi_1716_: bool;
+    var phi_343_: u32;
+    var phi_345_: bool;
+    var phi_350_: u32;
+    var phi_382_: i32;
+    var phi_400_: f32;
+    var phi_406_: f32;
+    var phi_417_: f32;
+    var phi_423_: f32;
+    var phi_446_: f32;
+    var phi_457_: f32;
+    var phi_466_: f32;
+    var phi_472_: f32;
+    var phi_483_: f32;
+    var phi_489_: f32;
+    var phi_512_: f32;
+    var phi_523_: f32;
+    var phi_532_: f32;
+    var phi_538_: f32;
+    var phi_549_: f32;
+    var phi_555_: f32;
+    var phi_578_: f32;
+    var phi_589_: f32;
+    var phi_689_: f32;
+    var phi_690_: f32;
+    var phi_2301_: bool;
+    var phi_964_: type_47;
+    var phi_967_: u32;
+    var phi_969_: u32;
+    var phi_971_: bool;
+    var phi_973_: u32;
+    var phi_984_: bool;
+    var phi_1015_: u32;
+    var phi_1016_: bool;
+    var phi_1017_: u32;
+    var phi_1817_: type_46;
+    var phi_2161_: u32;
+    var phi_2188_: u32;
+    var phi_2189_: u32;
+    var phi_2190_: u32;
+    var phi_2192_: u32;
+    var phi_2193_: u32;
+    var phi_2194_: bool;
+    var phi_2203_: u32;
+    var phi_2208_: u32;
+    var phi_2209_: bool;
+    var phi_1032_: type_47;
+    var phi_1035_: type_7;
+    var phi_1036_: type_7;
+    var phi_1058_: type_7;
+    var phi_1079_: u32;
+    var phi_1168_: array<array<f32, 3>, 3>;
+    var phi_1639_: vec3<f32>;
+    var phi_1640_: vec3<f32>;
+    var phi_1671_: bool;
+    var phi_1680_: vec3<f32>;
     var phi_1720_: type_22;
-    var phi_1721_: type_22;
     var phi_1722_: type_22;
     var phi_1723_: bool;
     var phi_1727_: type_22;
-    var phi_1728_: bool;
-    var phi_1732_: type_22;
-    var phi_1733_: bool;
-    var phi_1737_: type_22;
-    var phi_1748_: type_47;
-    var phi_1749_: type_47;
-    var phi_1026_: type_47;
-    var phi_2288_: bool;
+    var phi_1728_: type_22;
+    var phi_1729_: type_22;
+    var phi_1730_: bool;
+    var phi_1734_: type_22;
+    var phi_1735_: bool;
+    var phi_1739_: type_22;
+    var phi_1740_: bool;
+    var phi_1744_: type_22;
+    var phi_1755_: type_47;
+    var phi_1756_: type_47;
+    var phi_1033_: type_47;
+    var phi_2295_: bool;
     var local_2: type_47;
-    var phi_2402_: bool;
-    var phi_2204_: type_47;
-    var phi_2205_: u32;
-    var phi_2206_: bool;
-    var phi_2207_: u32;
-    var phi_2401_: bool;
-    var phi_2208_: type_47;
-    var phi_2209_: u32;
-    var phi_2210_: u32;
-    var phi_2211_: bool;
+    var phi_2413_: bool;
+    var phi_2211_: type_47;
     var phi_2212_: u32;
-    var phi_2400_: bool;
-    var phi_2213_: type_47;
+    var phi_2213_: bool;
     var phi_2214_: u32;
-    var phi_2215_: u32;
-    var phi_2216_: bool;
+    var phi_2412_: bool;
+    var phi_2215_: type_47;
+    var phi_2216_: u32;
     var phi_2217_: u32;
-    var phi_2399_: bool;
-    var phi_958_: type_47;
-    var phi_961_: u32;
-    var phi_963_: u32;
-    var phi_965_: bool;
-    var phi_967_: u32;
     var phi_2218_: bool;
-    var phi_2398_: bool;
+    var phi_2219_: u32;
+    var phi_2411_: bool;
+    var phi_2220_: type_47;
+    var phi_2221_: u32;
+    var phi_2222_: u32;
+    var phi_2223_: bool;
+    var phi_2224_: u32;
+    var phi_2410_: bool;
+    var phi_965_: type_47;
+    var phi_968_: u32;
+    var phi_970_: u32;
+    var phi_972_: bool;
+    var phi_974_: u32;
+    var phi_2225_: bool;
+    var phi_2409_: bool;
     var local_3: type_47;
     var local_4: type_47;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e62 = global;
-            let _e64 = arrayLength((&global_2.member));
-            let _e66 = arrayLength((&global_1.member));
-            let _e72 = arrayLength((&global_3.member));
-            let _e76 = (_e62.x + (_e62.y * 2097152u));
-            let _e77 = (_e76 < arrayLength((&global_4.member)));
-            if _e77 {
-                let _e78 = (_e76 < arrayLength((&global_5.member)));
-                if _e78 {
-                    if _e77 {
+            let _e63 = global;
+            let _e65 = arrayLength((&global_2.member));
+            let _e67 = arrayLength((&global_1.member));
+            let _e73 = arrayLength((&global_3.member));
+            let _e77 = (_e63.x + (_e63.y * 2097152u));
+            let _e78 = (_e77 < arrayLength((&global_4.member)));
+            if _e78 {
+                let _e79 = (_e77 < arrayLength((&global_5.member)));
+                if _e79 {
+                    if _e78 {
                     } else {
                         break;
                     }
-                    let _e83 = global_4.member[_e76].member.member_1;
-                    let _e88 = global_4.member[_e76].member.member_3;
-                    if (_e83 <= _e88) {
-                        let _e90 = (1u < _e72);
-                        if _e90 {
-                            if (0u < _e72) {
+                    let _e84 = global_4.member[_e77].member.member_1;
+                    let _e89 = global_4.member[_e77].member.member_3;
+                    if (_e84 <= _e89) {
+                        let _e91 = (1u < _e73);
+                        if _e91 {
+                            if (0u < _e73) {
                             } else {
                                 break;
                             }
-                            let _e94 = atomicAdd((&global_3.member[0u]), 1u);
-                            if ((_e94 + 1u) < _e94) {
-                                if _e90 {
+                            let _e95 = atomicAdd((&global_3.member[0u]), 1u);
+                            if ((_e95 + 1u) < _e95) {
+                                if _e91 {
                                 } else {
                                     break;
                                 }
-                                let _e99 = atomicAdd((&global_3.member[1u]), 1u);
+                                let _e100 = atomicAdd((&global_3.member[1u]), 1u);
                             }
                         }
-                        if _e77 {
+                        if _e78 {
                         } else {
                             break;
                         }
-                        if _e77 {
+                        if _e78 {
                         } else {
                             break;
                         }
-                        let _e103 = global_4.member[_e76].member_2;
-                        let _e113 = global_4.member[_e76].member.member_2[0u];
-                        let _e115 = (bitcast<u32>(_e113) & 2147483647u);
-                        let _e121 = global_4.member[_e76].member.member_2[1u];
-                        let _e123 = (bitcast<u32>(_e121) & 2147483647u);
-                        let _e129 = global_4.member[_e76].member.member_2[2u];
-                        let _e131 = (bitcast<u32>(_e129) & 2147483647u);
-                        let _e137 = global_4.member[_e76].member.member[0u];
-                        let _e139 = (bitcast<u32>(_e137) & 2147483647u);
-                        let _e145 = global_4.member[_e76].member.member[1u];
-                        let _e147 = (bitcast<u32>(_e145) & 2147483647u);
-                        let _e153 = global_4.member[_e76].member.member[2u];
-                        let _e155 = (bitcast<u32>(_e153) & 2147483647u);
-                        let _e157 = select(_e123, _e115, (_e123 < _e115));
-                        let _e159 = select(_e131, _e157, (_e131 < _e157));
-                        let _e161 = select(_e139, _e159, (_e139 < _e159));
-                        let _e163 = select(_e147, _e161, (_e147 < _e161));
-                        let _e165 = select(_e155, _e163, (_e155 < _e163));
-                        let _e167 = (bitcast<u32>(_e83) & 2147483647u);
-                        let _e176 = (((select(_e167, _e165, (_e167 < _e165)) < 2139095040u) && ((bitcast<u32>(_e88) & 2147483647u) <= 2139095040u)) && (_e159 > 0u));
-                        if _e176 {
-                            let _e179 = (bitcast<u32>(bitcast<f32>(_e159)) & 2147483647u);
-                            if (_e179 >= 8388608u) {
-                                phi_320_ = (bitcast<i32>((_e179 >> bitcast<u32>(23i))) - 127i);
+                        let _e104 = global_4.member[_e77].member_2;
+                        let _e114 = global_4.member[_e77].member.member_2[0u];
+                        let _e116 = (bitcast<u32>(_e114) & 2147483647u);
+                        let _e122 = global_4.member[_e77].member.member_2[1u];
+                        let _e124 = (bitcast<u32>(_e122) & 2147483647u);
+                        let _e130 = global_4.member[_e77].member.member_2[2u];
+                        let _e132 = (bitcast<u32>(_e130) & 2147483647u);
+                        let _e138 = global_4.member[_e77].member.member[0u];
+                        let _e140 = (bitcast<u32>(_e138) & 2147483647u);
+                        let _e146 = global_4.member[_e77].member.member[1u];
+                        let _e148 = (bitcast<u32>(_e146) & 2147483647u);
+                        let _e154 = global_4.member[_e77].member.member[2u];
+                        let _e156 = (bitcast<u32>(_e154) & 2147483647u);
+                        let _e158 = select(_e124, _e116, (_e124 < _e116));
+                        let _e160 = select(_e132, _e158, (_e132 < _e158));
+                        let _e162 = select(_e140, _e160, (_e140 < _e160));
+                        let _e164 = select(_e148, _e162, (_e148 < _e162));
+                        let _e166 = select(_e156, _e164, (_e156 < _e164));
+                        let _e168 = (bitcast<u32>(_e84) & 2147483647u);
+                        let _e177 = (((select(_e168, _e166, (_e168 < _e166)) < 2139095040u) && ((bitcast<u32>(_e89) & 2147483647u) <= 2139095040u)) && (_e160 > 0u));
+                        if _e177 {
+                            let _e180 = (bitcast<u32>(bitcast<f32>(_e160)) & 2147483647u);
+                            if (_e180 >= 8388608u) {
+                                phi_321_ = (bitcast<i32>((_e180 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_320_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e179)), 32u, (_e179 == 0u))));
+                                phi_321_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e180)), 32u, (_e180 == 0u))));
                             }
-                            let _e193 = phi_320_;
-                            phi_321_ = _e193;
+                            let _e194 = phi_321_;
+                            phi_322_ = _e194;
                         } else {
-                            phi_321_ = 0i;
+                            phi_322_ = 0i;
                         }
-                        let _e195 = phi_321_;
-                        let _e196 = (_e115 == _e159);
-                        if _e196 {
-                            phi_331_ = true;
+                        let _e196 = phi_322_;
+                        let _e197 = (_e116 == _e160);
+                        if _e197 {
+                            phi_332_ = true;
                         } else {
-                            phi_331_ = (_e123 == _e159);
+                            phi_332_ = (_e124 == _e160);
                         }
-                        let _e199 = phi_331_;
-                        let _e200 = select(1u, 0u, _e196);
-                        if _e199 {
-                            let _e201 = (_e200 + 1u);
-                            phi_341_ = _e201;
-                            phi_342_ = _e201;
-                            phi_344_ = select(true, false, (_e201 == 2u));
+                        let _e200 = phi_332_;
+                        let _e201 = select(1u, 0u, _e197);
+                        if _e200 {
+                            let _e202 = (_e201 + 1u);
+                            phi_342_ = _e202;
+                            phi_343_ = _e202;
+                            phi_345_ = select(true, false, (_e202 == 2u));
                         } else {
-                            phi_341_ = u32();
-                            phi_342_ = 0u;
-                            phi_344_ = true;
+                            phi_342_ = u32();
+                            phi_343_ = 0u;
+                            phi_345_ = true;
                         }
-                        let _e205 = phi_341_;
-                        let _e207 = phi_342_;
-                        let _e209 = phi_344_;
-                        if _e209 {
-                            phi_349_ = (_e207 + 1u);
+                        let _e206 = phi_342_;
+                        let _e208 = phi_343_;
+                        let _e210 = phi_345_;
+                        if _e210 {
+                            phi_350_ = (_e208 + 1u);
                         } else {
-                            phi_349_ = 0u;
+                            phi_350_ = 0u;
                         }
-                        let _e213 = phi_349_;
-                        let _e214 = select(_e205, _e207, _e209);
-                        let _e215 = select(_e200, select(2u, _e200, _e199), _e209);
-                        let _e216 = -(_e195);
-                        let _e217 = (_e216 / 2i);
-                        let _e222 = bitcast<f32>((bitcast<u32>((_e217 + 127i)) << bitcast<u32>(23i)));
-                        let _e228 = bitcast<f32>((bitcast<u32>(((_e216 - _e217) + 127i)) << bitcast<u32>(23i)));
-                        let _e233 = global_4.member[_e76].member.member;
-                        let _e234 = (_e214 == 0u);
-                        if _e234 {
-                            phi_393_ = _e233[0];
+                        let _e214 = phi_350_;
+                        let _e215 = select(_e206, _e208, _e210);
+                        let _e216 = select(_e201, select(2u, _e201, _e200), _e210);
+                        let _e217 = -(_e196);
+                        if (_e217 < -126i) {
+                            phi_382_ = -126i;
                         } else {
-                            phi_393_ = _e233[1];
+                            phi_382_ = select(_e217, 127i, (_e217 > 127i));
                         }
-                        let _e238 = phi_393_;
-                        let _e239 = (_e214 == 2u);
+                        let _e222 = phi_382_;
+                        let _e227 = bitcast<f32>((bitcast<u32>((_e222 + 127i)) << bitcast<u32>(23i)));
+                        let _e233 = bitcast<f32>((bitcast<u32>(((_e217 - _e222) + 127i)) << bitcast<u32>(23i)));
+                        let _e238 = global_4.member[_e77].member.member;
+                        let _e239 = (_e215 == 0u);
                         if _e239 {
-                            phi_399_ = _e233[2];
+                            phi_400_ = _e238[0];
                         } else {
-                            phi_399_ = _e238;
+                            phi_400_ = _e238[1];
                         }
-                        let _e242 = phi_399_;
-                        let _e243 = global_4.member[_e76].member.member_2;
-                        if _e234 {
-                            phi_410_ = _e243[0];
+                        let _e243 = phi_400_;
+                        let _e244 = (_e215 == 2u);
+                        if _e244 {
+                            phi_406_ = _e238[2];
                         } else {
-                            phi_410_ = _e243[1];
+                            phi_406_ = _e243;
                         }
-                        let _e247 = phi_410_;
+                        let _e247 = phi_406_;
+                        let _e248 = global_4.member[_e77].member.member_2;
                         if _e239 {
-                            phi_416_ = _e243[2];
+                            phi_417_ = _e248[0];
                         } else {
-                            phi_416_ = _e247;
+                            phi_417_ = _e248[1];
                         }
-                        let _e250 = phi_416_;
-                        let _e252 = ((_e250 * _e222) * _e228);
-                        let _e256 = (bitcast<f32>((bitcast<u32>(_e252) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e256 {
-                            let _e260 = (bitcast<f32>((bitcast<u32>(_e242) & 2147483647u)) * 0.00000011920929f);
-                            phi_439_ = select(0.00000000000011368684f, _e260, (_e260 > 0.00000000000011368684f));
+                        let _e252 = phi_417_;
+                        if _e244 {
+                            phi_423_ = _e248[2];
                         } else {
-                            phi_439_ = 0f;
+                            phi_423_ = _e252;
                         }
-                        let _e264 = phi_439_;
-                        let _e265 = (_e242 + _e264);
-                        let _e266 = (_e242 - _e264);
-                        let _e267 = select(_e252, 0f, _e256);
-                        if _e256 {
-                            phi_450_ = 38685626000000000000000000f;
+                        let _e255 = phi_423_;
+                        let _e257 = ((_e255 * _e227) * _e233);
+                        let _e261 = (bitcast<f32>((bitcast<u32>(_e257) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e261 {
+                            let _e265 = (bitcast<f32>((bitcast<u32>(_e247) & 2147483647u)) * 0.00000011920929f);
+                            phi_446_ = select(0.00000000000011368684f, _e265, (_e265 > 0.00000000000011368684f));
                         } else {
-                            phi_450_ = (1f / _e252);
+                            phi_446_ = 0f;
                         }
-                        let _e270 = phi_450_;
-                        let _e271 = (_e213 == 0u);
-                        if _e271 {
-                            phi_459_ = _e233[0];
+                        let _e269 = phi_446_;
+                        let _e270 = (_e247 + _e269);
+                        let _e271 = (_e247 - _e269);
+                        let _e272 = select(_e257, 0f, _e261);
+                        if _e261 {
+                            phi_457_ = 38685626000000000000000000f;
                         } else {
-                            phi_459_ = _e233[1];
+                            phi_457_ = (1f / _e257);
                         }
-                        let _e275 = phi_459_;
-                        let _e276 = (_e213 == 2u);
+                        let _e275 = phi_457_;
+                        let _e276 = (_e214 == 0u);
                         if _e276 {
-                            phi_465_ = _e233[2];
+                            phi_466_ = _e238[0];
                         } else {
-                            phi_465_ = _e275;
+                            phi_466_ = _e238[1];
                         }
-                        let _e279 = phi_465_;
-                        if _e271 {
-                            phi_476_ = _e243[0];
+                        let _e280 = phi_466_;
+                        let _e281 = (_e214 == 2u);
+                        if _e281 {
+                            phi_472_ = _e238[2];
                         } else {
-                            phi_476_ = _e243[1];
+                            phi_472_ = _e280;
                         }
-                        let _e283 = phi_476_;
+                        let _e284 = phi_472_;
                         if _e276 {
-                            phi_482_ = _e243[2];
+                            phi_483_ = _e248[0];
                         } else {
-                            phi_482_ = _e283;
+                            phi_483_ = _e248[1];
                         }
-                        let _e286 = phi_482_;
-                        let _e288 = ((_e286 * _e222) * _e228);
-                        let _e292 = (bitcast<f32>((bitcast<u32>(_e288) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e292 {
-                            let _e296 = (bitcast<f32>((bitcast<u32>(_e279) & 2147483647u)) * 0.00000011920929f);
-                            phi_505_ = select(0.00000000000011368684f, _e296, (_e296 > 0.00000000000011368684f));
+                        let _e288 = phi_483_;
+                        if _e281 {
+                            phi_489_ = _e248[2];
                         } else {
-                            phi_505_ = 0f;
+                            phi_489_ = _e288;
                         }
-                        let _e300 = phi_505_;
-                        let _e301 = (_e279 + _e300);
-                        let _e302 = (_e279 - _e300);
-                        let _e303 = select(_e288, 0f, _e292);
-                        if _e292 {
-                            phi_516_ = 38685626000000000000000000f;
+                        let _e291 = phi_489_;
+                        let _e293 = ((_e291 * _e227) * _e233);
+                        let _e297 = (bitcast<f32>((bitcast<u32>(_e293) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e297 {
+                            let _e301 = (bitcast<f32>((bitcast<u32>(_e284) & 2147483647u)) * 0.00000011920929f);
+                            phi_512_ = select(0.00000000000011368684f, _e301, (_e301 > 0.00000000000011368684f));
                         } else {
-                            phi_516_ = (1f / _e288);
+                            phi_512_ = 0f;
                         }
-                        let _e306 = phi_516_;
-                        let _e307 = (_e215 == 0u);
-                        if _e307 {
-                            phi_525_ = _e233[0];
+                        let _e305 = phi_512_;
+                        let _e306 = (_e284 + _e305);
+                        let _e307 = (_e284 - _e305);
+                        let _e308 = select(_e293, 0f, _e297);
+                        if _e297 {
+                            phi_523_ = 38685626000000000000000000f;
                         } else {
-                            phi_525_ = _e233[1];
+                            phi_523_ = (1f / _e293);
                         }
-                        let _e311 = phi_525_;
-                        let _e312 = (_e215 == 2u);
+                        let _e311 = phi_523_;
+                        let _e312 = (_e216 == 0u);
                         if _e312 {
-                            phi_531_ = _e233[2];
+                            phi_532_ = _e238[0];
                         } else {
-                            phi_531_ = _e311;
+                            phi_532_ = _e238[1];
                         }
-                        let _e315 = phi_531_;
-                        if _e307 {
-                            phi_542_ = _e243[0];
+                        let _e316 = phi_532_;
+                        let _e317 = (_e216 == 2u);
+                        if _e317 {
+                            phi_538_ = _e238[2];
                         } else {
-                            phi_542_ = _e243[1];
+                            phi_538_ = _e316;
                         }
-                        let _e319 = phi_542_;
+                        let _e320 = phi_538_;
                         if _e312 {
-                            phi_548_ = _e243[2];
+                            phi_549_ = _e248[0];
                         } else {
-                            phi_548_ = _e319;
+                            phi_549_ = _e248[1];
                         }
-                        let _e322 = phi_548_;
-                        let _e324 = ((_e322 * _e222) * _e228);
-                        let _e328 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e328 {
-                            let _e332 = (bitcast<f32>((bitcast<u32>(_e315) & 2147483647u)) * 0.00000011920929f);
-                            phi_571_ = select(0.00000000000011368684f, _e332, (_e332 > 0.00000000000011368684f));
+                        let _e324 = phi_549_;
+                        if _e317 {
+                            phi_555_ = _e248[2];
                         } else {
-                            phi_571_ = 0f;
+                            phi_555_ = _e324;
                         }
-                        let _e336 = phi_571_;
-                        let _e337 = (_e315 + _e336);
-                        let _e338 = (_e315 - _e336);
-                        let _e339 = select(_e324, 0f, _e328);
-                        if _e328 {
-                            phi_582_ = 38685626000000000000000000f;
+                        let _e327 = phi_555_;
+                        let _e329 = ((_e327 * _e227) * _e233);
+                        let _e333 = (bitcast<f32>((bitcast<u32>(_e329) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e333 {
+                            let _e337 = (bitcast<f32>((bitcast<u32>(_e320) & 2147483647u)) * 0.00000011920929f);
+                            phi_578_ = select(0.00000000000011368684f, _e337, (_e337 > 0.00000000000011368684f));
                         } else {
-                            phi_582_ = (1f / _e324);
+                            phi_578_ = 0f;
                         }
-                        let _e342 = phi_582_;
-                        let _e345 = bitcast<f32>((bitcast<u32>(_e242) & 2147483647u));
-                        let _e348 = bitcast<f32>((bitcast<u32>(_e279) & 2147483647u));
-                        let _e350 = select(_e348, _e345, (_e345 > _e348));
-                        let _e353 = bitcast<f32>((bitcast<u32>(_e315) & 2147483647u));
-                        if (_e176 && (select(_e353, _e350, (_e350 > _e353)) <= 1099511600000f)) {
-                            let _e358 = (_e195 / 3i);
-                            let _e365 = bitcast<f32>((bitcast<u32>((_e358 + 127i)) << bitcast<u32>(23i)));
-                            let _e372 = bitcast<f32>((bitcast<u32>(((_e195 - (2i * _e358)) + 127i)) << bitcast<u32>(23i)));
-                            let _e373 = (((_e83 * _e365) * _e365) * _e372);
-                            let _e375 = select(340282350000000000000000000000000000000f, _e373, (_e373 < 340282350000000000000000000000000000000f));
-                            let _e380 = (((_e88 * _e365) * _e365) * _e372);
-                            let _e382 = select(340282350000000000000000000000000000000f, _e380, (_e380 < 340282350000000000000000000000000000000f));
-                            phi_682_ = select(-340282350000000000000000000000000000000f, _e382, (_e382 > -340282350000000000000000000000000000000f));
-                            phi_683_ = select(-340282350000000000000000000000000000000f, _e375, (_e375 > -340282350000000000000000000000000000000f));
+                        let _e341 = phi_578_;
+                        let _e342 = (_e320 + _e341);
+                        let _e343 = (_e320 - _e341);
+                        let _e344 = select(_e329, 0f, _e333);
+                        if _e333 {
+                            phi_589_ = 38685626000000000000000000f;
                         } else {
-                            phi_682_ = 0f;
-                            phi_683_ = 1f;
+                            phi_589_ = (1f / _e329);
                         }
-                        let _e386 = phi_682_;
-                        let _e388 = phi_683_;
+                        let _e347 = phi_589_;
+                        let _e350 = bitcast<f32>((bitcast<u32>(_e247) & 2147483647u));
+                        let _e353 = bitcast<f32>((bitcast<u32>(_e284) & 2147483647u));
+                        let _e355 = select(_e353, _e350, (_e350 > _e353));
+                        let _e358 = bitcast<f32>((bitcast<u32>(_e320) & 2147483647u));
+                        if (_e177 && (select(_e358, _e355, (_e355 > _e358)) <= 1099511600000f)) {
+                            let _e363 = (_e196 / 3i);
+                            let _e370 = bitcast<f32>((bitcast<u32>((_e363 + 127i)) << bitcast<u32>(23i)));
+                            let _e377 = bitcast<f32>((bitcast<u32>(((_e196 - (2i * _e363)) + 127i)) << bitcast<u32>(23i)));
+                            let _e378 = (((_e84 * _e370) * _e370) * _e377);
+                            let _e380 = select(340282350000000000000000000000000000000f, _e378, (_e378 < 340282350000000000000000000000000000000f));
+                            let _e385 = (((_e89 * _e370) * _e370) * _e377);
+                            let _e387 = select(340282350000000000000000000000000000000f, _e385, (_e385 < 340282350000000000000000000000000000000f));
+                            phi_689_ = select(-340282350000000000000000000000000000000f, _e387, (_e387 > -340282350000000000000000000000000000000f));
+                            phi_690_ = select(-340282350000000000000000000000000000000f, _e380, (_e380 > -340282350000000000000000000000000000000f));
+                        } else {
+                            phi_689_ = 0f;
+                            phi_690_ = 1f;
+                        }
+                        let _e391 = phi_689_;
+                        let _e393 = phi_690_;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2294_ = false;
-                        phi_957_ = type_47(_e386, false);
-                        phi_960_ = select(0u, 2147483648u, (_e64 == 0u));
-                        phi_962_ = ((3u * _e64) + 1u);
-                        phi_964_ = (_e388 <= _e386);
-                        phi_966_ = 0u;
+                        phi_2301_ = false;
+                        phi_964_ = type_47(_e391, false);
+                        phi_967_ = select(0u, 2147483648u, (_e65 == 0u));
+                        phi_969_ = ((3u * _e65) + 1u);
+                        phi_971_ = (_e393 <= _e391);
+                        phi_973_ = 0u;
                         loop {
-                            let _e396 = phi_2294_;
-                            let _e398 = phi_957_;
-                            let _e400 = phi_960_;
-                            let _e402 = phi_962_;
-                            let _e404 = phi_964_;
-                            let _e406 = phi_966_;
-                            local_3 = _e398;
-                            if _e404 {
-                                phi_977_ = true;
-                            } else {
-                                phi_977_ = (_e406 > 0u);
-                            }
-                            let _e409 = phi_977_;
+                            let _e401 = phi_2301_;
+                            let _e403 = phi_964_;
+                            let _e405 = phi_967_;
+                            let _e407 = phi_969_;
+                            let _e409 = phi_971_;
+                            let _e411 = phi_973_;
+                            local_3 = _e403;
                             if _e409 {
-                                let _e410 = (_e402 > 0u);
-                                if _e410 {
-                                    if _e404 {
-                                        phi_1008_ = _e400;
-                                        phi_1009_ = _e404;
-                                        phi_1010_ = _e406;
+                                phi_984_ = true;
+                            } else {
+                                phi_984_ = (_e411 > 0u);
+                            }
+                            let _e414 = phi_984_;
+                            if _e414 {
+                                let _e415 = (_e407 > 0u);
+                                if _e415 {
+                                    if _e409 {
+                                        phi_1015_ = _e405;
+                                        phi_1016_ = _e409;
+                                        phi_1017_ = _e411;
                                     } else {
-                                        let _e411 = (_e406 - 1u);
-                                        let _e412 = (_e411 % 128u);
-                                        let _e413 = (_e412 < 128u);
-                                        if _e413 {
+                                        let _e416 = (_e411 - 1u);
+                                        let _e417 = (_e416 % 128u);
+                                        let _e418 = (_e417 < 128u);
+                                        if _e418 {
                                         } else {
-                                            phi_2398_ = true;
+                                            phi_2409_ = true;
                                             break;
                                         }
-                                        let _e415 = local_1[_e412];
-                                        if _e413 {
+                                        let _e420 = local_1[_e417];
+                                        if _e418 {
                                         } else {
-                                            phi_2398_ = true;
+                                            phi_2409_ = true;
                                             break;
                                         }
-                                        let _e417 = local[_e412];
-                                        phi_1008_ = _e415;
-                                        phi_1009_ = (_e417 <= _e398.member);
-                                        phi_1010_ = _e411;
+                                        let _e422 = local[_e417];
+                                        phi_1015_ = _e420;
+                                        phi_1016_ = (_e422 <= _e403.member);
+                                        phi_1017_ = _e416;
                                     }
-                                    let _e421 = phi_1008_;
-                                    let _e423 = phi_1009_;
-                                    let _e425 = phi_1010_;
-                                    if _e423 {
-                                        if ((_e421 & 2147483648u) != 0u) {
-                                            phi_1025_ = _e398;
-                                            phi_1028_ = type_7(0u, ((_e421 >> bitcast<u32>(28u)) & 7u));
+                                    let _e426 = phi_1015_;
+                                    let _e428 = phi_1016_;
+                                    let _e430 = phi_1017_;
+                                    if _e428 {
+                                        if ((_e426 & 2147483648u) != 0u) {
+                                            phi_1032_ = _e403;
+                                            phi_1035_ = type_7(0u, ((_e426 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e623 = phi_1025_;
-                                                let _e625 = phi_1028_;
-                                                local_2 = _e623;
-                                                local_4 = _e623;
-                                                if (_e625.member < _e625.member_1) {
-                                                    phi_1029_ = type_7((_e625.member + 1u), _e625.member_1);
-                                                    phi_1051_ = type_7(1u, _e625.member);
+                                                let _e628 = phi_1032_;
+                                                let _e630 = phi_1035_;
+                                                local_2 = _e628;
+                                                local_4 = _e628;
+                                                if (_e630.member < _e630.member_1) {
+                                                    phi_1036_ = type_7((_e630.member + 1u), _e630.member_1);
+                                                    phi_1058_ = type_7(1u, _e630.member);
                                                 } else {
-                                                    phi_1029_ = _e625;
-                                                    phi_1051_ = type_7(0u, type_7().member_1);
+                                                    phi_1036_ = _e630;
+                                                    phi_1058_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e638 = phi_1029_;
-                                                let _e640 = phi_1051_;
-                                                let _e644 = (bitcast<i32>(_e640.member) != 0i);
-                                                if _e644 {
-                                                    let _e645 = ((_e421 & 268435455u) + _e640.member_1);
-                                                    let _e646 = (_e645 < _e66);
-                                                    if _e646 {
-                                                        if _e646 {
+                                                let _e643 = phi_1036_;
+                                                let _e645 = phi_1058_;
+                                                let _e649 = (bitcast<i32>(_e645.member) != 0i);
+                                                if _e649 {
+                                                    let _e650 = ((_e426 & 268435455u) + _e645.member_1);
+                                                    let _e651 = (_e650 < _e67);
+                                                    if _e651 {
+                                                        if _e651 {
                                                         } else {
-                                                            phi_2288_ = true;
+                                                            phi_2295_ = true;
                                                             break;
                                                         }
-                                                        let _e650 = global_1.member[_e645].member_1;
-                                                        phi_1072_ = _e650;
+                                                        let _e655 = global_1.member[_e650].member_1;
+                                                        phi_1079_ = _e655;
                                                     } else {
-                                                        phi_1072_ = 4294967295u;
+                                                        phi_1079_ = 4294967295u;
                                                     }
-                                                    let _e652 = phi_1072_;
-                                                    if (_e645 >= _e66) {
-                                                        phi_1161_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e657 = phi_1079_;
+                                                    if (_e650 >= _e67) {
+                                                        phi_1168_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e646 {
+                                                        if _e651 {
                                                         } else {
-                                                            phi_2288_ = true;
+                                                            phi_2295_ = true;
                                                             break;
                                                         }
-                                                        let _e654 = (_e214 % 3u);
-                                                        let _e655 = (_e213 % 3u);
-                                                        let _e656 = (_e215 % 3u);
-                                                        if (_e654 < 9u) {
+                                                        let _e659 = (_e215 % 3u);
+                                                        let _e660 = (_e214 % 3u);
+                                                        let _e661 = (_e216 % 3u);
+                                                        if (_e659 < 9u) {
                                                         } else {
-                                                            phi_2288_ = true;
+                                                            phi_2295_ = true;
                                                             break;
                                                         }
-                                                        let _e662 = global_1.member[_e645].member[_e654];
-                                                        if (_e655 < 9u) {
+                                                        let _e667 = global_1.member[_e650].member[_e659];
+                                                        if (_e660 < 9u) {
                                                         } else {
-                                                            phi_2288_ = true;
+                                                            phi_2295_ = true;
                                                             break;
                                                         }
-                                                        let _e668 = global_1.member[_e645].member[_e655];
-                                                        if (_e656 < 9u) {
+                                                        let _e673 = global_1.member[_e650].member[_e660];
+                                                        if (_e661 < 9u) {
                                                         } else {
-                                                            phi_2288_ = true;
+                                                            phi_2295_ = true;
                                                             break;
                                                         }
-                                                        let _e674 = global_1.member[_e645].member[_e656];
-                                                        let _e676 = (3u + _e654);
-                                                        if (_e676 < 9u) {
+                                                        let _e679 = global_1.member[_e650].member[_e661];
+                                                        let _e681 = (3u + _e659);
+                                                        if (_e681 < 9u) {
                                                         } else {
-                                                            phi_2288_ = true;
+                                                            phi_2295_ = true;
                                                             break;
                                                         }
-                                                        let _e682 = global_1.member[_e645].member[_e676];
-                                                        let _e683 = (3u + _e655);
-                                                        if (_e683 < 9u) {
+                                                        let _e687 = global_1.member[_e650].member[_e681];
+                                                        let _e688 = (3u + _e660);
+                                                        if (_e688 < 9u) {
                                                         } else {
-                                                            phi_2288_ = true;
+                                                            phi_2295_ = true;
                                                             break;
                                                         }
-                                                        let _e689 = global_1.member[_e645].member[_e683];
-                                                        let _e690 = (3u + _e656);
-                                                        if (_e690 < 9u) {
+                                                        let _e694 = global_1.member[_e650].member[_e688];
+                                                        let _e695 = (3u + _e661);
+                                                        if (_e695 < 9u) {
                                                         } else {
-                                                            phi_2288_ = true;
+                                                            phi_2295_ = true;
                                                             break;
                                                         }
-                                                        let _e696 = global_1.member[_e645].member[_e690];
-                                                        let _e698 = (6u + _e654);
-                                                        if (_e698 < 9u) {
+                                                        let _e701 = global_1.member[_e650].member[_e695];
+                                                        let _e703 = (6u + _e659);
+                                                        if (_e703 < 9u) {
                                                         } else {
-                                                            phi_2288_ = true;
+                                                            phi_2295_ = true;
                                                             break;
                                                         }
-                                                        let _e704 = global_1.member[_e645].member[_e698];
-                                                        let _e705 = (6u + _e655);
-                                                        if (_e705 < 9u) {
+                                                        let _e709 = global_1.member[_e650].member[_e703];
+                                                        let _e710 = (6u + _e660);
+                                                        if (_e710 < 9u) {
                                                         } else {
-                                                            phi_2288_ = true;
+                                                            phi_2295_ = true;
                                                             break;
                                                         }
-                                                        let _e711 = global_1.member[_e645].member[_e705];
-                                                        let _e712 = (6u + _e656);
-                                                        if (_e712 < 9u) {
+                                                        let _e716 = global_1.member[_e650].member[_e710];
+                                                        let _e717 = (6u + _e661);
+                                                        if (_e717 < 9u) {
                                                         } else {
-                                                            phi_2288_ = true;
+                                                            phi_2295_ = true;
                                                             break;
                                                         }
-                                                        let _e718 = global_1.member[_e645].member[_e712];
-                                                        phi_1161_ = array<array<f32, 3>, 3>(array<f32, 3>(_e662, _e668, _e674), array<f32, 3>(_e682, _e689, _e696), array<f32, 3>(_e704, _e711, _e718));
+                                                        let _e723 = global_1.member[_e650].member[_e717];
+                                                        phi_1168_ = array<array<f32, 3>, 3>(array<f32, 3>(_e667, _e673, _e679), array<f32, 3>(_e687, _e694, _e701), array<f32, 3>(_e709, _e716, _e723));
                                                     }
-                                                    let _e722 = phi_1161_;
-                                                    let _e730 = (_e722[0][2] - _e315);
-                                                    let _e733 = (((_e722[0][0] - _e242) * _e339) - (_e730 * _e267));
-                                                    let _e736 = (((_e722[0][1] - _e279) * _e339) - (_e730 * _e303));
-                                                    let _e743 = (_e722[1][2] - _e315);
-                                                    let _e746 = (((_e722[1][0] - _e242) * _e339) - (_e743 * _e267));
-                                                    let _e749 = (((_e722[1][1] - _e279) * _e339) - (_e743 * _e303));
-                                                    let _e756 = (_e722[2][2] - _e315);
-                                                    let _e759 = (((_e722[2][0] - _e242) * _e339) - (_e756 * _e267));
-                                                    let _e762 = (((_e722[2][1] - _e279) * _e339) - (_e756 * _e303));
-                                                    let _e763 = (_e759 * _e749);
-                                                    let _e764 = (_e762 * _e746);
-                                                    let _e765 = (_e733 * _e762);
-                                                    let _e766 = (_e736 * _e759);
-                                                    let _e767 = (_e746 * _e736);
-                                                    let _e768 = (_e749 * _e733);
-                                                    let _e773 = (((_e763 >= _e764) && (_e765 >= _e766)) && (_e767 >= _e768));
-                                                    if (_e773 || (((_e763 <= _e764) && (_e765 <= _e766)) && (_e767 <= _e768))) {
-                                                        let _e780 = select(-1f, 1f, _e773);
-                                                        let _e782 = ((_e763 - _e764) * _e780);
-                                                        let _e784 = select(0f, _e782, (_e782 > 0f));
-                                                        let _e786 = ((_e765 - _e766) * _e780);
-                                                        let _e788 = select(0f, _e786, (_e786 > 0f));
-                                                        let _e790 = ((_e767 - _e768) * _e780);
-                                                        let _e792 = select(0f, _e790, (_e790 > 0f));
-                                                        let _e794 = ((_e784 + _e788) + _e792);
-                                                        if (_e794 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1727_ = type_22();
-                                                            phi_1728_ = true;
+                                                    let _e727 = phi_1168_;
+                                                    let _e735 = (_e727[0][2] - _e320);
+                                                    let _e738 = (((_e727[0][0] - _e247) * _e344) - (_e735 * _e272));
+                                                    let _e741 = (((_e727[0][1] - _e284) * _e344) - (_e735 * _e308));
+                                                    let _e748 = (_e727[1][2] - _e320);
+                                                    let _e751 = (((_e727[1][0] - _e247) * _e344) - (_e748 * _e272));
+                                                    let _e754 = (((_e727[1][1] - _e284) * _e344) - (_e748 * _e308));
+                                                    let _e761 = (_e727[2][2] - _e320);
+                                                    let _e764 = (((_e727[2][0] - _e247) * _e344) - (_e761 * _e272));
+                                                    let _e767 = (((_e727[2][1] - _e284) * _e344) - (_e761 * _e308));
+                                                    let _e768 = (_e764 * _e754);
+                                                    let _e769 = (_e767 * _e751);
+                                                    let _e770 = (_e738 * _e767);
+                                                    let _e771 = (_e741 * _e764);
+                                                    let _e772 = (_e751 * _e741);
+                                                    let _e773 = (_e754 * _e738);
+                                                    let _e778 = (((_e768 >= _e769) && (_e770 >= _e771)) && (_e772 >= _e773));
+                                                    if (_e778 || (((_e768 <= _e769) && (_e770 <= _e771)) && (_e772 <= _e773))) {
+                                                        let _e785 = select(-1f, 1f, _e778);
+                                                        let _e787 = ((_e768 - _e769) * _e785);
+                                                        let _e789 = select(0f, _e787, (_e787 > 0f));
+                                                        let _e791 = ((_e770 - _e771) * _e785);
+                                                        let _e793 = select(0f, _e791, (_e791 > 0f));
+                                                        let _e795 = ((_e772 - _e773) * _e785);
+                                                        let _e797 = select(0f, _e795, (_e795 > 0f));
+                                                        let _e799 = ((_e789 + _e793) + _e797);
+                                                        if (_e799 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1734_ = type_22();
+                                                            phi_1735_ = true;
                                                         } else {
-                                                            let _e797 = select(_e722[1][0], _e722[0][0], (_e722[0][0] < _e722[1][0]));
-                                                            let _e801 = select(_e722[1][0], _e722[0][0], (_e722[0][0] > _e722[1][0]));
-                                                            let _e805 = select(_e722[1][1], _e722[0][1], (_e722[0][1] < _e722[1][1]));
-                                                            let _e809 = select(_e722[1][1], _e722[0][1], (_e722[0][1] > _e722[1][1]));
-                                                            let _e813 = select(_e722[1][2], _e722[0][2], (_e722[0][2] < _e722[1][2]));
-                                                            let _e817 = select(_e722[1][2], _e722[0][2], (_e722[0][2] > _e722[1][2]));
-                                                            let _e822 = ((select(_e722[2][0], _e797, (_e797 < _e722[2][0])) - _e265) * _e270);
-                                                            let _e823 = ((select(_e722[2][0], _e801, (_e801 > _e722[2][0])) - _e266) * _e270);
-                                                            let _e826 = ((select(_e722[2][1], _e805, (_e805 < _e722[2][1])) - _e301) * _e306);
-                                                            let _e827 = ((select(_e722[2][1], _e809, (_e809 > _e722[2][1])) - _e302) * _e306);
-                                                            let _e830 = ((select(_e722[2][2], _e813, (_e813 < _e722[2][2])) - _e337) * _e342);
-                                                            let _e831 = ((select(_e722[2][2], _e817, (_e817 > _e722[2][2])) - _e338) * _e342);
-                                                            let _e833 = select(_e831, _e830, (_e830 < _e831));
-                                                            let _e835 = select(_e831, _e830, (_e830 > _e831));
-                                                            let _e837 = select(_e823, _e822, (_e822 < _e823));
-                                                            let _e839 = select(_e827, _e826, (_e826 < _e827));
-                                                            let _e841 = select(_e839, _e837, (_e837 > _e839));
-                                                            let _e843 = select(_e833, _e841, (_e841 > _e833));
-                                                            let _e845 = select(_e823, _e822, (_e822 > _e823));
-                                                            let _e847 = select(_e827, _e826, (_e826 > _e827));
-                                                            let _e849 = select(_e847, _e845, (_e845 < _e847));
-                                                            let _e851 = select(_e835, _e849, (_e849 < _e835));
-                                                            let _e852 = -(_e833);
-                                                            let _e858 = select(_e388, _e843, (_e843 > _e388));
-                                                            if (_e858 > (_e851 + (select(_e852, _e835, (_e835 > _e852)) * 0.0000019073523f))) {
-                                                                phi_1722_ = type_22();
-                                                                phi_1723_ = true;
+                                                            let _e802 = select(_e727[1][0], _e727[0][0], (_e727[0][0] < _e727[1][0]));
+                                                            let _e806 = select(_e727[1][0], _e727[0][0], (_e727[0][0] > _e727[1][0]));
+                                                            let _e810 = select(_e727[1][1], _e727[0][1], (_e727[0][1] < _e727[1][1]));
+                                                            let _e814 = select(_e727[1][1], _e727[0][1], (_e727[0][1] > _e727[1][1]));
+                                                            let _e818 = select(_e727[1][2], _e727[0][2], (_e727[0][2] < _e727[1][2]));
+                                                            let _e822 = select(_e727[1][2], _e727[0][2], (_e727[0][2] > _e727[1][2]));
+                                                            let _e827 = ((select(_e727[2][0], _e802, (_e802 < _e727[2][0])) - _e270) * _e275);
+                                                            let _e828 = ((select(_e727[2][0], _e806, (_e806 > _e727[2][0])) - _e271) * _e275);
+                                                            let _e831 = ((select(_e727[2][1], _e810, (_e810 < _e727[2][1])) - _e306) * _e311);
+                                                            let _e832 = ((select(_e727[2][1], _e814, (_e814 > _e727[2][1])) - _e307) * _e311);
+                                                            let _e835 = ((select(_e727[2][2], _e818, (_e818 < _e727[2][2])) - _e342) * _e347);
+                                                            let _e836 = ((select(_e727[2][2], _e822, (_e822 > _e727[2][2])) - _e343) * _e347);
+                                                            let _e838 = select(_e836, _e835, (_e835 < _e836));
+                                                            let _e840 = select(_e836, _e835, (_e835 > _e836));
+                                                            let _e842 = select(_e828, _e827, (_e827 < _e828));
+                                                            let _e844 = select(_e832, _e831, (_e831 < _e832));
+                                                            let _e846 = select(_e844, _e842, (_e842 > _e844));
+                                                            let _e848 = select(_e838, _e846, (_e846 > _e838));
+                                                            let _e850 = select(_e828, _e827, (_e827 > _e828));
+                                                            let _e852 = select(_e832, _e831, (_e831 > _e832));
+                                                            let _e854 = select(_e852, _e850, (_e850 < _e852));
+                                                            let _e856 = select(_e840, _e854, (_e854 < _e840));
+                                                            let _e857 = -(_e838);
+                                                            let _e863 = select(_e393, _e848, (_e848 > _e393));
+                                                            if (_e863 > (_e856 + (select(_e857, _e840, (_e840 > _e857)) * 0.0000019073523f))) {
+                                                                phi_1729_ = type_22();
+                                                                phi_1730_ = true;
                                                             } else {
-                                                                let _e860 = (_e858 > _e623.member);
-                                                                if _e860 {
-                                                                    phi_1721_ = type_22();
+                                                                let _e865 = (_e863 > _e628.member);
+                                                                if _e865 {
+                                                                    phi_1728_ = type_22();
                                                                 } else {
-                                                                    let _e864 = (_e722[1][0] - _e722[0][0]);
-                                                                    let _e865 = (_e722[1][1] - _e722[0][1]);
-                                                                    let _e866 = (_e722[1][2] - _e722[0][2]);
-                                                                    let _e867 = vec3<f32>(_e864, _e865, _e866);
-                                                                    let _e868 = (_e722[2][0] - _e722[1][0]);
-                                                                    let _e869 = (_e722[2][1] - _e722[1][1]);
-                                                                    let _e870 = (_e722[2][2] - _e722[1][2]);
-                                                                    let _e871 = vec3<f32>(_e868, _e869, _e870);
-                                                                    let _e872 = (_e722[0][0] - _e722[2][0]);
-                                                                    let _e873 = (_e722[0][1] - _e722[2][1]);
-                                                                    let _e874 = (_e722[0][2] - _e722[2][2]);
-                                                                    let _e875 = vec3<f32>(_e872, _e873, _e874);
-                                                                    let _e878 = bitcast<f32>((bitcast<u32>(_e864) & 2147483647u));
-                                                                    let _e881 = bitcast<f32>((bitcast<u32>(_e865) & 2147483647u));
-                                                                    let _e883 = select(_e881, _e878, (_e878 > _e881));
-                                                                    let _e886 = bitcast<f32>((bitcast<u32>(_e866) & 2147483647u));
+                                                                    let _e869 = (_e727[1][0] - _e727[0][0]);
+                                                                    let _e870 = (_e727[1][1] - _e727[0][1]);
+                                                                    let _e871 = (_e727[1][2] - _e727[0][2]);
+                                                                    let _e872 = vec3<f32>(_e869, _e870, _e871);
+                                                                    let _e873 = (_e727[2][0] - _e727[1][0]);
+                                                                    let _e874 = (_e727[2][1] - _e727[1][1]);
+                                                                    let _e875 = (_e727[2][2] - _e727[1][2]);
+                                                                    let _e876 = vec3<f32>(_e873, _e874, _e875);
+                                                                    let _e877 = (_e727[0][0] - _e727[2][0]);
+                                                                    let _e878 = (_e727[0][1] - _e727[2][1]);
+                                                                    let _e879 = (_e727[0][2] - _e727[2][2]);
+                                                                    let _e880 = vec3<f32>(_e877, _e878, _e879);
+                                                                    let _e883 = bitcast<f32>((bitcast<u32>(_e869) & 2147483647u));
+                                                                    let _e886 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
                                                                     let _e888 = select(_e886, _e883, (_e883 > _e886));
-                                                                    let _e891 = bitcast<f32>((bitcast<u32>(_e868) & 2147483647u));
-                                                                    let _e894 = bitcast<f32>((bitcast<u32>(_e869) & 2147483647u));
-                                                                    let _e896 = select(_e894, _e891, (_e891 > _e894));
-                                                                    let _e899 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
+                                                                    let _e891 = bitcast<f32>((bitcast<u32>(_e871) & 2147483647u));
+                                                                    let _e893 = select(_e891, _e888, (_e888 > _e891));
+                                                                    let _e896 = bitcast<f32>((bitcast<u32>(_e873) & 2147483647u));
+                                                                    let _e899 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
                                                                     let _e901 = select(_e899, _e896, (_e896 > _e899));
-                                                                    let _e904 = bitcast<f32>((bitcast<u32>(_e872) & 2147483647u));
-                                                                    let _e907 = bitcast<f32>((bitcast<u32>(_e873) & 2147483647u));
-                                                                    let _e909 = select(_e907, _e904, (_e904 > _e907));
-                                                                    let _e912 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
+                                                                    let _e904 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
+                                                                    let _e906 = select(_e904, _e901, (_e901 > _e904));
+                                                                    let _e909 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
+                                                                    let _e912 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
                                                                     let _e914 = select(_e912, _e909, (_e909 > _e912));
-                                                                    let _e916 = select(_e901, _e888, (_e888 > _e901));
-                                                                    let _e918 = select(_e914, _e916, (_e916 > _e914));
-                                                                    if (_e888 == _e918) {
-                                                                        phi_1632_ = _e871;
-                                                                        phi_1633_ = _e875;
+                                                                    let _e917 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
+                                                                    let _e919 = select(_e917, _e914, (_e914 > _e917));
+                                                                    let _e921 = select(_e906, _e893, (_e893 > _e906));
+                                                                    let _e923 = select(_e919, _e921, (_e921 > _e919));
+                                                                    if (_e893 == _e923) {
+                                                                        phi_1639_ = _e876;
+                                                                        phi_1640_ = _e880;
                                                                     } else {
-                                                                        let _e921 = vec3((_e901 == _e918));
-                                                                        phi_1632_ = select(_e867, _e875, _e921);
-                                                                        phi_1633_ = select(_e871, _e867, _e921);
+                                                                        let _e926 = vec3((_e906 == _e923));
+                                                                        phi_1639_ = select(_e872, _e880, _e926);
+                                                                        phi_1640_ = select(_e876, _e872, _e926);
                                                                     }
-                                                                    let _e925 = phi_1632_;
-                                                                    let _e927 = phi_1633_;
-                                                                    let _e934 = ((_e925.y * _e927.z) - (_e927.y * _e925.z));
-                                                                    let _e939 = ((_e925.z * _e927.x) - (_e927.z * _e925.x));
-                                                                    let _e942 = ((_e925.x * _e927.y) - (_e927.x * _e925.y));
-                                                                    if (_e784 >= _e788) {
-                                                                        phi_1664_ = select(true, false, (_e784 >= _e792));
+                                                                    let _e930 = phi_1639_;
+                                                                    let _e932 = phi_1640_;
+                                                                    let _e939 = ((_e930.y * _e932.z) - (_e932.y * _e930.z));
+                                                                    let _e944 = ((_e930.z * _e932.x) - (_e932.z * _e930.x));
+                                                                    let _e947 = ((_e930.x * _e932.y) - (_e932.x * _e930.y));
+                                                                    if (_e789 >= _e793) {
+                                                                        phi_1671_ = select(true, false, (_e789 >= _e797));
                                                                     } else {
-                                                                        phi_1664_ = true;
+                                                                        phi_1671_ = true;
                                                                     }
-                                                                    let _e947 = phi_1664_;
-                                                                    if _e947 {
-                                                                        phi_1673_ = select(vec3<f32>(_e722[2][0], _e722[2][1], _e722[2][2]), vec3<f32>(_e722[1][0], _e722[1][1], _e722[1][2]), vec3((_e788 >= _e792)));
+                                                                    let _e952 = phi_1671_;
+                                                                    if _e952 {
+                                                                        phi_1680_ = select(vec3<f32>(_e727[2][0], _e727[2][1], _e727[2][2]), vec3<f32>(_e727[1][0], _e727[1][1], _e727[1][2]), vec3((_e793 >= _e797)));
                                                                     } else {
-                                                                        phi_1673_ = vec3<f32>(_e722[0][0], _e722[0][1], _e722[0][2]);
+                                                                        phi_1680_ = vec3<f32>(_e727[0][0], _e727[0][1], _e727[0][2]);
                                                                     }
-                                                                    let _e952 = phi_1673_;
-                                                                    let _e969 = ((((_e934 * (_e952.x - _e242)) + (_e939 * (_e952.y - _e279))) + (_e942 * (_e952.z - _e315))) / (((_e934 * _e267) + (_e939 * _e303)) + (_e942 * _e339)));
-                                                                    let _e971 = select(_e851, _e969, (_e969 < _e851));
-                                                                    let _e973 = select(_e843, _e971, (_e971 > _e843));
-                                                                    if (_e973 >= _e388) {
-                                                                        let _e975 = (_e973 <= _e623.member);
-                                                                        if _e975 {
-                                                                            let _e976 = (1f / _e794);
-                                                                            phi_1713_ = type_22(_e973, (_e788 * _e976), (_e792 * _e976), _e652);
+                                                                    let _e957 = phi_1680_;
+                                                                    let _e974 = ((((_e939 * (_e957.x - _e247)) + (_e944 * (_e957.y - _e284))) + (_e947 * (_e957.z - _e320))) / (((_e939 * _e272) + (_e944 * _e308)) + (_e947 * _e344)));
+                                                                    let _e976 = select(_e856, _e974, (_e974 < _e856));
+                                                                    let _e978 = select(_e848, _e976, (_e976 > _e848));
+                                                                    if (_e978 >= _e393) {
+                                                                        let _e980 = (_e978 <= _e628.member);
+                                                                        if _e980 {
+                                                                            let _e981 = (1f / _e799);
+                                                                            phi_1720_ = type_22(_e978, (_e793 * _e981), (_e797 * _e981), _e657);
                                                                         } else {
-                                                                            phi_1713_ = type_22();
+                                                                            phi_1720_ = type_22();
                                                                         }
-                                                                        let _e981 = phi_1713_;
-                                                                        phi_1715_ = _e981;
-                                                                        phi_1716_ = select(true, false, _e975);
+                                                                        let _e986 = phi_1720_;
+                                                                        phi_1722_ = _e986;
+                                                                        phi_1723_ = select(true, false, _e980);
                                                                     } else {
-                                                                        phi_1715_ = type_22();
-                                                                        phi_1716_ = true;
+                                                                        phi_1722_ = type_22();
+                                                                        phi_1723_ = true;
                                                                     }
-                                                                    let _e984 = phi_1715_;
-                                                                    let _e986 = phi_1716_;
-                                                                    if _e986 {
-                                                                        phi_1720_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e989 = phi_1722_;
+                                                                    let _e991 = phi_1723_;
+                                                                    if _e991 {
+                                                                        phi_1727_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_1720_ = _e984;
+                                                                        phi_1727_ = _e989;
                                                                     }
-                                                                    let _e988 = phi_1720_;
-                                                                    phi_1721_ = _e988;
+                                                                    let _e993 = phi_1727_;
+                                                                    phi_1728_ = _e993;
                                                                 }
-                                                                let _e990 = phi_1721_;
-                                                                phi_1722_ = _e990;
-                                                                phi_1723_ = _e860;
+                                                                let _e995 = phi_1728_;
+                                                                phi_1729_ = _e995;
+                                                                phi_1730_ = _e865;
                                                             }
-                                                            let _e992 = phi_1722_;
-                                                            let _e994 = phi_1723_;
-                                                            phi_1727_ = _e992;
-                                                            phi_1728_ = _e994;
+                                                            let _e997 = phi_1729_;
+                                                            let _e999 = phi_1730_;
+                                                            phi_1734_ = _e997;
+                                                            phi_1735_ = _e999;
                                                         }
-                                                        let _e996 = phi_1727_;
-                                                        let _e998 = phi_1728_;
-                                                        phi_1732_ = _e996;
-                                                        phi_1733_ = _e998;
+                                                        let _e1001 = phi_1734_;
+                                                        let _e1003 = phi_1735_;
+                                                        phi_1739_ = _e1001;
+                                                        phi_1740_ = _e1003;
                                                     } else {
-                                                        phi_1732_ = type_22();
-                                                        phi_1733_ = true;
+                                                        phi_1739_ = type_22();
+                                                        phi_1740_ = true;
                                                     }
-                                                    let _e1000 = phi_1732_;
-                                                    let _e1002 = phi_1733_;
-                                                    if _e1002 {
-                                                        phi_1737_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1005 = phi_1739_;
+                                                    let _e1007 = phi_1740_;
+                                                    if _e1007 {
+                                                        phi_1744_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1737_ = _e1000;
+                                                        phi_1744_ = _e1005;
                                                     }
-                                                    let _e1004 = phi_1737_;
-                                                    if (_e1004.member_3 != 4294967295u) {
-                                                        if (_e652 != _e103) {
-                                                            phi_1748_ = type_47(_e623.member, true);
+                                                    let _e1009 = phi_1744_;
+                                                    if (_e1009.member_3 != 4294967295u) {
+                                                        if (_e657 != _e104) {
+                                                            phi_1755_ = type_47(_e628.member, true);
                                                         } else {
-                                                            phi_1748_ = _e623;
+                                                            phi_1755_ = _e628;
                                                         }
-                                                        let _e1012 = phi_1748_;
-                                                        phi_1749_ = _e1012;
+                                                        let _e1017 = phi_1755_;
+                                                        phi_1756_ = _e1017;
                                                     } else {
-                                                        phi_1749_ = _e623;
+                                                        phi_1756_ = _e628;
                                                     }
-                                                    let _e1014 = phi_1749_;
-                                                    phi_1026_ = _e1014;
+                                                    let _e1019 = phi_1756_;
+                                                    phi_1033_ = _e1019;
                                                 } else {
-                                                    phi_1026_ = type_47();
+                                                    phi_1033_ = type_47();
                                                 }
-                                                let _e1016 = phi_1026_;
+                                                let _e1021 = phi_1033_;
                                                 continue;
                                                 continuing {
-                                                    phi_1025_ = _e1016;
-                                                    phi_1028_ = _e638;
-                                                    phi_2288_ = _e396;
-                                                    break if !(_e644);
+                                                    phi_1032_ = _e1021;
+                                                    phi_1035_ = _e643;
+                                                    phi_2295_ = _e401;
+                                                    break if !(_e649);
                                                 }
                                             }
-                                            let _e1019 = phi_2288_;
-                                            phi_2398_ = _e1019;
-                                            if _e1019 {
+                                            let _e1024 = phi_2295_;
+                                            phi_2409_ = _e1024;
+                                            if _e1024 {
                                                 break;
                                             }
-                                            let _e1021 = local_2;
-                                            phi_2402_ = _e1019;
-                                            let _e1185 = local_4;
-                                            phi_2204_ = _e1185;
-                                            phi_2205_ = _e421;
-                                            phi_2206_ = false;
-                                            phi_2207_ = select(_e425, 0u, _e1021.member_1);
+                                            let _e1026 = local_2;
+                                            phi_2413_ = _e1024;
+                                            let _e1191 = local_4;
+                                            phi_2211_ = _e1191;
+                                            phi_2212_ = _e426;
+                                            phi_2213_ = false;
+                                            phi_2214_ = select(_e430, 0u, _e1026.member_1);
                                         } else {
-                                            if (_e421 >= _e64) {
-                                                phi_1810_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e426 >= _e65) {
+                                                phi_1817_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e421 < _e64) {
+                                                if (_e426 < _e65) {
                                                 } else {
-                                                    phi_2398_ = true;
+                                                    phi_2409_ = true;
                                                     break;
                                                 }
-                                                let _e435 = (_e214 % 3u);
-                                                if (_e435 < 3u) {
+                                                let _e440 = (_e215 % 3u);
+                                                if (_e440 < 3u) {
                                                 } else {
-                                                    phi_2398_ = true;
+                                                    phi_2409_ = true;
                                                     break;
                                                 }
-                                                let _e441 = global_2.member[_e421].member[_e435];
-                                                let _e447 = (_e213 % 3u);
-                                                if (_e447 < 3u) {
+                                                let _e446 = global_2.member[_e426].member[_e440];
+                                                let _e452 = (_e214 % 3u);
+                                                if (_e452 < 3u) {
                                                 } else {
-                                                    phi_2398_ = true;
+                                                    phi_2409_ = true;
                                                     break;
                                                 }
-                                                let _e453 = global_2.member[_e421].member[_e447];
-                                                let _e459 = (_e215 % 3u);
-                                                if (_e459 < 3u) {
+                                                let _e458 = global_2.member[_e426].member[_e452];
+                                                let _e464 = (_e216 % 3u);
+                                                if (_e464 < 3u) {
                                                 } else {
-                                                    phi_2398_ = true;
+                                                    phi_2409_ = true;
                                                     break;
                                                 }
-                                                let _e465 = global_2.member[_e421].member[_e459];
-                                                let _e475 = global_2.member[_e421].member_1;
-                                                let _e479 = global_2.member[_e421].member_2;
-                                                phi_1810_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e441[0], _e441[1], _e441[2], _e441[3]), vec4<f32>(_e453[0], _e453[1], _e453[2], _e453[3]), vec4<f32>(_e465[0], _e465[1], _e465[2], _e465[3])), _e475, _e479);
+                                                let _e470 = global_2.member[_e426].member[_e464];
+                                                let _e480 = global_2.member[_e426].member_1;
+                                                let _e484 = global_2.member[_e426].member_2;
+                                                phi_1817_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e446[0], _e446[1], _e446[2], _e446[3]), vec4<f32>(_e458[0], _e458[1], _e458[2], _e458[3]), vec4<f32>(_e470[0], _e470[1], _e470[2], _e470[3])), _e480, _e484);
                                             }
-                                            let _e482 = phi_1810_;
-                                            let _e494 = ((_e482.member[0].x - _e265) * _e270);
-                                            let _e495 = ((_e482.member[0].y - _e265) * _e270);
-                                            let _e496 = ((_e482.member[0].z - _e266) * _e270);
-                                            let _e497 = ((_e482.member[0].w - _e266) * _e270);
-                                            let _e507 = ((_e482.member[1].x - _e301) * _e306);
-                                            let _e508 = ((_e482.member[1].y - _e301) * _e306);
-                                            let _e509 = ((_e482.member[1].z - _e302) * _e306);
-                                            let _e510 = ((_e482.member[1].w - _e302) * _e306);
-                                            let _e520 = ((_e482.member[2].x - _e337) * _e342);
-                                            let _e521 = ((_e482.member[2].y - _e337) * _e342);
-                                            let _e522 = ((_e482.member[2].z - _e338) * _e342);
-                                            let _e523 = ((_e482.member[2].w - _e338) * _e342);
-                                            let _e525 = select(_e522, _e520, (_e520 < _e522));
-                                            let _e527 = select(_e523, _e521, (_e521 < _e523));
-                                            let _e529 = select(_e522, _e520, (_e520 > _e522));
-                                            let _e531 = select(_e523, _e521, (_e521 > _e523));
-                                            let _e533 = select(_e496, _e494, (_e494 < _e496));
-                                            let _e535 = select(_e497, _e495, (_e495 < _e497));
-                                            let _e537 = select(_e509, _e507, (_e507 < _e509));
-                                            let _e539 = select(_e510, _e508, (_e508 < _e510));
-                                            let _e541 = select(_e537, _e533, (_e533 > _e537));
-                                            let _e543 = select(_e539, _e535, (_e535 > _e539));
-                                            let _e545 = select(_e525, _e541, (_e541 > _e525));
-                                            let _e547 = select(_e527, _e543, (_e543 > _e527));
-                                            let _e549 = select(_e496, _e494, (_e494 > _e496));
-                                            let _e551 = select(_e497, _e495, (_e495 > _e497));
-                                            let _e553 = select(_e509, _e507, (_e507 > _e509));
-                                            let _e555 = select(_e510, _e508, (_e508 > _e510));
-                                            let _e557 = select(_e553, _e549, (_e549 < _e553));
-                                            let _e559 = select(_e555, _e551, (_e551 < _e555));
-                                            let _e564 = -(_e525);
-                                            let _e565 = -(_e527);
-                                            let _e572 = (select(_e529, _e557, (_e557 < _e529)) + (select(_e564, _e529, (_e529 > _e564)) * 0.0000019073523f));
-                                            let _e573 = (select(_e531, _e559, (_e559 < _e531)) + (select(_e565, _e531, (_e531 > _e565)) * 0.0000019073523f));
-                                            let _e575 = select(_e388, _e545, (_e545 > _e388));
-                                            let _e577 = select(_e388, _e547, (_e547 > _e388));
-                                            let _e582 = (_e575 <= select(_e398.member, _e572, (_e572 < _e398.member)));
-                                            let _e583 = (_e577 <= select(_e398.member, _e573, (_e573 < _e398.member)));
-                                            let _e584 = (_e575 <= _e577);
-                                            if _e582 {
-                                                if _e583 {
-                                                    if _e584 {
-                                                        phi_2154_ = _e482.member_2;
+                                            let _e487 = phi_1817_;
+                                            let _e499 = ((_e487.member[0].x - _e270) * _e275);
+                                            let _e500 = ((_e487.member[0].y - _e270) * _e275);
+                                            let _e501 = ((_e487.member[0].z - _e271) * _e275);
+                                            let _e502 = ((_e487.member[0].w - _e271) * _e275);
+                                            let _e512 = ((_e487.member[1].x - _e306) * _e311);
+                                            let _e513 = ((_e487.member[1].y - _e306) * _e311);
+                                            let _e514 = ((_e487.member[1].z - _e307) * _e311);
+                                            let _e515 = ((_e487.member[1].w - _e307) * _e311);
+                                            let _e525 = ((_e487.member[2].x - _e342) * _e347);
+                                            let _e526 = ((_e487.member[2].y - _e342) * _e347);
+                                            let _e527 = ((_e487.member[2].z - _e343) * _e347);
+                                            let _e528 = ((_e487.member[2].w - _e343) * _e347);
+                                            let _e530 = select(_e527, _e525, (_e525 < _e527));
+                                            let _e532 = select(_e528, _e526, (_e526 < _e528));
+                                            let _e534 = select(_e527, _e525, (_e525 > _e527));
+                                            let _e536 = select(_e528, _e526, (_e526 > _e528));
+                                            let _e538 = select(_e501, _e499, (_e499 < _e501));
+                                            let _e540 = select(_e502, _e500, (_e500 < _e502));
+                                            let _e542 = select(_e514, _e512, (_e512 < _e514));
+                                            let _e544 = select(_e515, _e513, (_e513 < _e515));
+                                            let _e546 = select(_e542, _e538, (_e538 > _e542));
+                                            let _e548 = select(_e544, _e540, (_e540 > _e544));
+                                            let _e550 = select(_e530, _e546, (_e546 > _e530));
+                                            let _e552 = select(_e532, _e548, (_e548 > _e532));
+                                            let _e554 = select(_e501, _e499, (_e499 > _e501));
+                                            let _e556 = select(_e502, _e500, (_e500 > _e502));
+                                            let _e558 = select(_e514, _e512, (_e512 > _e514));
+                                            let _e560 = select(_e515, _e513, (_e513 > _e515));
+                                            let _e562 = select(_e558, _e554, (_e554 < _e558));
+                                            let _e564 = select(_e560, _e556, (_e556 < _e560));
+                                            let _e569 = -(_e530);
+                                            let _e570 = -(_e532);
+                                            let _e577 = (select(_e534, _e562, (_e562 < _e534)) + (select(_e569, _e534, (_e534 > _e569)) * 0.0000019073523f));
+                                            let _e578 = (select(_e536, _e564, (_e564 < _e536)) + (select(_e570, _e536, (_e536 > _e570)) * 0.0000019073523f));
+                                            let _e580 = select(_e393, _e550, (_e550 > _e393));
+                                            let _e582 = select(_e393, _e552, (_e552 > _e393));
+                                            let _e587 = (_e580 <= select(_e403.member, _e577, (_e577 < _e403.member)));
+                                            let _e588 = (_e582 <= select(_e403.member, _e578, (_e578 < _e403.member)));
+                                            let _e589 = (_e580 <= _e582);
+                                            if _e587 {
+                                                if _e588 {
+                                                    if _e589 {
+                                                        phi_2161_ = _e487.member_2;
                                                     } else {
-                                                        phi_2154_ = _e482.member_1;
+                                                        phi_2161_ = _e487.member_1;
                                                     }
-                                                    let _e588 = phi_2154_;
-                                                    let _e589 = (_e425 % 128u);
-                                                    let _e590 = (_e589 < 128u);
-                                                    if _e590 {
+                                                    let _e593 = phi_2161_;
+                                                    let _e594 = (_e430 % 128u);
+                                                    let _e595 = (_e594 < 128u);
+                                                    if _e595 {
                                                     } else {
-                                                        phi_2398_ = true;
+                                                        phi_2409_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e589] = _e588;
-                                                    if _e590 {
+                                                    local_1[_e594] = _e593;
+                                                    if _e595 {
                                                     } else {
-                                                        phi_2398_ = true;
+                                                        phi_2409_ = true;
                                                         break;
                                                     }
-                                                    local[_e589] = select(_e577, _e575, (_e575 > _e577));
-                                                    if _e584 {
-                                                        phi_2181_ = _e482.member_1;
+                                                    local[_e594] = select(_e582, _e580, (_e580 > _e582));
+                                                    if _e589 {
+                                                        phi_2188_ = _e487.member_1;
                                                     } else {
-                                                        phi_2181_ = _e482.member_2;
+                                                        phi_2188_ = _e487.member_2;
                                                     }
-                                                    let _e599 = phi_2181_;
-                                                    phi_2182_ = _e599;
-                                                    phi_2183_ = (_e425 + 1u);
+                                                    let _e604 = phi_2188_;
+                                                    phi_2189_ = _e604;
+                                                    phi_2190_ = (_e430 + 1u);
                                                 } else {
-                                                    phi_2182_ = u32();
-                                                    phi_2183_ = u32();
+                                                    phi_2189_ = u32();
+                                                    phi_2190_ = u32();
                                                 }
-                                                let _e601 = phi_2182_;
-                                                let _e603 = phi_2183_;
-                                                phi_2185_ = _e601;
-                                                phi_2186_ = _e603;
-                                                phi_2187_ = select(true, false, _e583);
+                                                let _e606 = phi_2189_;
+                                                let _e608 = phi_2190_;
+                                                phi_2192_ = _e606;
+                                                phi_2193_ = _e608;
+                                                phi_2194_ = select(true, false, _e588);
                                             } else {
-                                                phi_2185_ = u32();
-                                                phi_2186_ = u32();
-                                                phi_2187_ = true;
+                                                phi_2192_ = u32();
+                                                phi_2193_ = u32();
+                                                phi_2194_ = true;
                                             }
-                                            let _e606 = phi_2185_;
-                                            let _e608 = phi_2186_;
-                                            let _e610 = phi_2187_;
-                                            if _e610 {
-                                                if _e582 {
-                                                    phi_2196_ = _e482.member_1;
+                                            let _e611 = phi_2192_;
+                                            let _e613 = phi_2193_;
+                                            let _e615 = phi_2194_;
+                                            if _e615 {
+                                                if _e587 {
+                                                    phi_2203_ = _e487.member_1;
                                                 } else {
-                                                    phi_2196_ = _e482.member_2;
+                                                    phi_2203_ = _e487.member_2;
                                                 }
-                                                let _e614 = phi_2196_;
-                                                phi_2201_ = _e614;
-                                                phi_2202_ = select(_e583, true, _e582);
+                                                let _e619 = phi_2203_;
+                                                phi_2208_ = _e619;
+                                                phi_2209_ = select(_e588, true, _e587);
                                             } else {
-                                                phi_2201_ = _e606;
-                                                phi_2202_ = _e423;
+                                                phi_2208_ = _e611;
+                                                phi_2209_ = _e428;
                                             }
-                                            let _e617 = phi_2201_;
-                                            let _e619 = phi_2202_;
-                                            phi_2402_ = _e396;
-                                            phi_2204_ = _e398;
-                                            phi_2205_ = _e617;
-                                            phi_2206_ = _e619;
-                                            phi_2207_ = select(_e608, _e425, _e610);
+                                            let _e622 = phi_2208_;
+                                            let _e624 = phi_2209_;
+                                            phi_2413_ = _e401;
+                                            phi_2211_ = _e403;
+                                            phi_2212_ = _e622;
+                                            phi_2213_ = _e624;
+                                            phi_2214_ = select(_e613, _e430, _e615);
                                         }
-                                        let _e1025 = phi_2402_;
-                                        let _e1027 = phi_2204_;
-                                        let _e1029 = phi_2205_;
-                                        let _e1031 = phi_2206_;
-                                        let _e1033 = phi_2207_;
-                                        phi_2401_ = _e1025;
-                                        phi_2208_ = _e1027;
-                                        phi_2209_ = _e1029;
-                                        phi_2210_ = (_e402 - 1u);
-                                        phi_2211_ = _e1031;
-                                        phi_2212_ = _e1033;
+                                        let _e1030 = phi_2413_;
+                                        let _e1032 = phi_2211_;
+                                        let _e1034 = phi_2212_;
+                                        let _e1036 = phi_2213_;
+                                        let _e1038 = phi_2214_;
+                                        phi_2412_ = _e1030;
+                                        phi_2215_ = _e1032;
+                                        phi_2216_ = _e1034;
+                                        phi_2217_ = (_e407 - 1u);
+                                        phi_2218_ = _e1036;
+                                        phi_2219_ = _e1038;
                                     } else {
-                                        phi_2401_ = _e396;
-                                        phi_2208_ = _e398;
-                                        phi_2209_ = _e421;
-                                        phi_2210_ = _e402;
-                                        phi_2211_ = _e423;
-                                        phi_2212_ = _e425;
+                                        phi_2412_ = _e401;
+                                        phi_2215_ = _e403;
+                                        phi_2216_ = _e426;
+                                        phi_2217_ = _e407;
+                                        phi_2218_ = _e428;
+                                        phi_2219_ = _e430;
                                     }
-                                    let _e1035 = phi_2401_;
-                                    let _e1037 = phi_2208_;
-                                    let _e1039 = phi_2209_;
-                                    let _e1041 = phi_2210_;
-                                    let _e1043 = phi_2211_;
-                                    let _e1045 = phi_2212_;
-                                    phi_2400_ = _e1035;
-                                    phi_2213_ = _e1037;
-                                    phi_2214_ = _e1039;
-                                    phi_2215_ = _e1041;
-                                    phi_2216_ = _e1043;
-                                    phi_2217_ = _e1045;
+                                    let _e1040 = phi_2412_;
+                                    let _e1042 = phi_2215_;
+                                    let _e1044 = phi_2216_;
+                                    let _e1046 = phi_2217_;
+                                    let _e1048 = phi_2218_;
+                                    let _e1050 = phi_2219_;
+                                    phi_2411_ = _e1040;
+                                    phi_2220_ = _e1042;
+                                    phi_2221_ = _e1044;
+                                    phi_2222_ = _e1046;
+                                    phi_2223_ = _e1048;
+                                    phi_2224_ = _e1050;
                                 } else {
-                                    phi_2400_ = _e396;
-                                    phi_2213_ = type_47();
-                                    phi_2214_ = u32();
-                                    phi_2215_ = u32();
-                                    phi_2216_ = bool();
-                                    phi_2217_ = u32();
+                                    phi_2411_ = _e401;
+                                    phi_2220_ = type_47();
+                                    phi_2221_ = u32();
+                                    phi_2222_ = u32();
+                                    phi_2223_ = bool();
+                                    phi_2224_ = u32();
                                 }
-                                let _e1047 = phi_2400_;
-                                let _e1049 = phi_2213_;
-                                let _e1051 = phi_2214_;
-                                let _e1053 = phi_2215_;
-                                let _e1055 = phi_2216_;
-                                let _e1057 = phi_2217_;
-                                phi_2399_ = _e1047;
-                                phi_958_ = _e1049;
-                                phi_961_ = _e1051;
-                                phi_963_ = _e1053;
-                                phi_965_ = _e1055;
-                                phi_967_ = _e1057;
-                                phi_2218_ = _e410;
+                                let _e1052 = phi_2411_;
+                                let _e1054 = phi_2220_;
+                                let _e1056 = phi_2221_;
+                                let _e1058 = phi_2222_;
+                                let _e1060 = phi_2223_;
+                                let _e1062 = phi_2224_;
+                                phi_2410_ = _e1052;
+                                phi_965_ = _e1054;
+                                phi_968_ = _e1056;
+                                phi_970_ = _e1058;
+                                phi_972_ = _e1060;
+                                phi_974_ = _e1062;
+                                phi_2225_ = _e415;
                             } else {
-                                phi_2399_ = _e396;
-                                phi_958_ = type_47();
-                                phi_961_ = u32();
-                                phi_963_ = u32();
-                                phi_965_ = bool();
-                                phi_967_ = u32();
-                                phi_2218_ = false;
+                                phi_2410_ = _e401;
+                                phi_965_ = type_47();
+                                phi_968_ = u32();
+                                phi_970_ = u32();
+                                phi_972_ = bool();
+                                phi_974_ = u32();
+                                phi_2225_ = false;
                             }
-                            let _e1059 = phi_2399_;
-                            let _e1061 = phi_958_;
-                            let _e1063 = phi_961_;
-                            let _e1065 = phi_963_;
-                            let _e1067 = phi_965_;
-                            let _e1069 = phi_967_;
-                            let _e1071 = phi_2218_;
+                            let _e1064 = phi_2410_;
+                            let _e1066 = phi_965_;
+                            let _e1068 = phi_968_;
+                            let _e1070 = phi_970_;
+                            let _e1072 = phi_972_;
+                            let _e1074 = phi_974_;
+                            let _e1076 = phi_2225_;
                             continue;
                             continuing {
-                                phi_2294_ = _e1059;
-                                phi_957_ = _e1061;
-                                phi_960_ = _e1063;
-                                phi_962_ = _e1065;
-                                phi_964_ = _e1067;
-                                phi_966_ = _e1069;
-                                phi_2398_ = _e1059;
-                                break if !(_e1071);
+                                phi_2301_ = _e1064;
+                                phi_964_ = _e1066;
+                                phi_967_ = _e1068;
+                                phi_969_ = _e1070;
+                                phi_971_ = _e1072;
+                                phi_973_ = _e1074;
+                                phi_2409_ = _e1064;
+                                break if !(_e1076);
                             }
                         }
-                        let _e1074 = phi_2398_;
-                        if _e1074 {
+                        let _e1079 = phi_2409_;
+                        if _e1079 {
                             break;
                         }
-                        let _e1076 = local_3;
-                        if _e1076.member_1 {
+                        let _e1081 = local_3;
+                        if _e1081.member_1 {
                         } else {
+                            if _e79 {
+                            } else {
+                                break;
+                            }
+                            let _e1085 = global_5.member[_e77];
                             if _e78 {
                             } else {
                                 break;
                             }
-                            let _e1080 = global_5.member[_e76];
-                            if _e77 {
+                            let _e1089 = global_4.member[_e77].member_1;
+                            if _e79 {
                             } else {
                                 break;
                             }
-                            let _e1084 = global_4.member[_e76].member_1;
-                            if _e78 {
-                            } else {
-                                break;
-                            }
-                            global_5.member[_e76] = type_24(_e1080.member, _e1080.member_1, _e1080.member_2, array<f32, 3>((_e1080.member_3[0] + (_e1084[0] * _e1080.member_1[0])), (_e1080.member_3[1] + (_e1084[1] * _e1080.member_1[1])), (_e1080.member_3[2] + (_e1084[2] * _e1080.member_1[2]))), _e1080.member_4);
+                            global_5.member[_e77] = type_24(_e1085.member, _e1085.member_1, _e1085.member_2, array<f32, 3>((_e1085.member_3[0] + (_e1089[0] * _e1085.member_1[0])), (_e1085.member_3[1] + (_e1089[1] * _e1085.member_1[1])), (_e1085.member_3[2] + (_e1089[2] * _e1085.member_1[2]))), _e1085.member_4);
                         }
                     }
                 }

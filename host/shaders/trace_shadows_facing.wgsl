@@ -121,1129 +121,1141 @@ var<storage, read_write> global_9: type_32;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_315_: type_47;
-    var phi_425_: i32;
-    var phi_426_: i32;
-    var phi_436_: bool;
-    var phi_446_: u32;
-    var phi_447_: u32;
-    var phi_449_: bool;
-    var phi_454_: u32;
-    var phi_498_: f32;
-    var phi_504_: f32;
-    var phi_515_: f32;
-    var phi_521_: f32;
-    var phi_544_: f32;
-    var phi_555_: f32;
-    var phi_564_: f32;
-    var phi_570_: f32;
-    var phi_581_: f32;
-    var phi_587_: f32;
-    var phi_610_: f32;
-    var phi_621_: f32;
-    var phi_630_: f32;
-    var phi_636_: f32;
-    var phi_647_: f32;
-    var phi_653_: f32;
-    var phi_676_: f32;
-    var phi_687_: f32;
-    var phi_787_: f32;
-    var phi_788_: f32;
-    var phi_2722_: bool;
-    var phi_1062_: type_54;
-    var phi_1065_: u32;
-    var phi_1067_: u32;
-    var phi_1069_: bool;
-    var phi_1071_: u32;
-    var phi_1082_: bool;
-    var phi_1113_: u32;
-    var phi_1114_: bool;
-    var phi_1115_: u32;
-    var phi_2238_: type_53;
-    var phi_2582_: u32;
-    var phi_2609_: u32;
-    var phi_2610_: u32;
-    var phi_2611_: u32;
-    var phi_2613_: u32;
-    var phi_2614_: u32;
-    var phi_2615_: bool;
+    var phi_295_: i32;
+    var phi_319_: type_47;
+    var phi_429_: i32;
+    var phi_430_: i32;
+    var phi_440_: bool;
+    var phi_450_: u32;
+    var phi_451_: u32;
+    var phi_453_: bool;
+    var phi_458_: u32;
+    var phi_490_: i32;
+    var phi_508_: f32;
+    var phi_514_: f32;
+    var phi_525_: f32;
+    var phi_531_: f32;
+    var phi_554_: f32;
+    var phi_565_: f32;
+    var phi_574_: f32;
+    var phi_580_: f32;
+    var phi_591_: f32;
+    var phi_597_: f32;
+    var phi_620_: f32;
+    var phi_631_: f32;
+    var phi_640_: f32;
+    var phi_646_: f32;
+    var phi_657_: f32;
+    var phi_663_: f32;
+    var phi_686_: f32;
+    var phi_697_: f32;
+    var phi_797_: f32;
+    var phi_798_: f32;
+    var phi_2732_: bool;
+    var phi_1072_: type_54;
+    var phi_1075_: u32;
+    var phi_1077_: u32;
+    var phi_1079_: bool;
+    var phi_1081_: u32;
+    var phi_1092_: bool;
+    var phi_1123_: u32;
+    var phi_1124_: bool;
+    var phi_1125_: u32;
+    var phi_2248_: type_53;
+    var phi_2592_: u32;
+    var phi_2619_: u32;
+    var phi_2620_: u32;
+    var phi_2621_: u32;
+    var phi_2623_: u32;
     var phi_2624_: u32;
-    var phi_2629_: u32;
-    var phi_2630_: bool;
-    var phi_1130_: type_54;
-    var phi_1133_: type_8;
-    var phi_1134_: type_8;
-    var phi_1156_: type_8;
-    var phi_1177_: u32;
-    var phi_1266_: array<array<f32, 3>, 3>;
-    var phi_1737_: vec3<f32>;
-    var phi_1738_: vec3<f32>;
-    var phi_1769_: bool;
-    var phi_1778_: vec3<f32>;
-    var phi_1818_: type_28;
-    var phi_1820_: type_28;
-    var phi_1821_: bool;
-    var phi_1825_: type_28;
-    var phi_1826_: type_28;
-    var phi_1827_: type_28;
-    var phi_1828_: bool;
-    var phi_1832_: type_28;
-    var phi_1833_: bool;
+    var phi_2625_: bool;
+    var phi_2634_: u32;
+    var phi_2639_: u32;
+    var phi_2640_: bool;
+    var phi_1140_: type_54;
+    var phi_1143_: type_8;
+    var phi_1144_: type_8;
+    var phi_1166_: type_8;
+    var phi_1187_: u32;
+    var phi_1276_: array<array<f32, 3>, 3>;
+    var phi_1747_: vec3<f32>;
+    var phi_1748_: vec3<f32>;
+    var phi_1779_: bool;
+    var phi_1788_: vec3<f32>;
+    var phi_1828_: type_28;
+    var phi_1830_: type_28;
+    var phi_1831_: bool;
+    var phi_1835_: type_28;
+    var phi_1836_: type_28;
     var phi_1837_: type_28;
     var phi_1838_: bool;
     var phi_1842_: type_28;
-    var phi_1865_: u32;
-    var phi_1879_: i32;
-    var phi_1899_: vec3<f32>;
-    var phi_1900_: vec3<f32>;
-    var phi_1916_: vec3<f32>;
-    var phi_1917_: vec3<f32>;
-    var phi_1933_: vec3<f32>;
-    var phi_1934_: vec3<f32>;
-    var phi_1970_: vec3<f32>;
-    var phi_2152_: f32;
-    var phi_2170_: bool;
-    var phi_2171_: bool;
-    var phi_2176_: type_54;
-    var phi_2177_: type_54;
-    var phi_1131_: type_54;
-    var phi_2716_: bool;
+    var phi_1843_: bool;
+    var phi_1847_: type_28;
+    var phi_1848_: bool;
+    var phi_1852_: type_28;
+    var phi_1875_: u32;
+    var phi_1889_: i32;
+    var phi_1909_: vec3<f32>;
+    var phi_1910_: vec3<f32>;
+    var phi_1926_: vec3<f32>;
+    var phi_1927_: vec3<f32>;
+    var phi_1943_: vec3<f32>;
+    var phi_1944_: vec3<f32>;
+    var phi_1980_: vec3<f32>;
+    var phi_2162_: f32;
+    var phi_2180_: bool;
+    var phi_2181_: bool;
+    var phi_2186_: type_54;
+    var phi_2187_: type_54;
+    var phi_1141_: type_54;
+    var phi_2726_: bool;
     var local_2: type_54;
-    var phi_2851_: bool;
-    var phi_2632_: type_54;
-    var phi_2633_: u32;
-    var phi_2634_: bool;
-    var phi_2635_: u32;
-    var phi_2850_: bool;
-    var phi_2636_: type_54;
-    var phi_2637_: u32;
-    var phi_2638_: u32;
-    var phi_2639_: bool;
-    var phi_2640_: u32;
-    var phi_2849_: bool;
-    var phi_2641_: type_54;
-    var phi_2642_: u32;
+    var phi_2867_: bool;
+    var phi_2642_: type_54;
     var phi_2643_: u32;
     var phi_2644_: bool;
     var phi_2645_: u32;
-    var phi_2848_: bool;
-    var phi_1063_: type_54;
-    var phi_1066_: u32;
-    var phi_1068_: u32;
-    var phi_1070_: bool;
-    var phi_1072_: u32;
-    var phi_2646_: bool;
-    var phi_2847_: bool;
+    var phi_2866_: bool;
+    var phi_2646_: type_54;
+    var phi_2647_: u32;
+    var phi_2648_: u32;
+    var phi_2649_: bool;
+    var phi_2650_: u32;
+    var phi_2865_: bool;
+    var phi_2651_: type_54;
+    var phi_2652_: u32;
+    var phi_2653_: u32;
+    var phi_2654_: bool;
+    var phi_2655_: u32;
+    var phi_2864_: bool;
+    var phi_1073_: type_54;
+    var phi_1076_: u32;
+    var phi_1078_: u32;
+    var phi_1080_: bool;
+    var phi_1082_: u32;
+    var phi_2656_: bool;
+    var phi_2863_: bool;
     var local_3: type_54;
     var local_4: type_54;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e72 = global;
-            let _e74 = arrayLength((&global_3.member));
-            let _e76 = arrayLength((&global_4.member));
-            let _e88 = arrayLength((&global_7.member));
-            let _e92 = (_e72.x + (_e72.y * 2097152u));
-            let _e93 = (_e92 < arrayLength((&global_8.member)));
-            if _e93 {
-                let _e94 = (_e92 < arrayLength((&global_9.member)));
-                if _e94 {
-                    if _e93 {
+            let _e73 = global;
+            let _e75 = arrayLength((&global_3.member));
+            let _e77 = arrayLength((&global_4.member));
+            let _e89 = arrayLength((&global_7.member));
+            let _e93 = (_e73.x + (_e73.y * 2097152u));
+            let _e94 = (_e93 < arrayLength((&global_8.member)));
+            if _e94 {
+                let _e95 = (_e93 < arrayLength((&global_9.member)));
+                if _e95 {
+                    if _e94 {
                     } else {
                         break;
                     }
-                    let _e99 = global_8.member[_e92].member.member_1;
-                    let _e104 = global_8.member[_e92].member.member_3;
-                    if (_e99 <= _e104) {
-                        let _e106 = (1u < _e88);
-                        if _e106 {
-                            if (0u < _e88) {
+                    let _e100 = global_8.member[_e93].member.member_1;
+                    let _e105 = global_8.member[_e93].member.member_3;
+                    if (_e100 <= _e105) {
+                        let _e107 = (1u < _e89);
+                        if _e107 {
+                            if (0u < _e89) {
                             } else {
                                 break;
                             }
-                            let _e110 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e110 + 1u) < _e110) {
-                                if _e106 {
+                            let _e111 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e111 + 1u) < _e111) {
+                                if _e107 {
                                 } else {
                                     break;
                                 }
-                                let _e115 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e116 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        let _e118 = global_1.member[0u];
-                        let _e122 = global_2.member[0u][0u];
-                        let _e126 = global_2.member[0u][1u];
-                        let _e130 = global_2.member[0u][2u];
-                        let _e134 = global_2.member[0u][3u];
-                        let _e138 = global_2.member[1u][0u];
-                        let _e142 = global_2.member[1u][1u];
-                        let _e146 = global_2.member[1u][2u];
-                        let _e150 = global_2.member[1u][3u];
-                        let _e151 = bitcast<f32>(_e122);
-                        let _e152 = bitcast<f32>(_e126);
-                        let _e153 = bitcast<f32>(_e130);
-                        let _e155 = bitcast<f32>(_e138);
-                        let _e156 = array<u32, 3>(_e142, _e146, _e150);
-                        let _e158 = bitcast<i32>(_e118);
-                        let _e159 = (_e158 / 2i);
-                        let _e164 = bitcast<f32>((bitcast<u32>((_e159 + 127i)) << bitcast<u32>(23i)));
-                        let _e170 = bitcast<f32>((bitcast<u32>(((_e158 - _e159) + 127i)) << bitcast<u32>(23i)));
-                        if (_e134 == 0u) {
-                            phi_315_ = type_47(array<f32, 3>(_e151, _e152, _e153), _e134, _e155, _e156);
+                        let _e119 = global_1.member[0u];
+                        let _e123 = global_2.member[0u][0u];
+                        let _e127 = global_2.member[0u][1u];
+                        let _e131 = global_2.member[0u][2u];
+                        let _e135 = global_2.member[0u][3u];
+                        let _e139 = global_2.member[1u][0u];
+                        let _e143 = global_2.member[1u][1u];
+                        let _e147 = global_2.member[1u][2u];
+                        let _e151 = global_2.member[1u][3u];
+                        let _e152 = bitcast<f32>(_e123);
+                        let _e153 = bitcast<f32>(_e127);
+                        let _e154 = bitcast<f32>(_e131);
+                        let _e156 = bitcast<f32>(_e139);
+                        let _e157 = array<u32, 3>(_e143, _e147, _e151);
+                        let _e159 = bitcast<i32>(_e119);
+                        if (_e159 < -126i) {
+                            phi_295_ = -126i;
                         } else {
-                            phi_315_ = type_47(array<f32, 3>(((_e151 * _e164) * _e170), ((_e152 * _e164) * _e170), ((_e153 * _e164) * _e170)), _e134, ((_e155 * _e164) * _e170), _e156);
+                            phi_295_ = select(_e159, 127i, (_e159 > 127i));
                         }
-                        let _e183 = phi_315_;
-                        if _e93 {
+                        let _e164 = phi_295_;
+                        let _e169 = bitcast<f32>((bitcast<u32>((_e164 + 127i)) << bitcast<u32>(23i)));
+                        let _e175 = bitcast<f32>((bitcast<u32>(((_e159 - _e164) + 127i)) << bitcast<u32>(23i)));
+                        if (_e135 == 0u) {
+                            phi_319_ = type_47(array<f32, 3>(_e152, _e153, _e154), _e135, _e156, _e157);
+                        } else {
+                            phi_319_ = type_47(array<f32, 3>(((_e152 * _e169) * _e175), ((_e153 * _e169) * _e175), ((_e154 * _e169) * _e175)), _e135, ((_e156 * _e169) * _e175), _e157);
+                        }
+                        let _e188 = phi_319_;
+                        if _e94 {
                         } else {
                             break;
                         }
-                        if _e93 {
+                        if _e94 {
                         } else {
                             break;
                         }
-                        let _e187 = global_8.member[_e92].member_2;
-                        let _e197 = global_8.member[_e92].member.member_2[0u];
-                        let _e199 = (bitcast<u32>(_e197) & 2147483647u);
-                        let _e205 = global_8.member[_e92].member.member_2[1u];
-                        let _e207 = (bitcast<u32>(_e205) & 2147483647u);
-                        let _e213 = global_8.member[_e92].member.member_2[2u];
-                        let _e215 = (bitcast<u32>(_e213) & 2147483647u);
-                        let _e221 = global_8.member[_e92].member.member[0u];
-                        let _e223 = (bitcast<u32>(_e221) & 2147483647u);
-                        let _e229 = global_8.member[_e92].member.member[1u];
-                        let _e231 = (bitcast<u32>(_e229) & 2147483647u);
-                        let _e237 = global_8.member[_e92].member.member[2u];
-                        let _e239 = (bitcast<u32>(_e237) & 2147483647u);
-                        let _e241 = select(_e207, _e199, (_e207 < _e199));
-                        let _e243 = select(_e215, _e241, (_e215 < _e241));
-                        let _e245 = select(_e223, _e243, (_e223 < _e243));
-                        let _e247 = select(_e231, _e245, (_e231 < _e245));
-                        let _e249 = select(_e239, _e247, (_e239 < _e247));
-                        let _e251 = (bitcast<u32>(_e99) & 2147483647u);
-                        let _e260 = (((select(_e251, _e249, (_e251 < _e249)) < 2139095040u) && ((bitcast<u32>(_e104) & 2147483647u) <= 2139095040u)) && (_e243 > 0u));
-                        if _e260 {
-                            let _e263 = (bitcast<u32>(bitcast<f32>(_e243)) & 2147483647u);
-                            if (_e263 >= 8388608u) {
-                                phi_425_ = (bitcast<i32>((_e263 >> bitcast<u32>(23i))) - 127i);
+                        let _e192 = global_8.member[_e93].member_2;
+                        let _e202 = global_8.member[_e93].member.member_2[0u];
+                        let _e204 = (bitcast<u32>(_e202) & 2147483647u);
+                        let _e210 = global_8.member[_e93].member.member_2[1u];
+                        let _e212 = (bitcast<u32>(_e210) & 2147483647u);
+                        let _e218 = global_8.member[_e93].member.member_2[2u];
+                        let _e220 = (bitcast<u32>(_e218) & 2147483647u);
+                        let _e226 = global_8.member[_e93].member.member[0u];
+                        let _e228 = (bitcast<u32>(_e226) & 2147483647u);
+                        let _e234 = global_8.member[_e93].member.member[1u];
+                        let _e236 = (bitcast<u32>(_e234) & 2147483647u);
+                        let _e242 = global_8.member[_e93].member.member[2u];
+                        let _e244 = (bitcast<u32>(_e242) & 2147483647u);
+                        let _e246 = select(_e212, _e204, (_e212 < _e204));
+                        let _e248 = select(_e220, _e246, (_e220 < _e246));
+                        let _e250 = select(_e228, _e248, (_e228 < _e248));
+                        let _e252 = select(_e236, _e250, (_e236 < _e250));
+                        let _e254 = select(_e244, _e252, (_e244 < _e252));
+                        let _e256 = (bitcast<u32>(_e100) & 2147483647u);
+                        let _e265 = (((select(_e256, _e254, (_e256 < _e254)) < 2139095040u) && ((bitcast<u32>(_e105) & 2147483647u) <= 2139095040u)) && (_e248 > 0u));
+                        if _e265 {
+                            let _e268 = (bitcast<u32>(bitcast<f32>(_e248)) & 2147483647u);
+                            if (_e268 >= 8388608u) {
+                                phi_429_ = (bitcast<i32>((_e268 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_425_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e263)), 32u, (_e263 == 0u))));
+                                phi_429_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e268)), 32u, (_e268 == 0u))));
                             }
-                            let _e277 = phi_425_;
-                            phi_426_ = _e277;
+                            let _e282 = phi_429_;
+                            phi_430_ = _e282;
                         } else {
-                            phi_426_ = 0i;
+                            phi_430_ = 0i;
                         }
-                        let _e279 = phi_426_;
-                        let _e280 = (_e199 == _e243);
-                        if _e280 {
-                            phi_436_ = true;
+                        let _e284 = phi_430_;
+                        let _e285 = (_e204 == _e248);
+                        if _e285 {
+                            phi_440_ = true;
                         } else {
-                            phi_436_ = (_e207 == _e243);
+                            phi_440_ = (_e212 == _e248);
                         }
-                        let _e283 = phi_436_;
-                        let _e284 = select(1u, 0u, _e280);
-                        if _e283 {
-                            let _e285 = (_e284 + 1u);
-                            phi_446_ = _e285;
-                            phi_447_ = _e285;
-                            phi_449_ = select(true, false, (_e285 == 2u));
+                        let _e288 = phi_440_;
+                        let _e289 = select(1u, 0u, _e285);
+                        if _e288 {
+                            let _e290 = (_e289 + 1u);
+                            phi_450_ = _e290;
+                            phi_451_ = _e290;
+                            phi_453_ = select(true, false, (_e290 == 2u));
                         } else {
-                            phi_446_ = u32();
-                            phi_447_ = 0u;
-                            phi_449_ = true;
+                            phi_450_ = u32();
+                            phi_451_ = 0u;
+                            phi_453_ = true;
                         }
-                        let _e289 = phi_446_;
-                        let _e291 = phi_447_;
-                        let _e293 = phi_449_;
-                        if _e293 {
-                            phi_454_ = (_e291 + 1u);
+                        let _e294 = phi_450_;
+                        let _e296 = phi_451_;
+                        let _e298 = phi_453_;
+                        if _e298 {
+                            phi_458_ = (_e296 + 1u);
                         } else {
-                            phi_454_ = 0u;
+                            phi_458_ = 0u;
                         }
-                        let _e297 = phi_454_;
-                        let _e298 = select(_e289, _e291, _e293);
-                        let _e299 = select(_e284, select(2u, _e284, _e283), _e293);
-                        let _e300 = -(_e279);
-                        let _e301 = (_e300 / 2i);
-                        let _e306 = bitcast<f32>((bitcast<u32>((_e301 + 127i)) << bitcast<u32>(23i)));
-                        let _e312 = bitcast<f32>((bitcast<u32>(((_e300 - _e301) + 127i)) << bitcast<u32>(23i)));
-                        let _e317 = global_8.member[_e92].member.member;
-                        let _e318 = (_e298 == 0u);
-                        if _e318 {
-                            phi_498_ = _e317[0];
+                        let _e302 = phi_458_;
+                        let _e303 = select(_e294, _e296, _e298);
+                        let _e304 = select(_e289, select(2u, _e289, _e288), _e298);
+                        let _e305 = -(_e284);
+                        if (_e305 < -126i) {
+                            phi_490_ = -126i;
                         } else {
-                            phi_498_ = _e317[1];
+                            phi_490_ = select(_e305, 127i, (_e305 > 127i));
                         }
-                        let _e322 = phi_498_;
-                        let _e323 = (_e298 == 2u);
-                        if _e323 {
-                            phi_504_ = _e317[2];
+                        let _e310 = phi_490_;
+                        let _e315 = bitcast<f32>((bitcast<u32>((_e310 + 127i)) << bitcast<u32>(23i)));
+                        let _e321 = bitcast<f32>((bitcast<u32>(((_e305 - _e310) + 127i)) << bitcast<u32>(23i)));
+                        let _e326 = global_8.member[_e93].member.member;
+                        let _e327 = (_e303 == 0u);
+                        if _e327 {
+                            phi_508_ = _e326[0];
                         } else {
-                            phi_504_ = _e322;
+                            phi_508_ = _e326[1];
                         }
-                        let _e326 = phi_504_;
-                        let _e327 = global_8.member[_e92].member.member_2;
-                        if _e318 {
-                            phi_515_ = _e327[0];
+                        let _e331 = phi_508_;
+                        let _e332 = (_e303 == 2u);
+                        if _e332 {
+                            phi_514_ = _e326[2];
                         } else {
-                            phi_515_ = _e327[1];
+                            phi_514_ = _e331;
                         }
-                        let _e331 = phi_515_;
-                        if _e323 {
-                            phi_521_ = _e327[2];
+                        let _e335 = phi_514_;
+                        let _e336 = global_8.member[_e93].member.member_2;
+                        if _e327 {
+                            phi_525_ = _e336[0];
                         } else {
-                            phi_521_ = _e331;
+                            phi_525_ = _e336[1];
                         }
-                        let _e334 = phi_521_;
-                        let _e336 = ((_e334 * _e306) * _e312);
-                        let _e340 = (bitcast<f32>((bitcast<u32>(_e336) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e340 {
-                            let _e344 = (bitcast<f32>((bitcast<u32>(_e326) & 2147483647u)) * 0.00000011920929f);
-                            phi_544_ = select(0.00000000000011368684f, _e344, (_e344 > 0.00000000000011368684f));
+                        let _e340 = phi_525_;
+                        if _e332 {
+                            phi_531_ = _e336[2];
                         } else {
-                            phi_544_ = 0f;
+                            phi_531_ = _e340;
                         }
-                        let _e348 = phi_544_;
-                        let _e349 = (_e326 + _e348);
-                        let _e350 = (_e326 - _e348);
-                        let _e351 = select(_e336, 0f, _e340);
-                        if _e340 {
-                            phi_555_ = 38685626000000000000000000f;
+                        let _e343 = phi_531_;
+                        let _e345 = ((_e343 * _e315) * _e321);
+                        let _e349 = (bitcast<f32>((bitcast<u32>(_e345) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e349 {
+                            let _e353 = (bitcast<f32>((bitcast<u32>(_e335) & 2147483647u)) * 0.00000011920929f);
+                            phi_554_ = select(0.00000000000011368684f, _e353, (_e353 > 0.00000000000011368684f));
                         } else {
-                            phi_555_ = (1f / _e336);
+                            phi_554_ = 0f;
                         }
-                        let _e354 = phi_555_;
-                        let _e355 = (_e297 == 0u);
-                        if _e355 {
-                            phi_564_ = _e317[0];
+                        let _e357 = phi_554_;
+                        let _e358 = (_e335 + _e357);
+                        let _e359 = (_e335 - _e357);
+                        let _e360 = select(_e345, 0f, _e349);
+                        if _e349 {
+                            phi_565_ = 38685626000000000000000000f;
                         } else {
-                            phi_564_ = _e317[1];
+                            phi_565_ = (1f / _e345);
                         }
-                        let _e359 = phi_564_;
-                        let _e360 = (_e297 == 2u);
-                        if _e360 {
-                            phi_570_ = _e317[2];
+                        let _e363 = phi_565_;
+                        let _e364 = (_e302 == 0u);
+                        if _e364 {
+                            phi_574_ = _e326[0];
                         } else {
-                            phi_570_ = _e359;
+                            phi_574_ = _e326[1];
                         }
-                        let _e363 = phi_570_;
-                        if _e355 {
-                            phi_581_ = _e327[0];
+                        let _e368 = phi_574_;
+                        let _e369 = (_e302 == 2u);
+                        if _e369 {
+                            phi_580_ = _e326[2];
                         } else {
-                            phi_581_ = _e327[1];
+                            phi_580_ = _e368;
                         }
-                        let _e367 = phi_581_;
-                        if _e360 {
-                            phi_587_ = _e327[2];
+                        let _e372 = phi_580_;
+                        if _e364 {
+                            phi_591_ = _e336[0];
                         } else {
-                            phi_587_ = _e367;
+                            phi_591_ = _e336[1];
                         }
-                        let _e370 = phi_587_;
-                        let _e372 = ((_e370 * _e306) * _e312);
-                        let _e376 = (bitcast<f32>((bitcast<u32>(_e372) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e376 {
-                            let _e380 = (bitcast<f32>((bitcast<u32>(_e363) & 2147483647u)) * 0.00000011920929f);
-                            phi_610_ = select(0.00000000000011368684f, _e380, (_e380 > 0.00000000000011368684f));
+                        let _e376 = phi_591_;
+                        if _e369 {
+                            phi_597_ = _e336[2];
                         } else {
-                            phi_610_ = 0f;
+                            phi_597_ = _e376;
                         }
-                        let _e384 = phi_610_;
-                        let _e385 = (_e363 + _e384);
-                        let _e386 = (_e363 - _e384);
-                        let _e387 = select(_e372, 0f, _e376);
-                        if _e376 {
-                            phi_621_ = 38685626000000000000000000f;
+                        let _e379 = phi_597_;
+                        let _e381 = ((_e379 * _e315) * _e321);
+                        let _e385 = (bitcast<f32>((bitcast<u32>(_e381) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e385 {
+                            let _e389 = (bitcast<f32>((bitcast<u32>(_e372) & 2147483647u)) * 0.00000011920929f);
+                            phi_620_ = select(0.00000000000011368684f, _e389, (_e389 > 0.00000000000011368684f));
                         } else {
-                            phi_621_ = (1f / _e372);
+                            phi_620_ = 0f;
                         }
-                        let _e390 = phi_621_;
-                        let _e391 = (_e299 == 0u);
-                        if _e391 {
-                            phi_630_ = _e317[0];
+                        let _e393 = phi_620_;
+                        let _e394 = (_e372 + _e393);
+                        let _e395 = (_e372 - _e393);
+                        let _e396 = select(_e381, 0f, _e385);
+                        if _e385 {
+                            phi_631_ = 38685626000000000000000000f;
                         } else {
-                            phi_630_ = _e317[1];
+                            phi_631_ = (1f / _e381);
                         }
-                        let _e395 = phi_630_;
-                        let _e396 = (_e299 == 2u);
-                        if _e396 {
-                            phi_636_ = _e317[2];
+                        let _e399 = phi_631_;
+                        let _e400 = (_e304 == 0u);
+                        if _e400 {
+                            phi_640_ = _e326[0];
                         } else {
-                            phi_636_ = _e395;
+                            phi_640_ = _e326[1];
                         }
-                        let _e399 = phi_636_;
-                        if _e391 {
-                            phi_647_ = _e327[0];
+                        let _e404 = phi_640_;
+                        let _e405 = (_e304 == 2u);
+                        if _e405 {
+                            phi_646_ = _e326[2];
                         } else {
-                            phi_647_ = _e327[1];
+                            phi_646_ = _e404;
                         }
-                        let _e403 = phi_647_;
-                        if _e396 {
-                            phi_653_ = _e327[2];
+                        let _e408 = phi_646_;
+                        if _e400 {
+                            phi_657_ = _e336[0];
                         } else {
-                            phi_653_ = _e403;
+                            phi_657_ = _e336[1];
                         }
-                        let _e406 = phi_653_;
-                        let _e408 = ((_e406 * _e306) * _e312);
-                        let _e412 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e412 {
-                            let _e416 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) * 0.00000011920929f);
-                            phi_676_ = select(0.00000000000011368684f, _e416, (_e416 > 0.00000000000011368684f));
+                        let _e412 = phi_657_;
+                        if _e405 {
+                            phi_663_ = _e336[2];
                         } else {
-                            phi_676_ = 0f;
+                            phi_663_ = _e412;
                         }
-                        let _e420 = phi_676_;
-                        let _e421 = (_e399 + _e420);
-                        let _e422 = (_e399 - _e420);
-                        let _e423 = select(_e408, 0f, _e412);
-                        if _e412 {
-                            phi_687_ = 38685626000000000000000000f;
+                        let _e415 = phi_663_;
+                        let _e417 = ((_e415 * _e315) * _e321);
+                        let _e421 = (bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e421 {
+                            let _e425 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) * 0.00000011920929f);
+                            phi_686_ = select(0.00000000000011368684f, _e425, (_e425 > 0.00000000000011368684f));
                         } else {
-                            phi_687_ = (1f / _e408);
+                            phi_686_ = 0f;
                         }
-                        let _e426 = phi_687_;
-                        let _e429 = bitcast<f32>((bitcast<u32>(_e326) & 2147483647u));
-                        let _e432 = bitcast<f32>((bitcast<u32>(_e363) & 2147483647u));
-                        let _e434 = select(_e432, _e429, (_e429 > _e432));
-                        let _e437 = bitcast<f32>((bitcast<u32>(_e399) & 2147483647u));
-                        if (_e260 && (select(_e437, _e434, (_e434 > _e437)) <= 1099511600000f)) {
-                            let _e442 = (_e279 / 3i);
-                            let _e449 = bitcast<f32>((bitcast<u32>((_e442 + 127i)) << bitcast<u32>(23i)));
-                            let _e456 = bitcast<f32>((bitcast<u32>(((_e279 - (2i * _e442)) + 127i)) << bitcast<u32>(23i)));
-                            let _e457 = (((_e99 * _e449) * _e449) * _e456);
-                            let _e459 = select(340282350000000000000000000000000000000f, _e457, (_e457 < 340282350000000000000000000000000000000f));
-                            let _e464 = (((_e104 * _e449) * _e449) * _e456);
-                            let _e466 = select(340282350000000000000000000000000000000f, _e464, (_e464 < 340282350000000000000000000000000000000f));
-                            phi_787_ = select(-340282350000000000000000000000000000000f, _e466, (_e466 > -340282350000000000000000000000000000000f));
-                            phi_788_ = select(-340282350000000000000000000000000000000f, _e459, (_e459 > -340282350000000000000000000000000000000f));
+                        let _e429 = phi_686_;
+                        let _e430 = (_e408 + _e429);
+                        let _e431 = (_e408 - _e429);
+                        let _e432 = select(_e417, 0f, _e421);
+                        if _e421 {
+                            phi_697_ = 38685626000000000000000000f;
                         } else {
-                            phi_787_ = 0f;
-                            phi_788_ = 1f;
+                            phi_697_ = (1f / _e417);
                         }
-                        let _e470 = phi_787_;
-                        let _e472 = phi_788_;
+                        let _e435 = phi_697_;
+                        let _e438 = bitcast<f32>((bitcast<u32>(_e335) & 2147483647u));
+                        let _e441 = bitcast<f32>((bitcast<u32>(_e372) & 2147483647u));
+                        let _e443 = select(_e441, _e438, (_e438 > _e441));
+                        let _e446 = bitcast<f32>((bitcast<u32>(_e408) & 2147483647u));
+                        if (_e265 && (select(_e446, _e443, (_e443 > _e446)) <= 1099511600000f)) {
+                            let _e451 = (_e284 / 3i);
+                            let _e458 = bitcast<f32>((bitcast<u32>((_e451 + 127i)) << bitcast<u32>(23i)));
+                            let _e465 = bitcast<f32>((bitcast<u32>(((_e284 - (2i * _e451)) + 127i)) << bitcast<u32>(23i)));
+                            let _e466 = (((_e100 * _e458) * _e458) * _e465);
+                            let _e468 = select(340282350000000000000000000000000000000f, _e466, (_e466 < 340282350000000000000000000000000000000f));
+                            let _e473 = (((_e105 * _e458) * _e458) * _e465);
+                            let _e475 = select(340282350000000000000000000000000000000f, _e473, (_e473 < 340282350000000000000000000000000000000f));
+                            phi_797_ = select(-340282350000000000000000000000000000000f, _e475, (_e475 > -340282350000000000000000000000000000000f));
+                            phi_798_ = select(-340282350000000000000000000000000000000f, _e468, (_e468 > -340282350000000000000000000000000000000f));
+                        } else {
+                            phi_797_ = 0f;
+                            phi_798_ = 1f;
+                        }
+                        let _e479 = phi_797_;
+                        let _e481 = phi_798_;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2722_ = false;
-                        phi_1062_ = type_54(_e470, false);
-                        phi_1065_ = select(0u, 2147483648u, (_e74 == 0u));
-                        phi_1067_ = ((3u * _e74) + 1u);
-                        phi_1069_ = (_e472 <= _e470);
-                        phi_1071_ = 0u;
+                        phi_2732_ = false;
+                        phi_1072_ = type_54(_e479, false);
+                        phi_1075_ = select(0u, 2147483648u, (_e75 == 0u));
+                        phi_1077_ = ((3u * _e75) + 1u);
+                        phi_1079_ = (_e481 <= _e479);
+                        phi_1081_ = 0u;
                         loop {
-                            let _e480 = phi_2722_;
-                            let _e482 = phi_1062_;
-                            let _e484 = phi_1065_;
-                            let _e486 = phi_1067_;
-                            let _e488 = phi_1069_;
-                            let _e490 = phi_1071_;
-                            local_3 = _e482;
-                            if _e488 {
-                                phi_1082_ = true;
+                            let _e489 = phi_2732_;
+                            let _e491 = phi_1072_;
+                            let _e493 = phi_1075_;
+                            let _e495 = phi_1077_;
+                            let _e497 = phi_1079_;
+                            let _e499 = phi_1081_;
+                            local_3 = _e491;
+                            if _e497 {
+                                phi_1092_ = true;
                             } else {
-                                phi_1082_ = (_e490 > 0u);
+                                phi_1092_ = (_e499 > 0u);
                             }
-                            let _e493 = phi_1082_;
-                            if _e493 {
-                                let _e494 = (_e486 > 0u);
-                                if _e494 {
-                                    if _e488 {
-                                        phi_1113_ = _e484;
-                                        phi_1114_ = _e488;
-                                        phi_1115_ = _e490;
+                            let _e502 = phi_1092_;
+                            if _e502 {
+                                let _e503 = (_e495 > 0u);
+                                if _e503 {
+                                    if _e497 {
+                                        phi_1123_ = _e493;
+                                        phi_1124_ = _e497;
+                                        phi_1125_ = _e499;
                                     } else {
-                                        let _e495 = (_e490 - 1u);
-                                        let _e496 = (_e495 % 128u);
-                                        let _e497 = (_e496 < 128u);
-                                        if _e497 {
+                                        let _e504 = (_e499 - 1u);
+                                        let _e505 = (_e504 % 128u);
+                                        let _e506 = (_e505 < 128u);
+                                        if _e506 {
                                         } else {
-                                            phi_2847_ = true;
+                                            phi_2863_ = true;
                                             break;
                                         }
-                                        let _e499 = local_1[_e496];
-                                        if _e497 {
+                                        let _e508 = local_1[_e505];
+                                        if _e506 {
                                         } else {
-                                            phi_2847_ = true;
+                                            phi_2863_ = true;
                                             break;
                                         }
-                                        let _e501 = local[_e496];
-                                        phi_1113_ = _e499;
-                                        phi_1114_ = (_e501 <= _e482.member);
-                                        phi_1115_ = _e495;
+                                        let _e510 = local[_e505];
+                                        phi_1123_ = _e508;
+                                        phi_1124_ = (_e510 <= _e491.member);
+                                        phi_1125_ = _e504;
                                     }
-                                    let _e505 = phi_1113_;
-                                    let _e507 = phi_1114_;
-                                    let _e509 = phi_1115_;
-                                    if _e507 {
-                                        if ((_e505 & 2147483648u) != 0u) {
-                                            phi_1130_ = _e482;
-                                            phi_1133_ = type_8(0u, ((_e505 >> bitcast<u32>(28u)) & 7u));
+                                    let _e514 = phi_1123_;
+                                    let _e516 = phi_1124_;
+                                    let _e518 = phi_1125_;
+                                    if _e516 {
+                                        if ((_e514 & 2147483648u) != 0u) {
+                                            phi_1140_ = _e491;
+                                            phi_1143_ = type_8(0u, ((_e514 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e707 = phi_1130_;
-                                                let _e709 = phi_1133_;
-                                                local_2 = _e707;
-                                                local_4 = _e707;
-                                                if (_e709.member < _e709.member_1) {
-                                                    phi_1134_ = type_8((_e709.member + 1u), _e709.member_1);
-                                                    phi_1156_ = type_8(1u, _e709.member);
+                                                let _e716 = phi_1140_;
+                                                let _e718 = phi_1143_;
+                                                local_2 = _e716;
+                                                local_4 = _e716;
+                                                if (_e718.member < _e718.member_1) {
+                                                    phi_1144_ = type_8((_e718.member + 1u), _e718.member_1);
+                                                    phi_1166_ = type_8(1u, _e718.member);
                                                 } else {
-                                                    phi_1134_ = _e709;
-                                                    phi_1156_ = type_8(0u, type_8().member_1);
+                                                    phi_1144_ = _e718;
+                                                    phi_1166_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e722 = phi_1134_;
-                                                let _e724 = phi_1156_;
-                                                let _e728 = (bitcast<i32>(_e724.member) != 0i);
-                                                if _e728 {
-                                                    let _e729 = ((_e505 & 268435455u) + _e724.member_1);
-                                                    let _e730 = (_e729 < _e76);
-                                                    if _e730 {
-                                                        if _e730 {
+                                                let _e731 = phi_1144_;
+                                                let _e733 = phi_1166_;
+                                                let _e737 = (bitcast<i32>(_e733.member) != 0i);
+                                                if _e737 {
+                                                    let _e738 = ((_e514 & 268435455u) + _e733.member_1);
+                                                    let _e739 = (_e738 < _e77);
+                                                    if _e739 {
+                                                        if _e739 {
                                                         } else {
-                                                            phi_2716_ = true;
+                                                            phi_2726_ = true;
                                                             break;
                                                         }
-                                                        let _e734 = global_4.member[_e729].member_1;
-                                                        phi_1177_ = _e734;
+                                                        let _e743 = global_4.member[_e738].member_1;
+                                                        phi_1187_ = _e743;
                                                     } else {
-                                                        phi_1177_ = 4294967295u;
+                                                        phi_1187_ = 4294967295u;
                                                     }
-                                                    let _e736 = phi_1177_;
-                                                    if (_e729 >= _e76) {
-                                                        phi_1266_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e745 = phi_1187_;
+                                                    if (_e738 >= _e77) {
+                                                        phi_1276_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e730 {
+                                                        if _e739 {
                                                         } else {
-                                                            phi_2716_ = true;
+                                                            phi_2726_ = true;
                                                             break;
                                                         }
-                                                        let _e738 = (_e298 % 3u);
-                                                        let _e739 = (_e297 % 3u);
-                                                        let _e740 = (_e299 % 3u);
-                                                        if (_e738 < 9u) {
+                                                        let _e747 = (_e303 % 3u);
+                                                        let _e748 = (_e302 % 3u);
+                                                        let _e749 = (_e304 % 3u);
+                                                        if (_e747 < 9u) {
                                                         } else {
-                                                            phi_2716_ = true;
+                                                            phi_2726_ = true;
                                                             break;
                                                         }
-                                                        let _e746 = global_4.member[_e729].member[_e738];
-                                                        if (_e739 < 9u) {
+                                                        let _e755 = global_4.member[_e738].member[_e747];
+                                                        if (_e748 < 9u) {
                                                         } else {
-                                                            phi_2716_ = true;
+                                                            phi_2726_ = true;
                                                             break;
                                                         }
-                                                        let _e752 = global_4.member[_e729].member[_e739];
-                                                        if (_e740 < 9u) {
+                                                        let _e761 = global_4.member[_e738].member[_e748];
+                                                        if (_e749 < 9u) {
                                                         } else {
-                                                            phi_2716_ = true;
+                                                            phi_2726_ = true;
                                                             break;
                                                         }
-                                                        let _e758 = global_4.member[_e729].member[_e740];
-                                                        let _e760 = (3u + _e738);
-                                                        if (_e760 < 9u) {
+                                                        let _e767 = global_4.member[_e738].member[_e749];
+                                                        let _e769 = (3u + _e747);
+                                                        if (_e769 < 9u) {
                                                         } else {
-                                                            phi_2716_ = true;
+                                                            phi_2726_ = true;
                                                             break;
                                                         }
-                                                        let _e766 = global_4.member[_e729].member[_e760];
-                                                        let _e767 = (3u + _e739);
-                                                        if (_e767 < 9u) {
+                                                        let _e775 = global_4.member[_e738].member[_e769];
+                                                        let _e776 = (3u + _e748);
+                                                        if (_e776 < 9u) {
                                                         } else {
-                                                            phi_2716_ = true;
+                                                            phi_2726_ = true;
                                                             break;
                                                         }
-                                                        let _e773 = global_4.member[_e729].member[_e767];
-                                                        let _e774 = (3u + _e740);
-                                                        if (_e774 < 9u) {
+                                                        let _e782 = global_4.member[_e738].member[_e776];
+                                                        let _e783 = (3u + _e749);
+                                                        if (_e783 < 9u) {
                                                         } else {
-                                                            phi_2716_ = true;
+                                                            phi_2726_ = true;
                                                             break;
                                                         }
-                                                        let _e780 = global_4.member[_e729].member[_e774];
-                                                        let _e782 = (6u + _e738);
-                                                        if (_e782 < 9u) {
+                                                        let _e789 = global_4.member[_e738].member[_e783];
+                                                        let _e791 = (6u + _e747);
+                                                        if (_e791 < 9u) {
                                                         } else {
-                                                            phi_2716_ = true;
+                                                            phi_2726_ = true;
                                                             break;
                                                         }
-                                                        let _e788 = global_4.member[_e729].member[_e782];
-                                                        let _e789 = (6u + _e739);
-                                                        if (_e789 < 9u) {
+                                                        let _e797 = global_4.member[_e738].member[_e791];
+                                                        let _e798 = (6u + _e748);
+                                                        if (_e798 < 9u) {
                                                         } else {
-                                                            phi_2716_ = true;
+                                                            phi_2726_ = true;
                                                             break;
                                                         }
-                                                        let _e795 = global_4.member[_e729].member[_e789];
-                                                        let _e796 = (6u + _e740);
-                                                        if (_e796 < 9u) {
+                                                        let _e804 = global_4.member[_e738].member[_e798];
+                                                        let _e805 = (6u + _e749);
+                                                        if (_e805 < 9u) {
                                                         } else {
-                                                            phi_2716_ = true;
+                                                            phi_2726_ = true;
                                                             break;
                                                         }
-                                                        let _e802 = global_4.member[_e729].member[_e796];
-                                                        phi_1266_ = array<array<f32, 3>, 3>(array<f32, 3>(_e746, _e752, _e758), array<f32, 3>(_e766, _e773, _e780), array<f32, 3>(_e788, _e795, _e802));
+                                                        let _e811 = global_4.member[_e738].member[_e805];
+                                                        phi_1276_ = array<array<f32, 3>, 3>(array<f32, 3>(_e755, _e761, _e767), array<f32, 3>(_e775, _e782, _e789), array<f32, 3>(_e797, _e804, _e811));
                                                     }
-                                                    let _e806 = phi_1266_;
-                                                    let _e814 = (_e806[0][2] - _e399);
-                                                    let _e817 = (((_e806[0][0] - _e326) * _e423) - (_e814 * _e351));
-                                                    let _e820 = (((_e806[0][1] - _e363) * _e423) - (_e814 * _e387));
-                                                    let _e827 = (_e806[1][2] - _e399);
-                                                    let _e830 = (((_e806[1][0] - _e326) * _e423) - (_e827 * _e351));
-                                                    let _e833 = (((_e806[1][1] - _e363) * _e423) - (_e827 * _e387));
-                                                    let _e840 = (_e806[2][2] - _e399);
-                                                    let _e843 = (((_e806[2][0] - _e326) * _e423) - (_e840 * _e351));
-                                                    let _e846 = (((_e806[2][1] - _e363) * _e423) - (_e840 * _e387));
-                                                    let _e847 = (_e843 * _e833);
-                                                    let _e848 = (_e846 * _e830);
-                                                    let _e849 = (_e817 * _e846);
-                                                    let _e850 = (_e820 * _e843);
-                                                    let _e851 = (_e830 * _e820);
-                                                    let _e852 = (_e833 * _e817);
-                                                    let _e857 = (((_e847 >= _e848) && (_e849 >= _e850)) && (_e851 >= _e852));
-                                                    if (_e857 || (((_e847 <= _e848) && (_e849 <= _e850)) && (_e851 <= _e852))) {
-                                                        let _e864 = select(-1f, 1f, _e857);
-                                                        let _e866 = ((_e847 - _e848) * _e864);
-                                                        let _e868 = select(0f, _e866, (_e866 > 0f));
-                                                        let _e870 = ((_e849 - _e850) * _e864);
-                                                        let _e872 = select(0f, _e870, (_e870 > 0f));
-                                                        let _e874 = ((_e851 - _e852) * _e864);
-                                                        let _e876 = select(0f, _e874, (_e874 > 0f));
-                                                        let _e878 = ((_e868 + _e872) + _e876);
-                                                        if (_e878 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1832_ = type_28();
-                                                            phi_1833_ = true;
+                                                    let _e815 = phi_1276_;
+                                                    let _e823 = (_e815[0][2] - _e408);
+                                                    let _e826 = (((_e815[0][0] - _e335) * _e432) - (_e823 * _e360));
+                                                    let _e829 = (((_e815[0][1] - _e372) * _e432) - (_e823 * _e396));
+                                                    let _e836 = (_e815[1][2] - _e408);
+                                                    let _e839 = (((_e815[1][0] - _e335) * _e432) - (_e836 * _e360));
+                                                    let _e842 = (((_e815[1][1] - _e372) * _e432) - (_e836 * _e396));
+                                                    let _e849 = (_e815[2][2] - _e408);
+                                                    let _e852 = (((_e815[2][0] - _e335) * _e432) - (_e849 * _e360));
+                                                    let _e855 = (((_e815[2][1] - _e372) * _e432) - (_e849 * _e396));
+                                                    let _e856 = (_e852 * _e842);
+                                                    let _e857 = (_e855 * _e839);
+                                                    let _e858 = (_e826 * _e855);
+                                                    let _e859 = (_e829 * _e852);
+                                                    let _e860 = (_e839 * _e829);
+                                                    let _e861 = (_e842 * _e826);
+                                                    let _e866 = (((_e856 >= _e857) && (_e858 >= _e859)) && (_e860 >= _e861));
+                                                    if (_e866 || (((_e856 <= _e857) && (_e858 <= _e859)) && (_e860 <= _e861))) {
+                                                        let _e873 = select(-1f, 1f, _e866);
+                                                        let _e875 = ((_e856 - _e857) * _e873);
+                                                        let _e877 = select(0f, _e875, (_e875 > 0f));
+                                                        let _e879 = ((_e858 - _e859) * _e873);
+                                                        let _e881 = select(0f, _e879, (_e879 > 0f));
+                                                        let _e883 = ((_e860 - _e861) * _e873);
+                                                        let _e885 = select(0f, _e883, (_e883 > 0f));
+                                                        let _e887 = ((_e877 + _e881) + _e885);
+                                                        if (_e887 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1842_ = type_28();
+                                                            phi_1843_ = true;
                                                         } else {
-                                                            let _e881 = select(_e806[1][0], _e806[0][0], (_e806[0][0] < _e806[1][0]));
-                                                            let _e885 = select(_e806[1][0], _e806[0][0], (_e806[0][0] > _e806[1][0]));
-                                                            let _e889 = select(_e806[1][1], _e806[0][1], (_e806[0][1] < _e806[1][1]));
-                                                            let _e893 = select(_e806[1][1], _e806[0][1], (_e806[0][1] > _e806[1][1]));
-                                                            let _e897 = select(_e806[1][2], _e806[0][2], (_e806[0][2] < _e806[1][2]));
-                                                            let _e901 = select(_e806[1][2], _e806[0][2], (_e806[0][2] > _e806[1][2]));
-                                                            let _e906 = ((select(_e806[2][0], _e881, (_e881 < _e806[2][0])) - _e349) * _e354);
-                                                            let _e907 = ((select(_e806[2][0], _e885, (_e885 > _e806[2][0])) - _e350) * _e354);
-                                                            let _e910 = ((select(_e806[2][1], _e889, (_e889 < _e806[2][1])) - _e385) * _e390);
-                                                            let _e911 = ((select(_e806[2][1], _e893, (_e893 > _e806[2][1])) - _e386) * _e390);
-                                                            let _e914 = ((select(_e806[2][2], _e897, (_e897 < _e806[2][2])) - _e421) * _e426);
-                                                            let _e915 = ((select(_e806[2][2], _e901, (_e901 > _e806[2][2])) - _e422) * _e426);
-                                                            let _e917 = select(_e915, _e914, (_e914 < _e915));
-                                                            let _e919 = select(_e915, _e914, (_e914 > _e915));
-                                                            let _e921 = select(_e907, _e906, (_e906 < _e907));
-                                                            let _e923 = select(_e911, _e910, (_e910 < _e911));
-                                                            let _e925 = select(_e923, _e921, (_e921 > _e923));
-                                                            let _e927 = select(_e917, _e925, (_e925 > _e917));
-                                                            let _e929 = select(_e907, _e906, (_e906 > _e907));
-                                                            let _e931 = select(_e911, _e910, (_e910 > _e911));
-                                                            let _e933 = select(_e931, _e929, (_e929 < _e931));
-                                                            let _e935 = select(_e919, _e933, (_e933 < _e919));
-                                                            let _e936 = -(_e917);
-                                                            let _e942 = select(_e472, _e927, (_e927 > _e472));
-                                                            if (_e942 > (_e935 + (select(_e936, _e919, (_e919 > _e936)) * 0.0000019073523f))) {
-                                                                phi_1827_ = type_28();
-                                                                phi_1828_ = true;
+                                                            let _e890 = select(_e815[1][0], _e815[0][0], (_e815[0][0] < _e815[1][0]));
+                                                            let _e894 = select(_e815[1][0], _e815[0][0], (_e815[0][0] > _e815[1][0]));
+                                                            let _e898 = select(_e815[1][1], _e815[0][1], (_e815[0][1] < _e815[1][1]));
+                                                            let _e902 = select(_e815[1][1], _e815[0][1], (_e815[0][1] > _e815[1][1]));
+                                                            let _e906 = select(_e815[1][2], _e815[0][2], (_e815[0][2] < _e815[1][2]));
+                                                            let _e910 = select(_e815[1][2], _e815[0][2], (_e815[0][2] > _e815[1][2]));
+                                                            let _e915 = ((select(_e815[2][0], _e890, (_e890 < _e815[2][0])) - _e358) * _e363);
+                                                            let _e916 = ((select(_e815[2][0], _e894, (_e894 > _e815[2][0])) - _e359) * _e363);
+                                                            let _e919 = ((select(_e815[2][1], _e898, (_e898 < _e815[2][1])) - _e394) * _e399);
+                                                            let _e920 = ((select(_e815[2][1], _e902, (_e902 > _e815[2][1])) - _e395) * _e399);
+                                                            let _e923 = ((select(_e815[2][2], _e906, (_e906 < _e815[2][2])) - _e430) * _e435);
+                                                            let _e924 = ((select(_e815[2][2], _e910, (_e910 > _e815[2][2])) - _e431) * _e435);
+                                                            let _e926 = select(_e924, _e923, (_e923 < _e924));
+                                                            let _e928 = select(_e924, _e923, (_e923 > _e924));
+                                                            let _e930 = select(_e916, _e915, (_e915 < _e916));
+                                                            let _e932 = select(_e920, _e919, (_e919 < _e920));
+                                                            let _e934 = select(_e932, _e930, (_e930 > _e932));
+                                                            let _e936 = select(_e926, _e934, (_e934 > _e926));
+                                                            let _e938 = select(_e916, _e915, (_e915 > _e916));
+                                                            let _e940 = select(_e920, _e919, (_e919 > _e920));
+                                                            let _e942 = select(_e940, _e938, (_e938 < _e940));
+                                                            let _e944 = select(_e928, _e942, (_e942 < _e928));
+                                                            let _e945 = -(_e926);
+                                                            let _e951 = select(_e481, _e936, (_e936 > _e481));
+                                                            if (_e951 > (_e944 + (select(_e945, _e928, (_e928 > _e945)) * 0.0000019073523f))) {
+                                                                phi_1837_ = type_28();
+                                                                phi_1838_ = true;
                                                             } else {
-                                                                let _e944 = (_e942 > _e707.member);
-                                                                if _e944 {
-                                                                    phi_1826_ = type_28();
+                                                                let _e953 = (_e951 > _e716.member);
+                                                                if _e953 {
+                                                                    phi_1836_ = type_28();
                                                                 } else {
-                                                                    let _e948 = (_e806[1][0] - _e806[0][0]);
-                                                                    let _e949 = (_e806[1][1] - _e806[0][1]);
-                                                                    let _e950 = (_e806[1][2] - _e806[0][2]);
-                                                                    let _e951 = vec3<f32>(_e948, _e949, _e950);
-                                                                    let _e952 = (_e806[2][0] - _e806[1][0]);
-                                                                    let _e953 = (_e806[2][1] - _e806[1][1]);
-                                                                    let _e954 = (_e806[2][2] - _e806[1][2]);
-                                                                    let _e955 = vec3<f32>(_e952, _e953, _e954);
-                                                                    let _e956 = (_e806[0][0] - _e806[2][0]);
-                                                                    let _e957 = (_e806[0][1] - _e806[2][1]);
-                                                                    let _e958 = (_e806[0][2] - _e806[2][2]);
-                                                                    let _e959 = vec3<f32>(_e956, _e957, _e958);
-                                                                    let _e962 = bitcast<f32>((bitcast<u32>(_e948) & 2147483647u));
-                                                                    let _e965 = bitcast<f32>((bitcast<u32>(_e949) & 2147483647u));
-                                                                    let _e967 = select(_e965, _e962, (_e962 > _e965));
-                                                                    let _e970 = bitcast<f32>((bitcast<u32>(_e950) & 2147483647u));
-                                                                    let _e972 = select(_e970, _e967, (_e967 > _e970));
-                                                                    let _e975 = bitcast<f32>((bitcast<u32>(_e952) & 2147483647u));
-                                                                    let _e978 = bitcast<f32>((bitcast<u32>(_e953) & 2147483647u));
-                                                                    let _e980 = select(_e978, _e975, (_e975 > _e978));
-                                                                    let _e983 = bitcast<f32>((bitcast<u32>(_e954) & 2147483647u));
-                                                                    let _e985 = select(_e983, _e980, (_e980 > _e983));
-                                                                    let _e988 = bitcast<f32>((bitcast<u32>(_e956) & 2147483647u));
-                                                                    let _e991 = bitcast<f32>((bitcast<u32>(_e957) & 2147483647u));
-                                                                    let _e993 = select(_e991, _e988, (_e988 > _e991));
-                                                                    let _e996 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
-                                                                    let _e998 = select(_e996, _e993, (_e993 > _e996));
-                                                                    let _e1000 = select(_e985, _e972, (_e972 > _e985));
-                                                                    let _e1002 = select(_e998, _e1000, (_e1000 > _e998));
-                                                                    if (_e972 == _e1002) {
-                                                                        phi_1737_ = _e955;
-                                                                        phi_1738_ = _e959;
+                                                                    let _e957 = (_e815[1][0] - _e815[0][0]);
+                                                                    let _e958 = (_e815[1][1] - _e815[0][1]);
+                                                                    let _e959 = (_e815[1][2] - _e815[0][2]);
+                                                                    let _e960 = vec3<f32>(_e957, _e958, _e959);
+                                                                    let _e961 = (_e815[2][0] - _e815[1][0]);
+                                                                    let _e962 = (_e815[2][1] - _e815[1][1]);
+                                                                    let _e963 = (_e815[2][2] - _e815[1][2]);
+                                                                    let _e964 = vec3<f32>(_e961, _e962, _e963);
+                                                                    let _e965 = (_e815[0][0] - _e815[2][0]);
+                                                                    let _e966 = (_e815[0][1] - _e815[2][1]);
+                                                                    let _e967 = (_e815[0][2] - _e815[2][2]);
+                                                                    let _e968 = vec3<f32>(_e965, _e966, _e967);
+                                                                    let _e971 = bitcast<f32>((bitcast<u32>(_e957) & 2147483647u));
+                                                                    let _e974 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
+                                                                    let _e976 = select(_e974, _e971, (_e971 > _e974));
+                                                                    let _e979 = bitcast<f32>((bitcast<u32>(_e959) & 2147483647u));
+                                                                    let _e981 = select(_e979, _e976, (_e976 > _e979));
+                                                                    let _e984 = bitcast<f32>((bitcast<u32>(_e961) & 2147483647u));
+                                                                    let _e987 = bitcast<f32>((bitcast<u32>(_e962) & 2147483647u));
+                                                                    let _e989 = select(_e987, _e984, (_e984 > _e987));
+                                                                    let _e992 = bitcast<f32>((bitcast<u32>(_e963) & 2147483647u));
+                                                                    let _e994 = select(_e992, _e989, (_e989 > _e992));
+                                                                    let _e997 = bitcast<f32>((bitcast<u32>(_e965) & 2147483647u));
+                                                                    let _e1000 = bitcast<f32>((bitcast<u32>(_e966) & 2147483647u));
+                                                                    let _e1002 = select(_e1000, _e997, (_e997 > _e1000));
+                                                                    let _e1005 = bitcast<f32>((bitcast<u32>(_e967) & 2147483647u));
+                                                                    let _e1007 = select(_e1005, _e1002, (_e1002 > _e1005));
+                                                                    let _e1009 = select(_e994, _e981, (_e981 > _e994));
+                                                                    let _e1011 = select(_e1007, _e1009, (_e1009 > _e1007));
+                                                                    if (_e981 == _e1011) {
+                                                                        phi_1747_ = _e964;
+                                                                        phi_1748_ = _e968;
                                                                     } else {
-                                                                        let _e1005 = vec3((_e985 == _e1002));
-                                                                        phi_1737_ = select(_e951, _e959, _e1005);
-                                                                        phi_1738_ = select(_e955, _e951, _e1005);
+                                                                        let _e1014 = vec3((_e994 == _e1011));
+                                                                        phi_1747_ = select(_e960, _e968, _e1014);
+                                                                        phi_1748_ = select(_e964, _e960, _e1014);
                                                                     }
-                                                                    let _e1009 = phi_1737_;
-                                                                    let _e1011 = phi_1738_;
-                                                                    let _e1018 = ((_e1009.y * _e1011.z) - (_e1011.y * _e1009.z));
-                                                                    let _e1023 = ((_e1009.z * _e1011.x) - (_e1011.z * _e1009.x));
-                                                                    let _e1026 = ((_e1009.x * _e1011.y) - (_e1011.x * _e1009.y));
-                                                                    if (_e868 >= _e872) {
-                                                                        phi_1769_ = select(true, false, (_e868 >= _e876));
+                                                                    let _e1018 = phi_1747_;
+                                                                    let _e1020 = phi_1748_;
+                                                                    let _e1027 = ((_e1018.y * _e1020.z) - (_e1020.y * _e1018.z));
+                                                                    let _e1032 = ((_e1018.z * _e1020.x) - (_e1020.z * _e1018.x));
+                                                                    let _e1035 = ((_e1018.x * _e1020.y) - (_e1020.x * _e1018.y));
+                                                                    if (_e877 >= _e881) {
+                                                                        phi_1779_ = select(true, false, (_e877 >= _e885));
                                                                     } else {
-                                                                        phi_1769_ = true;
+                                                                        phi_1779_ = true;
                                                                     }
-                                                                    let _e1031 = phi_1769_;
-                                                                    if _e1031 {
-                                                                        phi_1778_ = select(vec3<f32>(_e806[2][0], _e806[2][1], _e806[2][2]), vec3<f32>(_e806[1][0], _e806[1][1], _e806[1][2]), vec3((_e872 >= _e876)));
+                                                                    let _e1040 = phi_1779_;
+                                                                    if _e1040 {
+                                                                        phi_1788_ = select(vec3<f32>(_e815[2][0], _e815[2][1], _e815[2][2]), vec3<f32>(_e815[1][0], _e815[1][1], _e815[1][2]), vec3((_e881 >= _e885)));
                                                                     } else {
-                                                                        phi_1778_ = vec3<f32>(_e806[0][0], _e806[0][1], _e806[0][2]);
+                                                                        phi_1788_ = vec3<f32>(_e815[0][0], _e815[0][1], _e815[0][2]);
                                                                     }
-                                                                    let _e1036 = phi_1778_;
-                                                                    let _e1053 = ((((_e1018 * (_e1036.x - _e326)) + (_e1023 * (_e1036.y - _e363))) + (_e1026 * (_e1036.z - _e399))) / (((_e1018 * _e351) + (_e1023 * _e387)) + (_e1026 * _e423)));
-                                                                    let _e1055 = select(_e935, _e1053, (_e1053 < _e935));
-                                                                    let _e1057 = select(_e927, _e1055, (_e1055 > _e927));
-                                                                    if (_e1057 >= _e472) {
-                                                                        let _e1059 = (_e1057 <= _e707.member);
-                                                                        if _e1059 {
-                                                                            let _e1060 = (1f / _e878);
-                                                                            phi_1818_ = type_28(_e1057, (_e872 * _e1060), (_e876 * _e1060), _e736);
+                                                                    let _e1045 = phi_1788_;
+                                                                    let _e1062 = ((((_e1027 * (_e1045.x - _e335)) + (_e1032 * (_e1045.y - _e372))) + (_e1035 * (_e1045.z - _e408))) / (((_e1027 * _e360) + (_e1032 * _e396)) + (_e1035 * _e432)));
+                                                                    let _e1064 = select(_e944, _e1062, (_e1062 < _e944));
+                                                                    let _e1066 = select(_e936, _e1064, (_e1064 > _e936));
+                                                                    if (_e1066 >= _e481) {
+                                                                        let _e1068 = (_e1066 <= _e716.member);
+                                                                        if _e1068 {
+                                                                            let _e1069 = (1f / _e887);
+                                                                            phi_1828_ = type_28(_e1066, (_e881 * _e1069), (_e885 * _e1069), _e745);
                                                                         } else {
-                                                                            phi_1818_ = type_28();
+                                                                            phi_1828_ = type_28();
                                                                         }
-                                                                        let _e1065 = phi_1818_;
-                                                                        phi_1820_ = _e1065;
-                                                                        phi_1821_ = select(true, false, _e1059);
+                                                                        let _e1074 = phi_1828_;
+                                                                        phi_1830_ = _e1074;
+                                                                        phi_1831_ = select(true, false, _e1068);
                                                                     } else {
-                                                                        phi_1820_ = type_28();
-                                                                        phi_1821_ = true;
+                                                                        phi_1830_ = type_28();
+                                                                        phi_1831_ = true;
                                                                     }
-                                                                    let _e1068 = phi_1820_;
-                                                                    let _e1070 = phi_1821_;
-                                                                    if _e1070 {
-                                                                        phi_1825_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e1077 = phi_1830_;
+                                                                    let _e1079 = phi_1831_;
+                                                                    if _e1079 {
+                                                                        phi_1835_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_1825_ = _e1068;
+                                                                        phi_1835_ = _e1077;
                                                                     }
-                                                                    let _e1072 = phi_1825_;
-                                                                    phi_1826_ = _e1072;
+                                                                    let _e1081 = phi_1835_;
+                                                                    phi_1836_ = _e1081;
                                                                 }
-                                                                let _e1074 = phi_1826_;
-                                                                phi_1827_ = _e1074;
-                                                                phi_1828_ = _e944;
+                                                                let _e1083 = phi_1836_;
+                                                                phi_1837_ = _e1083;
+                                                                phi_1838_ = _e953;
                                                             }
-                                                            let _e1076 = phi_1827_;
-                                                            let _e1078 = phi_1828_;
-                                                            phi_1832_ = _e1076;
-                                                            phi_1833_ = _e1078;
+                                                            let _e1085 = phi_1837_;
+                                                            let _e1087 = phi_1838_;
+                                                            phi_1842_ = _e1085;
+                                                            phi_1843_ = _e1087;
                                                         }
-                                                        let _e1080 = phi_1832_;
-                                                        let _e1082 = phi_1833_;
-                                                        phi_1837_ = _e1080;
-                                                        phi_1838_ = _e1082;
+                                                        let _e1089 = phi_1842_;
+                                                        let _e1091 = phi_1843_;
+                                                        phi_1847_ = _e1089;
+                                                        phi_1848_ = _e1091;
                                                     } else {
-                                                        phi_1837_ = type_28();
-                                                        phi_1838_ = true;
+                                                        phi_1847_ = type_28();
+                                                        phi_1848_ = true;
                                                     }
-                                                    let _e1084 = phi_1837_;
-                                                    let _e1086 = phi_1838_;
-                                                    if _e1086 {
-                                                        phi_1842_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1093 = phi_1847_;
+                                                    let _e1095 = phi_1848_;
+                                                    if _e1095 {
+                                                        phi_1852_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1842_ = _e1084;
+                                                        phi_1852_ = _e1093;
                                                     }
-                                                    let _e1088 = phi_1842_;
-                                                    if (_e1088.member_3 != 4294967295u) {
-                                                        if (_e736 == _e187) {
-                                                            phi_2171_ = false;
+                                                    let _e1097 = phi_1852_;
+                                                    if (_e1097.member_3 != 4294967295u) {
+                                                        if (_e745 == _e192) {
+                                                            phi_2181_ = false;
                                                         } else {
-                                                            let _e1092 = (_e736 < arrayLength((&global_5.member)));
-                                                            if _e1092 {
-                                                                if _e1092 {
+                                                            let _e1101 = (_e745 < arrayLength((&global_5.member)));
+                                                            if _e1101 {
+                                                                if _e1101 {
                                                                 } else {
-                                                                    phi_2716_ = true;
+                                                                    phi_2726_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1094 = global_5.member[_e736];
-                                                                phi_1865_ = _e1094;
+                                                                let _e1103 = global_5.member[_e745];
+                                                                phi_1875_ = _e1103;
                                                             } else {
-                                                                phi_1865_ = 4294967295u;
+                                                                phi_1875_ = 4294967295u;
                                                             }
-                                                            let _e1096 = phi_1865_;
-                                                            let _e1097 = (_e1096 < arrayLength((&global_6.member)));
-                                                            if _e1097 {
-                                                                if _e1097 {
+                                                            let _e1105 = phi_1875_;
+                                                            let _e1106 = (_e1105 < arrayLength((&global_6.member)));
+                                                            if _e1106 {
+                                                                if _e1106 {
                                                                 } else {
-                                                                    phi_2716_ = true;
+                                                                    phi_2726_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1099 = global_6.member[_e1096];
-                                                                phi_1879_ = _e1099;
+                                                                let _e1108 = global_6.member[_e1105];
+                                                                phi_1889_ = _e1108;
                                                             } else {
-                                                                phi_1879_ = 0i;
+                                                                phi_1889_ = 0i;
                                                             }
-                                                            let _e1101 = phi_1879_;
-                                                            let _e1102 = (_e1101 == 0i);
-                                                            if _e1102 {
-                                                                phi_2170_ = true;
+                                                            let _e1110 = phi_1889_;
+                                                            let _e1111 = (_e1110 == 0i);
+                                                            if _e1111 {
+                                                                phi_2180_ = true;
                                                             } else {
-                                                                if _e318 {
-                                                                    phi_1900_ = vec3<f32>(_e806[0][0], _e806[0][1], _e806[0][2]);
+                                                                if _e327 {
+                                                                    phi_1910_ = vec3<f32>(_e815[0][0], _e815[0][1], _e815[0][2]);
                                                                 } else {
-                                                                    if (_e298 == 1u) {
-                                                                        phi_1899_ = vec3<f32>(_e806[0][2], _e806[0][0], _e806[0][1]);
+                                                                    if (_e303 == 1u) {
+                                                                        phi_1909_ = vec3<f32>(_e815[0][2], _e815[0][0], _e815[0][1]);
                                                                     } else {
-                                                                        phi_1899_ = vec3<f32>(_e806[0][1], _e806[0][2], _e806[0][0]);
+                                                                        phi_1909_ = vec3<f32>(_e815[0][1], _e815[0][2], _e815[0][0]);
                                                                     }
-                                                                    let _e1107 = phi_1899_;
-                                                                    phi_1900_ = _e1107;
+                                                                    let _e1116 = phi_1909_;
+                                                                    phi_1910_ = _e1116;
                                                                 }
-                                                                let _e1110 = phi_1900_;
-                                                                if _e318 {
-                                                                    phi_1917_ = vec3<f32>(_e806[1][0], _e806[1][1], _e806[1][2]);
+                                                                let _e1119 = phi_1910_;
+                                                                if _e327 {
+                                                                    phi_1927_ = vec3<f32>(_e815[1][0], _e815[1][1], _e815[1][2]);
                                                                 } else {
-                                                                    if (_e298 == 1u) {
-                                                                        phi_1916_ = vec3<f32>(_e806[1][2], _e806[1][0], _e806[1][1]);
+                                                                    if (_e303 == 1u) {
+                                                                        phi_1926_ = vec3<f32>(_e815[1][2], _e815[1][0], _e815[1][1]);
                                                                     } else {
-                                                                        phi_1916_ = vec3<f32>(_e806[1][1], _e806[1][2], _e806[1][0]);
+                                                                        phi_1926_ = vec3<f32>(_e815[1][1], _e815[1][2], _e815[1][0]);
                                                                     }
-                                                                    let _e1115 = phi_1916_;
-                                                                    phi_1917_ = _e1115;
+                                                                    let _e1124 = phi_1926_;
+                                                                    phi_1927_ = _e1124;
                                                                 }
-                                                                let _e1118 = phi_1917_;
-                                                                if _e318 {
-                                                                    phi_1934_ = vec3<f32>(_e806[2][0], _e806[2][1], _e806[2][2]);
+                                                                let _e1127 = phi_1927_;
+                                                                if _e327 {
+                                                                    phi_1944_ = vec3<f32>(_e815[2][0], _e815[2][1], _e815[2][2]);
                                                                 } else {
-                                                                    if (_e298 == 1u) {
-                                                                        phi_1933_ = vec3<f32>(_e806[2][2], _e806[2][0], _e806[2][1]);
+                                                                    if (_e303 == 1u) {
+                                                                        phi_1943_ = vec3<f32>(_e815[2][2], _e815[2][0], _e815[2][1]);
                                                                     } else {
-                                                                        phi_1933_ = vec3<f32>(_e806[2][1], _e806[2][2], _e806[2][0]);
+                                                                        phi_1943_ = vec3<f32>(_e815[2][1], _e815[2][2], _e815[2][0]);
                                                                     }
-                                                                    let _e1123 = phi_1933_;
-                                                                    phi_1934_ = _e1123;
+                                                                    let _e1132 = phi_1943_;
+                                                                    phi_1944_ = _e1132;
                                                                 }
-                                                                let _e1126 = phi_1934_;
-                                                                let _e1129 = (_e1118.x - _e1110.x);
-                                                                let _e1132 = (_e1118.y - _e1110.y);
-                                                                let _e1135 = (_e1118.z - _e1110.z);
-                                                                let _e1137 = (_e1126.x - _e1110.x);
-                                                                let _e1139 = (_e1126.y - _e1110.y);
-                                                                let _e1141 = (_e1126.z - _e1110.z);
-                                                                if (_e183.member_1 == 1u) {
-                                                                    phi_1970_ = (vec3<f32>(_e183.member[0], _e183.member[1], _e183.member[2]) - _e1110);
+                                                                let _e1135 = phi_1944_;
+                                                                let _e1138 = (_e1127.x - _e1119.x);
+                                                                let _e1141 = (_e1127.y - _e1119.y);
+                                                                let _e1144 = (_e1127.z - _e1119.z);
+                                                                let _e1146 = (_e1135.x - _e1119.x);
+                                                                let _e1148 = (_e1135.y - _e1119.y);
+                                                                let _e1150 = (_e1135.z - _e1119.z);
+                                                                if (_e188.member_1 == 1u) {
+                                                                    phi_1980_ = (vec3<f32>(_e188.member[0], _e188.member[1], _e188.member[2]) - _e1119);
                                                                 } else {
-                                                                    phi_1970_ = vec3<f32>(_e183.member[0], _e183.member[1], _e183.member[2]);
+                                                                    phi_1980_ = vec3<f32>(_e188.member[0], _e188.member[1], _e188.member[2]);
                                                                 }
-                                                                let _e1156 = phi_1970_;
-                                                                let _e1162 = bitcast<f32>((bitcast<u32>((_e1129 * _e1139)) ^ _e183.member_3[0]));
-                                                                let _e1166 = bitcast<f32>((bitcast<u32>((_e1132 * _e1137)) ^ _e183.member_3[0]));
-                                                                let _e1170 = bitcast<f32>((bitcast<u32>((_e1132 * _e1141)) ^ _e183.member_3[0]));
-                                                                let _e1174 = bitcast<f32>((bitcast<u32>((_e1135 * _e1139)) ^ _e183.member_3[0]));
-                                                                let _e1178 = bitcast<f32>((bitcast<u32>((_e1135 * _e1137)) ^ _e183.member_3[0]));
-                                                                let _e1182 = bitcast<f32>((bitcast<u32>((_e1129 * _e1141)) ^ _e183.member_3[0]));
-                                                                let _e1183 = (_e1170 - _e1174);
-                                                                let _e1184 = (_e1178 - _e1182);
-                                                                let _e1185 = (_e1162 - _e1166);
-                                                                let _e1209 = (bitcast<f32>((bitcast<u32>(_e1170) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1174) & 2147483647u)));
-                                                                let _e1216 = (bitcast<f32>((bitcast<u32>(_e1178) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1182) & 2147483647u)));
-                                                                let _e1223 = (bitcast<f32>((bitcast<u32>(_e1162) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1166) & 2147483647u)));
-                                                                if (_e183.member_2 == 0f) {
-                                                                    phi_2152_ = 0f;
+                                                                let _e1165 = phi_1980_;
+                                                                let _e1171 = bitcast<f32>((bitcast<u32>((_e1138 * _e1148)) ^ _e188.member_3[0]));
+                                                                let _e1175 = bitcast<f32>((bitcast<u32>((_e1141 * _e1146)) ^ _e188.member_3[0]));
+                                                                let _e1179 = bitcast<f32>((bitcast<u32>((_e1141 * _e1150)) ^ _e188.member_3[0]));
+                                                                let _e1183 = bitcast<f32>((bitcast<u32>((_e1144 * _e1148)) ^ _e188.member_3[0]));
+                                                                let _e1187 = bitcast<f32>((bitcast<u32>((_e1144 * _e1146)) ^ _e188.member_3[0]));
+                                                                let _e1191 = bitcast<f32>((bitcast<u32>((_e1138 * _e1150)) ^ _e188.member_3[0]));
+                                                                let _e1192 = (_e1179 - _e1183);
+                                                                let _e1193 = (_e1187 - _e1191);
+                                                                let _e1194 = (_e1171 - _e1175);
+                                                                let _e1218 = (bitcast<f32>((bitcast<u32>(_e1179) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u)));
+                                                                let _e1225 = (bitcast<f32>((bitcast<u32>(_e1187) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1191) & 2147483647u)));
+                                                                let _e1232 = (bitcast<f32>((bitcast<u32>(_e1171) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1175) & 2147483647u)));
+                                                                if (_e188.member_2 == 0f) {
+                                                                    phi_2162_ = 0f;
                                                                 } else {
-                                                                    let _e1253 = bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u));
-                                                                    let _e1256 = bitcast<f32>((bitcast<u32>(_e1184) & 2147483647u));
-                                                                    let _e1259 = bitcast<f32>((bitcast<u32>(_e1185) & 2147483647u));
-                                                                    let _e1261 = select(_e1259, _e1256, (_e1256 > _e1259));
-                                                                    let _e1265 = select(_e1259, _e1256, (_e1256 < _e1259));
-                                                                    let _e1269 = select(_e1256, _e1253, (_e1253 < _e1256));
-                                                                    let _e1271 = select(_e1256, _e1253, (_e1253 > _e1256));
-                                                                    let _e1273 = select(_e1259, _e1271, (_e1271 < _e1259));
-                                                                    phi_2152_ = bitcast<f32>((bitcast<u32>((_e183.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1261, _e1253, (_e1253 > _e1261)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1273, _e1269, (_e1269 > _e1273)))) ^ _e183.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1265, _e1253, (_e1253 < _e1265)))) ^ _e183.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1209 + _e1216) + _e1223))) ^ _e183.member_3[0]))) * 1.0000005f)) ^ _e183.member_3[0])))) ^ _e183.member_3[0]));
+                                                                    let _e1262 = bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u));
+                                                                    let _e1265 = bitcast<f32>((bitcast<u32>(_e1193) & 2147483647u));
+                                                                    let _e1268 = bitcast<f32>((bitcast<u32>(_e1194) & 2147483647u));
+                                                                    let _e1270 = select(_e1268, _e1265, (_e1265 > _e1268));
+                                                                    let _e1274 = select(_e1268, _e1265, (_e1265 < _e1268));
+                                                                    let _e1278 = select(_e1265, _e1262, (_e1262 < _e1265));
+                                                                    let _e1280 = select(_e1265, _e1262, (_e1262 > _e1265));
+                                                                    let _e1282 = select(_e1268, _e1280, (_e1280 < _e1268));
+                                                                    phi_2162_ = bitcast<f32>((bitcast<u32>((_e188.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1270, _e1262, (_e1262 > _e1270)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1282, _e1278, (_e1278 > _e1282)))) ^ _e188.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1274, _e1262, (_e1262 < _e1274)))) ^ _e188.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1218 + _e1225) + _e1232))) ^ _e188.member_3[0]))) * 1.0000005f)) ^ _e188.member_3[0])))) ^ _e188.member_3[0]));
                                                                 }
-                                                                let _e1300 = phi_2152_;
-                                                                phi_2170_ = (_e1102 || !(((((bitcast<f32>((bitcast<u32>((_e1156.x * _e1183)) ^ _e183.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1156.y * _e1184)) ^ _e183.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1156.z * _e1185)) ^ _e183.member_3[0]))) * f32(-(_e1101))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1156.x) & 2147483647u)) * _e1209)) ^ _e183.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1156.y) & 2147483647u)) * _e1216)) ^ _e183.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1156.z) & 2147483647u)) * _e1223)) ^ _e183.member_3[0]))))) ^ _e183.member_3[0])) + _e1300) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1309 = phi_2162_;
+                                                                phi_2180_ = (_e1111 || !(((((bitcast<f32>((bitcast<u32>((_e1165.x * _e1192)) ^ _e188.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1165.y * _e1193)) ^ _e188.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1165.z * _e1194)) ^ _e188.member_3[0]))) * f32(-(_e1110))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1165.x) & 2147483647u)) * _e1218)) ^ _e188.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1165.y) & 2147483647u)) * _e1225)) ^ _e188.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1165.z) & 2147483647u)) * _e1232)) ^ _e188.member_3[0]))))) ^ _e188.member_3[0])) + _e1309) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1314 = phi_2170_;
-                                                            phi_2171_ = _e1314;
+                                                            let _e1323 = phi_2180_;
+                                                            phi_2181_ = _e1323;
                                                         }
-                                                        let _e1316 = phi_2171_;
-                                                        if _e1316 {
-                                                            phi_2176_ = type_54(_e707.member, true);
+                                                        let _e1325 = phi_2181_;
+                                                        if _e1325 {
+                                                            phi_2186_ = type_54(_e716.member, true);
                                                         } else {
-                                                            phi_2176_ = _e707;
+                                                            phi_2186_ = _e716;
                                                         }
-                                                        let _e1321 = phi_2176_;
-                                                        phi_2177_ = _e1321;
+                                                        let _e1330 = phi_2186_;
+                                                        phi_2187_ = _e1330;
                                                     } else {
-                                                        phi_2177_ = _e707;
+                                                        phi_2187_ = _e716;
                                                     }
-                                                    let _e1323 = phi_2177_;
-                                                    phi_1131_ = _e1323;
+                                                    let _e1332 = phi_2187_;
+                                                    phi_1141_ = _e1332;
                                                 } else {
-                                                    phi_1131_ = type_54();
+                                                    phi_1141_ = type_54();
                                                 }
-                                                let _e1325 = phi_1131_;
+                                                let _e1334 = phi_1141_;
                                                 continue;
                                                 continuing {
-                                                    phi_1130_ = _e1325;
-                                                    phi_1133_ = _e722;
-                                                    phi_2716_ = _e480;
-                                                    break if !(_e728);
+                                                    phi_1140_ = _e1334;
+                                                    phi_1143_ = _e731;
+                                                    phi_2726_ = _e489;
+                                                    break if !(_e737);
                                                 }
                                             }
-                                            let _e1328 = phi_2716_;
-                                            phi_2847_ = _e1328;
-                                            if _e1328 {
+                                            let _e1337 = phi_2726_;
+                                            phi_2863_ = _e1337;
+                                            if _e1337 {
                                                 break;
                                             }
-                                            let _e1330 = local_2;
-                                            phi_2851_ = _e1328;
-                                            let _e1507 = local_4;
-                                            phi_2632_ = _e1507;
-                                            phi_2633_ = _e505;
-                                            phi_2634_ = false;
-                                            phi_2635_ = select(_e509, 0u, _e1330.member_1);
+                                            let _e1339 = local_2;
+                                            phi_2867_ = _e1337;
+                                            let _e1518 = local_4;
+                                            phi_2642_ = _e1518;
+                                            phi_2643_ = _e514;
+                                            phi_2644_ = false;
+                                            phi_2645_ = select(_e518, 0u, _e1339.member_1);
                                         } else {
-                                            if (_e505 >= _e74) {
-                                                phi_2238_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e514 >= _e75) {
+                                                phi_2248_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e505 < _e74) {
+                                                if (_e514 < _e75) {
                                                 } else {
-                                                    phi_2847_ = true;
+                                                    phi_2863_ = true;
                                                     break;
                                                 }
-                                                let _e519 = (_e298 % 3u);
-                                                if (_e519 < 3u) {
+                                                let _e528 = (_e303 % 3u);
+                                                if (_e528 < 3u) {
                                                 } else {
-                                                    phi_2847_ = true;
+                                                    phi_2863_ = true;
                                                     break;
                                                 }
-                                                let _e525 = global_3.member[_e505].member[_e519];
-                                                let _e531 = (_e297 % 3u);
-                                                if (_e531 < 3u) {
+                                                let _e534 = global_3.member[_e514].member[_e528];
+                                                let _e540 = (_e302 % 3u);
+                                                if (_e540 < 3u) {
                                                 } else {
-                                                    phi_2847_ = true;
+                                                    phi_2863_ = true;
                                                     break;
                                                 }
-                                                let _e537 = global_3.member[_e505].member[_e531];
-                                                let _e543 = (_e299 % 3u);
-                                                if (_e543 < 3u) {
+                                                let _e546 = global_3.member[_e514].member[_e540];
+                                                let _e552 = (_e304 % 3u);
+                                                if (_e552 < 3u) {
                                                 } else {
-                                                    phi_2847_ = true;
+                                                    phi_2863_ = true;
                                                     break;
                                                 }
-                                                let _e549 = global_3.member[_e505].member[_e543];
-                                                let _e559 = global_3.member[_e505].member_1;
-                                                let _e563 = global_3.member[_e505].member_2;
-                                                phi_2238_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e525[0], _e525[1], _e525[2], _e525[3]), vec4<f32>(_e537[0], _e537[1], _e537[2], _e537[3]), vec4<f32>(_e549[0], _e549[1], _e549[2], _e549[3])), _e559, _e563);
+                                                let _e558 = global_3.member[_e514].member[_e552];
+                                                let _e568 = global_3.member[_e514].member_1;
+                                                let _e572 = global_3.member[_e514].member_2;
+                                                phi_2248_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e534[0], _e534[1], _e534[2], _e534[3]), vec4<f32>(_e546[0], _e546[1], _e546[2], _e546[3]), vec4<f32>(_e558[0], _e558[1], _e558[2], _e558[3])), _e568, _e572);
                                             }
-                                            let _e566 = phi_2238_;
-                                            let _e578 = ((_e566.member[0].x - _e349) * _e354);
-                                            let _e579 = ((_e566.member[0].y - _e349) * _e354);
-                                            let _e580 = ((_e566.member[0].z - _e350) * _e354);
-                                            let _e581 = ((_e566.member[0].w - _e350) * _e354);
-                                            let _e591 = ((_e566.member[1].x - _e385) * _e390);
-                                            let _e592 = ((_e566.member[1].y - _e385) * _e390);
-                                            let _e593 = ((_e566.member[1].z - _e386) * _e390);
-                                            let _e594 = ((_e566.member[1].w - _e386) * _e390);
-                                            let _e604 = ((_e566.member[2].x - _e421) * _e426);
-                                            let _e605 = ((_e566.member[2].y - _e421) * _e426);
-                                            let _e606 = ((_e566.member[2].z - _e422) * _e426);
-                                            let _e607 = ((_e566.member[2].w - _e422) * _e426);
-                                            let _e609 = select(_e606, _e604, (_e604 < _e606));
-                                            let _e611 = select(_e607, _e605, (_e605 < _e607));
-                                            let _e613 = select(_e606, _e604, (_e604 > _e606));
-                                            let _e615 = select(_e607, _e605, (_e605 > _e607));
-                                            let _e617 = select(_e580, _e578, (_e578 < _e580));
-                                            let _e619 = select(_e581, _e579, (_e579 < _e581));
-                                            let _e621 = select(_e593, _e591, (_e591 < _e593));
-                                            let _e623 = select(_e594, _e592, (_e592 < _e594));
-                                            let _e625 = select(_e621, _e617, (_e617 > _e621));
-                                            let _e627 = select(_e623, _e619, (_e619 > _e623));
-                                            let _e629 = select(_e609, _e625, (_e625 > _e609));
-                                            let _e631 = select(_e611, _e627, (_e627 > _e611));
-                                            let _e633 = select(_e580, _e578, (_e578 > _e580));
-                                            let _e635 = select(_e581, _e579, (_e579 > _e581));
-                                            let _e637 = select(_e593, _e591, (_e591 > _e593));
-                                            let _e639 = select(_e594, _e592, (_e592 > _e594));
-                                            let _e641 = select(_e637, _e633, (_e633 < _e637));
-                                            let _e643 = select(_e639, _e635, (_e635 < _e639));
-                                            let _e648 = -(_e609);
-                                            let _e649 = -(_e611);
-                                            let _e656 = (select(_e613, _e641, (_e641 < _e613)) + (select(_e648, _e613, (_e613 > _e648)) * 0.0000019073523f));
-                                            let _e657 = (select(_e615, _e643, (_e643 < _e615)) + (select(_e649, _e615, (_e615 > _e649)) * 0.0000019073523f));
-                                            let _e659 = select(_e472, _e629, (_e629 > _e472));
-                                            let _e661 = select(_e472, _e631, (_e631 > _e472));
-                                            let _e666 = (_e659 <= select(_e482.member, _e656, (_e656 < _e482.member)));
-                                            let _e667 = (_e661 <= select(_e482.member, _e657, (_e657 < _e482.member)));
-                                            let _e668 = (_e659 <= _e661);
-                                            if _e666 {
-                                                if _e667 {
-                                                    if _e668 {
-                                                        phi_2582_ = _e566.member_2;
+                                            let _e575 = phi_2248_;
+                                            let _e587 = ((_e575.member[0].x - _e358) * _e363);
+                                            let _e588 = ((_e575.member[0].y - _e358) * _e363);
+                                            let _e589 = ((_e575.member[0].z - _e359) * _e363);
+                                            let _e590 = ((_e575.member[0].w - _e359) * _e363);
+                                            let _e600 = ((_e575.member[1].x - _e394) * _e399);
+                                            let _e601 = ((_e575.member[1].y - _e394) * _e399);
+                                            let _e602 = ((_e575.member[1].z - _e395) * _e399);
+                                            let _e603 = ((_e575.member[1].w - _e395) * _e399);
+                                            let _e613 = ((_e575.member[2].x - _e430) * _e435);
+                                            let _e614 = ((_e575.member[2].y - _e430) * _e435);
+                                            let _e615 = ((_e575.member[2].z - _e431) * _e435);
+                                            let _e616 = ((_e575.member[2].w - _e431) * _e435);
+                                            let _e618 = select(_e615, _e613, (_e613 < _e615));
+                                            let _e620 = select(_e616, _e614, (_e614 < _e616));
+                                            let _e622 = select(_e615, _e613, (_e613 > _e615));
+                                            let _e624 = select(_e616, _e614, (_e614 > _e616));
+                                            let _e626 = select(_e589, _e587, (_e587 < _e589));
+                                            let _e628 = select(_e590, _e588, (_e588 < _e590));
+                                            let _e630 = select(_e602, _e600, (_e600 < _e602));
+                                            let _e632 = select(_e603, _e601, (_e601 < _e603));
+                                            let _e634 = select(_e630, _e626, (_e626 > _e630));
+                                            let _e636 = select(_e632, _e628, (_e628 > _e632));
+                                            let _e638 = select(_e618, _e634, (_e634 > _e618));
+                                            let _e640 = select(_e620, _e636, (_e636 > _e620));
+                                            let _e642 = select(_e589, _e587, (_e587 > _e589));
+                                            let _e644 = select(_e590, _e588, (_e588 > _e590));
+                                            let _e646 = select(_e602, _e600, (_e600 > _e602));
+                                            let _e648 = select(_e603, _e601, (_e601 > _e603));
+                                            let _e650 = select(_e646, _e642, (_e642 < _e646));
+                                            let _e652 = select(_e648, _e644, (_e644 < _e648));
+                                            let _e657 = -(_e618);
+                                            let _e658 = -(_e620);
+                                            let _e665 = (select(_e622, _e650, (_e650 < _e622)) + (select(_e657, _e622, (_e622 > _e657)) * 0.0000019073523f));
+                                            let _e666 = (select(_e624, _e652, (_e652 < _e624)) + (select(_e658, _e624, (_e624 > _e658)) * 0.0000019073523f));
+                                            let _e668 = select(_e481, _e638, (_e638 > _e481));
+                                            let _e670 = select(_e481, _e640, (_e640 > _e481));
+                                            let _e675 = (_e668 <= select(_e491.member, _e665, (_e665 < _e491.member)));
+                                            let _e676 = (_e670 <= select(_e491.member, _e666, (_e666 < _e491.member)));
+                                            let _e677 = (_e668 <= _e670);
+                                            if _e675 {
+                                                if _e676 {
+                                                    if _e677 {
+                                                        phi_2592_ = _e575.member_2;
                                                     } else {
-                                                        phi_2582_ = _e566.member_1;
+                                                        phi_2592_ = _e575.member_1;
                                                     }
-                                                    let _e672 = phi_2582_;
-                                                    let _e673 = (_e509 % 128u);
-                                                    let _e674 = (_e673 < 128u);
-                                                    if _e674 {
+                                                    let _e681 = phi_2592_;
+                                                    let _e682 = (_e518 % 128u);
+                                                    let _e683 = (_e682 < 128u);
+                                                    if _e683 {
                                                     } else {
-                                                        phi_2847_ = true;
+                                                        phi_2863_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e673] = _e672;
-                                                    if _e674 {
+                                                    local_1[_e682] = _e681;
+                                                    if _e683 {
                                                     } else {
-                                                        phi_2847_ = true;
+                                                        phi_2863_ = true;
                                                         break;
                                                     }
-                                                    local[_e673] = select(_e661, _e659, (_e659 > _e661));
-                                                    if _e668 {
-                                                        phi_2609_ = _e566.member_1;
+                                                    local[_e682] = select(_e670, _e668, (_e668 > _e670));
+                                                    if _e677 {
+                                                        phi_2619_ = _e575.member_1;
                                                     } else {
-                                                        phi_2609_ = _e566.member_2;
+                                                        phi_2619_ = _e575.member_2;
                                                     }
-                                                    let _e683 = phi_2609_;
-                                                    phi_2610_ = _e683;
-                                                    phi_2611_ = (_e509 + 1u);
+                                                    let _e692 = phi_2619_;
+                                                    phi_2620_ = _e692;
+                                                    phi_2621_ = (_e518 + 1u);
                                                 } else {
-                                                    phi_2610_ = u32();
-                                                    phi_2611_ = u32();
+                                                    phi_2620_ = u32();
+                                                    phi_2621_ = u32();
                                                 }
-                                                let _e685 = phi_2610_;
-                                                let _e687 = phi_2611_;
-                                                phi_2613_ = _e685;
-                                                phi_2614_ = _e687;
-                                                phi_2615_ = select(true, false, _e667);
+                                                let _e694 = phi_2620_;
+                                                let _e696 = phi_2621_;
+                                                phi_2623_ = _e694;
+                                                phi_2624_ = _e696;
+                                                phi_2625_ = select(true, false, _e676);
                                             } else {
-                                                phi_2613_ = u32();
-                                                phi_2614_ = u32();
-                                                phi_2615_ = true;
+                                                phi_2623_ = u32();
+                                                phi_2624_ = u32();
+                                                phi_2625_ = true;
                                             }
-                                            let _e690 = phi_2613_;
-                                            let _e692 = phi_2614_;
-                                            let _e694 = phi_2615_;
-                                            if _e694 {
-                                                if _e666 {
-                                                    phi_2624_ = _e566.member_1;
+                                            let _e699 = phi_2623_;
+                                            let _e701 = phi_2624_;
+                                            let _e703 = phi_2625_;
+                                            if _e703 {
+                                                if _e675 {
+                                                    phi_2634_ = _e575.member_1;
                                                 } else {
-                                                    phi_2624_ = _e566.member_2;
+                                                    phi_2634_ = _e575.member_2;
                                                 }
-                                                let _e698 = phi_2624_;
-                                                phi_2629_ = _e698;
-                                                phi_2630_ = select(_e667, true, _e666);
+                                                let _e707 = phi_2634_;
+                                                phi_2639_ = _e707;
+                                                phi_2640_ = select(_e676, true, _e675);
                                             } else {
-                                                phi_2629_ = _e690;
-                                                phi_2630_ = _e507;
+                                                phi_2639_ = _e699;
+                                                phi_2640_ = _e516;
                                             }
-                                            let _e701 = phi_2629_;
-                                            let _e703 = phi_2630_;
-                                            phi_2851_ = _e480;
-                                            phi_2632_ = _e482;
-                                            phi_2633_ = _e701;
-                                            phi_2634_ = _e703;
-                                            phi_2635_ = select(_e692, _e509, _e694);
+                                            let _e710 = phi_2639_;
+                                            let _e712 = phi_2640_;
+                                            phi_2867_ = _e489;
+                                            phi_2642_ = _e491;
+                                            phi_2643_ = _e710;
+                                            phi_2644_ = _e712;
+                                            phi_2645_ = select(_e701, _e518, _e703);
                                         }
-                                        let _e1334 = phi_2851_;
-                                        let _e1336 = phi_2632_;
-                                        let _e1338 = phi_2633_;
-                                        let _e1340 = phi_2634_;
-                                        let _e1342 = phi_2635_;
-                                        phi_2850_ = _e1334;
-                                        phi_2636_ = _e1336;
-                                        phi_2637_ = _e1338;
-                                        phi_2638_ = (_e486 - 1u);
-                                        phi_2639_ = _e1340;
-                                        phi_2640_ = _e1342;
+                                        let _e1343 = phi_2867_;
+                                        let _e1345 = phi_2642_;
+                                        let _e1347 = phi_2643_;
+                                        let _e1349 = phi_2644_;
+                                        let _e1351 = phi_2645_;
+                                        phi_2866_ = _e1343;
+                                        phi_2646_ = _e1345;
+                                        phi_2647_ = _e1347;
+                                        phi_2648_ = (_e495 - 1u);
+                                        phi_2649_ = _e1349;
+                                        phi_2650_ = _e1351;
                                     } else {
-                                        phi_2850_ = _e480;
-                                        phi_2636_ = _e482;
-                                        phi_2637_ = _e505;
-                                        phi_2638_ = _e486;
-                                        phi_2639_ = _e507;
-                                        phi_2640_ = _e509;
+                                        phi_2866_ = _e489;
+                                        phi_2646_ = _e491;
+                                        phi_2647_ = _e514;
+                                        phi_2648_ = _e495;
+                                        phi_2649_ = _e516;
+                                        phi_2650_ = _e518;
                                     }
-                                    let _e1344 = phi_2850_;
-                                    let _e1346 = phi_2636_;
-                                    let _e1348 = phi_2637_;
-                                    let _e1350 = phi_2638_;
-                                    let _e1352 = phi_2639_;
-                                    let _e1354 = phi_2640_;
-                                    phi_2849_ = _e1344;
-                                    phi_2641_ = _e1346;
-                                    phi_2642_ = _e1348;
-                                    phi_2643_ = _e1350;
-                                    phi_2644_ = _e1352;
-                                    phi_2645_ = _e1354;
+                                    let _e1353 = phi_2866_;
+                                    let _e1355 = phi_2646_;
+                                    let _e1357 = phi_2647_;
+                                    let _e1359 = phi_2648_;
+                                    let _e1361 = phi_2649_;
+                                    let _e1363 = phi_2650_;
+                                    phi_2865_ = _e1353;
+                                    phi_2651_ = _e1355;
+                                    phi_2652_ = _e1357;
+                                    phi_2653_ = _e1359;
+                                    phi_2654_ = _e1361;
+                                    phi_2655_ = _e1363;
                                 } else {
-                                    phi_2849_ = _e480;
-                                    phi_2641_ = type_54();
-                                    phi_2642_ = u32();
-                                    phi_2643_ = u32();
-                                    phi_2644_ = bool();
-                                    phi_2645_ = u32();
+                                    phi_2865_ = _e489;
+                                    phi_2651_ = type_54();
+                                    phi_2652_ = u32();
+                                    phi_2653_ = u32();
+                                    phi_2654_ = bool();
+                                    phi_2655_ = u32();
                                 }
-                                let _e1356 = phi_2849_;
-                                let _e1358 = phi_2641_;
-                                let _e1360 = phi_2642_;
-                                let _e1362 = phi_2643_;
-                                let _e1364 = phi_2644_;
-                                let _e1366 = phi_2645_;
-                                phi_2848_ = _e1356;
-                                phi_1063_ = _e1358;
-                                phi_1066_ = _e1360;
-                                phi_1068_ = _e1362;
-                                phi_1070_ = _e1364;
-                                phi_1072_ = _e1366;
-                                phi_2646_ = _e494;
+                                let _e1365 = phi_2865_;
+                                let _e1367 = phi_2651_;
+                                let _e1369 = phi_2652_;
+                                let _e1371 = phi_2653_;
+                                let _e1373 = phi_2654_;
+                                let _e1375 = phi_2655_;
+                                phi_2864_ = _e1365;
+                                phi_1073_ = _e1367;
+                                phi_1076_ = _e1369;
+                                phi_1078_ = _e1371;
+                                phi_1080_ = _e1373;
+                                phi_1082_ = _e1375;
+                                phi_2656_ = _e503;
                             } else {
-                                phi_2848_ = _e480;
-                                phi_1063_ = type_54();
-                                phi_1066_ = u32();
-                                phi_1068_ = u32();
-                                phi_1070_ = bool();
-                                phi_1072_ = u32();
-                                phi_2646_ = false;
+                                phi_2864_ = _e489;
+                                phi_1073_ = type_54();
+                                phi_1076_ = u32();
+                                phi_1078_ = u32();
+                                phi_1080_ = bool();
+                                phi_1082_ = u32();
+                                phi_2656_ = false;
                             }
-                            let _e1368 = phi_2848_;
-                            let _e1370 = phi_1063_;
-                            let _e1372 = phi_1066_;
-                            let _e1374 = phi_1068_;
-                            let _e1376 = phi_1070_;
-                            let _e1378 = phi_1072_;
-                            let _e1380 = phi_2646_;
+                            let _e1377 = phi_2864_;
+                            let _e1379 = phi_1073_;
+                            let _e1381 = phi_1076_;
+                            let _e1383 = phi_1078_;
+                            let _e1385 = phi_1080_;
+                            let _e1387 = phi_1082_;
+                            let _e1389 = phi_2656_;
                             continue;
                             continuing {
-                                phi_2722_ = _e1368;
-                                phi_1062_ = _e1370;
-                                phi_1065_ = _e1372;
-                                phi_1067_ = _e1374;
-                                phi_1069_ = _e1376;
-                                phi_1071_ = _e1378;
-                                phi_2847_ = _e1368;
-                                break if !(_e1380);
+                                phi_2732_ = _e1377;
+                                phi_1072_ = _e1379;
+                                phi_1075_ = _e1381;
+                                phi_1077_ = _e1383;
+                                phi_1079_ = _e1385;
+                                phi_1081_ = _e1387;
+                                phi_2863_ = _e1377;
+                                break if !(_e1389);
                             }
                         }
-                        let _e1383 = phi_2847_;
-                        if _e1383 {
+                        let _e1392 = phi_2863_;
+                        if _e1392 {
                             break;
                         }
-                        let _e1385 = local_3;
-                        if _e1385.member_1 {
+                        let _e1394 = local_3;
+                        if _e1394.member_1 {
                         } else {
+                            if _e95 {
+                            } else {
+                                break;
+                            }
+                            let _e1398 = global_9.member[_e93];
                             if _e94 {
                             } else {
                                 break;
                             }
-                            let _e1389 = global_9.member[_e92];
-                            if _e93 {
+                            let _e1402 = global_8.member[_e93].member_1;
+                            if _e95 {
                             } else {
                                 break;
                             }
-                            let _e1393 = global_8.member[_e92].member_1;
-                            if _e94 {
-                            } else {
-                                break;
-                            }
-                            global_9.member[_e92] = type_30(_e1389.member, _e1389.member_1, _e1389.member_2, array<f32, 3>((_e1389.member_3[0] + (_e1393[0] * _e1389.member_1[0])), (_e1389.member_3[1] + (_e1393[1] * _e1389.member_1[1])), (_e1389.member_3[2] + (_e1393[2] * _e1389.member_1[2]))), _e1389.member_4);
+                            global_9.member[_e93] = type_30(_e1398.member, _e1398.member_1, _e1398.member_2, array<f32, 3>((_e1398.member_3[0] + (_e1402[0] * _e1398.member_1[0])), (_e1398.member_3[1] + (_e1402[1] * _e1398.member_1[1])), (_e1398.member_3[2] + (_e1402[2] * _e1398.member_1[2]))), _e1398.member_4);
                         }
                     }
                 }

@@ -55,244 +55,250 @@ var<storage> global_5: type_26;
 var<storage, read_write> global_6: type_31;
 
 fn function_() {
-    var phi_181_: array<u32, 3>;
-    var phi_196_: array<f32, 3>;
-    var phi_214_: array<f32, 3>;
-    var phi_232_: array<f32, 3>;
-    var phi_315_: array<u32, 3>;
-    var phi_332_: vec3<f32>;
-    var phi_349_: vec3<f32>;
-    var phi_366_: vec3<f32>;
-    var phi_443_: i32;
-    var phi_474_: i32;
-    var phi_493_: vec3<f32>;
-    var phi_576_: i32;
-    var phi_607_: i32;
-    var phi_626_: vec3<f32>;
+    var phi_161_: i32;
+    var phi_185_: array<u32, 3>;
+    var phi_200_: array<f32, 3>;
+    var phi_218_: array<f32, 3>;
+    var phi_236_: array<f32, 3>;
+    var phi_319_: array<u32, 3>;
+    var phi_336_: vec3<f32>;
+    var phi_353_: vec3<f32>;
+    var phi_370_: vec3<f32>;
+    var phi_447_: i32;
+    var phi_478_: i32;
+    var phi_497_: vec3<f32>;
+    var phi_580_: i32;
+    var phi_611_: i32;
+    var phi_630_: vec3<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e29 = global;
-            let _e32 = arrayLength((&global_2.member));
-            let _e37 = arrayLength((&global_4.member));
-            let _e45 = (_e29.x + (_e29.y * 2097152u));
-            let _e46 = (_e45 < arrayLength((&global_6.member)));
-            if _e46 {
-                let _e47 = (_e45 < arrayLength((&global_5.member)));
-                if _e47 {
-                    if _e47 {
+            let _e30 = global;
+            let _e33 = arrayLength((&global_2.member));
+            let _e38 = arrayLength((&global_4.member));
+            let _e46 = (_e30.x + (_e30.y * 2097152u));
+            let _e47 = (_e46 < arrayLength((&global_6.member)));
+            if _e47 {
+                let _e48 = (_e46 < arrayLength((&global_5.member)));
+                if _e48 {
+                    if _e48 {
                     } else {
                         break;
                     }
-                    let _e53 = global_5.member[_e45].member_3;
-                    if (_e53 != 4294967295u) {
-                        if _e46 {
-                        } else {
-                            break;
-                        }
-                        let _e57 = global_6.member[_e45];
+                    let _e54 = global_5.member[_e46].member_3;
+                    if (_e54 != 4294967295u) {
                         if _e47 {
                         } else {
                             break;
                         }
-                        let _e58 = global_5.member[_e45];
-                        let _e61 = global_1.member[0u];
-                        let _e62 = bitcast<i32>(_e61);
-                        let _e63 = (_e62 / 2i);
-                        let _e68 = bitcast<f32>((bitcast<u32>((_e63 + 127i)) << bitcast<u32>(23i)));
-                        let _e74 = bitcast<f32>((bitcast<u32>(((_e62 - _e63) + 127i)) << bitcast<u32>(23i)));
-                        let _e76 = (_e58.member_3 < arrayLength((&global_3.member)));
-                        if _e76 {
-                            if _e76 {
-                            } else {
-                                break;
-                            }
-                            let _e78 = global_3.member[_e58.member_3];
-                            phi_181_ = _e78;
-                        } else {
-                            phi_181_ = array<u32, 3>(0u, 0u, 0u);
-                        }
-                        let _e80 = phi_181_;
-                        let _e82 = (_e80[0] < _e32);
-                        if _e82 {
-                            if _e82 {
-                            } else {
-                                break;
-                            }
-                            let _e84 = global_2.member[_e80[0]];
-                            phi_196_ = _e84;
-                        } else {
-                            phi_196_ = array<f32, 3>(0f, 0f, 0f);
-                        }
-                        let _e86 = phi_196_;
-                        let _e91 = (_e80[1] < _e32);
-                        if _e91 {
-                            if _e91 {
-                            } else {
-                                break;
-                            }
-                            let _e93 = global_2.member[_e80[1]];
-                            phi_214_ = _e93;
-                        } else {
-                            phi_214_ = array<f32, 3>(0f, 0f, 0f);
-                        }
-                        let _e95 = phi_214_;
-                        let _e100 = (_e80[2] < _e32);
-                        if _e100 {
-                            if _e100 {
-                            } else {
-                                break;
-                            }
-                            let _e102 = global_2.member[_e80[2]];
-                            phi_232_ = _e102;
-                        } else {
-                            phi_232_ = array<f32, 3>(0f, 0f, 0f);
-                        }
-                        let _e104 = phi_232_;
-                        let _e109 = ((_e86[0] * _e68) * _e74);
-                        let _e111 = select(_e109, 0f, (_e109 == 0f));
-                        let _e113 = ((_e86[1] * _e68) * _e74);
-                        let _e115 = select(_e113, 0f, (_e113 == 0f));
-                        let _e117 = ((_e86[2] * _e68) * _e74);
-                        let _e119 = select(_e117, 0f, (_e117 == 0f));
-                        let _e121 = ((_e95[0] * _e68) * _e74);
-                        let _e125 = ((_e95[1] * _e68) * _e74);
-                        let _e129 = ((_e95[2] * _e68) * _e74);
-                        let _e133 = ((_e104[0] * _e68) * _e74);
-                        let _e137 = ((_e104[1] * _e68) * _e74);
-                        let _e141 = ((_e104[2] * _e68) * _e74);
-                        if _e76 {
-                            if _e76 {
-                            } else {
-                                break;
-                            }
-                            let _e145 = global_3.member[_e58.member_3];
-                            phi_315_ = _e145;
-                        } else {
-                            phi_315_ = array<u32, 3>(0u, 0u, 0u);
-                        }
-                        let _e147 = phi_315_;
-                        let _e149 = (_e147[0] < _e37);
-                        if _e149 {
-                            if _e149 {
-                            } else {
-                                break;
-                            }
-                            let _e152 = global_4.member[_e147[0]];
-                            phi_332_ = vec3<f32>(_e152[0], _e152[1], _e152[2]);
-                        } else {
-                            phi_332_ = vec3<f32>(0f, 0f, 0f);
-                        }
-                        let _e158 = phi_332_;
-                        let _e160 = (_e147[1] < _e37);
-                        if _e160 {
-                            if _e160 {
-                            } else {
-                                break;
-                            }
-                            let _e163 = global_4.member[_e147[1]];
-                            phi_349_ = vec3<f32>(_e163[0], _e163[1], _e163[2]);
-                        } else {
-                            phi_349_ = vec3<f32>(0f, 0f, 0f);
-                        }
-                        let _e169 = phi_349_;
-                        let _e171 = (_e147[2] < _e37);
-                        if _e171 {
-                            if _e171 {
-                            } else {
-                                break;
-                            }
-                            let _e174 = global_4.member[_e147[2]];
-                            phi_366_ = vec3<f32>(_e174[0], _e174[1], _e174[2]);
-                        } else {
-                            phi_366_ = vec3<f32>(0f, 0f, 0f);
-                        }
-                        let _e180 = phi_366_;
-                        let _e189 = ((1f - _e58.member_1) - _e58.member_2);
-                        let _e191 = select(0f, _e189, (_e189 > 0f));
-                        let _e193 = select(1f, _e58.member_1, (_e58.member_1 < 1f));
-                        let _e195 = select(1f, _e58.member_2, (_e58.member_2 < 1f));
-                        let _e196 = (select(_e121, 0f, (_e121 == 0f)) - _e111);
-                        let _e197 = (select(_e125, 0f, (_e125 == 0f)) - _e115);
-                        let _e198 = (select(_e129, 0f, (_e129 == 0f)) - _e119);
-                        let _e199 = (select(_e133, 0f, (_e133 == 0f)) - _e111);
-                        let _e200 = (select(_e137, 0f, (_e137 == 0f)) - _e115);
-                        let _e201 = (select(_e141, 0f, (_e141 == 0f)) - _e119);
-                        let _e204 = ((_e197 * _e201) - (_e200 * _e198));
-                        let _e207 = ((_e198 * _e199) - (_e201 * _e196));
-                        let _e210 = ((_e196 * _e200) - (_e199 * _e197));
-                        let _e213 = bitcast<f32>((bitcast<u32>(_e204) & 2147483647u));
-                        let _e216 = bitcast<f32>((bitcast<u32>(_e207) & 2147483647u));
-                        let _e218 = select(_e216, _e213, (_e213 > _e216));
-                        let _e221 = bitcast<f32>((bitcast<u32>(_e210) & 2147483647u));
-                        let _e223 = select(_e221, _e218, (_e218 > _e221));
-                        if (_e223 < 0.000000000000000000000000000000000000011754944f) {
-                            phi_493_ = vec3<f32>(0f, 0f, 0f);
-                        } else {
-                            let _e226 = (bitcast<u32>(_e223) & 2147483647u);
-                            let _e227 = (_e226 >= 8388608u);
-                            if _e227 {
-                                phi_443_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
-                            } else {
-                                phi_443_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
-                            }
-                            let _e240 = phi_443_;
-                            let _e247 = bitcast<f32>((bitcast<u32>(((_e240 / -2i) + 127i)) << bitcast<u32>(23i)));
-                            if _e227 {
-                                phi_474_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
-                            } else {
-                                phi_474_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
-                            }
-                            let _e263 = phi_474_;
-                            let _e269 = bitcast<f32>((bitcast<u32>((((_e240 / 2i) - _e263) + 127i)) << bitcast<u32>(23i)));
-                            let _e270 = ((_e204 * _e247) * _e269);
-                            let _e271 = ((_e207 * _e247) * _e269);
-                            let _e272 = ((_e210 * _e247) * _e269);
-                            let _e278 = sqrt((((_e270 * _e270) + (_e271 * _e271)) + (_e272 * _e272)));
-                            phi_493_ = vec3<f32>((_e270 / _e278), (_e271 / _e278), (_e272 / _e278));
-                        }
-                        let _e284 = phi_493_;
-                        let _e294 = select(1f, -1f, ((((_e284.x * _e57.member.member_2[0]) + (_e284.y * _e57.member.member_2[1])) + (_e284.z * _e57.member.member_2[2])) > 0f));
-                        let _e320 = (((_e158.x * _e191) + (_e169.x * _e193)) + (_e180.x * _e195));
-                        let _e321 = (((_e158.y * _e191) + (_e169.y * _e193)) + (_e180.y * _e195));
-                        let _e322 = (((_e158.z * _e191) + (_e169.z * _e193)) + (_e180.z * _e195));
-                        let _e325 = bitcast<f32>((bitcast<u32>(_e320) & 2147483647u));
-                        let _e328 = bitcast<f32>((bitcast<u32>(_e321) & 2147483647u));
-                        let _e330 = select(_e328, _e325, (_e325 > _e328));
-                        let _e333 = bitcast<f32>((bitcast<u32>(_e322) & 2147483647u));
-                        let _e335 = select(_e333, _e330, (_e330 > _e333));
-                        if (_e335 < 0.000000000000000000000000000000000000011754944f) {
-                            phi_626_ = vec3<f32>(0f, 0f, 0f);
-                        } else {
-                            let _e338 = (bitcast<u32>(_e335) & 2147483647u);
-                            let _e339 = (_e338 >= 8388608u);
-                            if _e339 {
-                                phi_576_ = (bitcast<i32>((_e338 >> bitcast<u32>(23i))) - 127i);
-                            } else {
-                                phi_576_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u))));
-                            }
-                            let _e352 = phi_576_;
-                            let _e359 = bitcast<f32>((bitcast<u32>(((_e352 / -2i) + 127i)) << bitcast<u32>(23i)));
-                            if _e339 {
-                                phi_607_ = (bitcast<i32>((_e338 >> bitcast<u32>(23i))) - 127i);
-                            } else {
-                                phi_607_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u))));
-                            }
-                            let _e375 = phi_607_;
-                            let _e381 = bitcast<f32>((bitcast<u32>((((_e352 / 2i) - _e375) + 127i)) << bitcast<u32>(23i)));
-                            let _e382 = ((_e320 * _e359) * _e381);
-                            let _e383 = ((_e321 * _e359) * _e381);
-                            let _e384 = ((_e322 * _e359) * _e381);
-                            let _e390 = sqrt((((_e382 * _e382) + (_e383 * _e383)) + (_e384 * _e384)));
-                            phi_626_ = vec3<f32>((_e382 / _e390), (_e383 / _e390), (_e384 / _e390));
-                        }
-                        let _e396 = phi_626_;
-                        let _e411 = select((_e284 * _e294), (_e396 * _e294), vec3((((((_e396.x * _e294) * (_e284.x * _e294)) + ((_e396.y * _e294) * (_e284.y * _e294))) + ((_e396.z * _e294) * (_e284.z * _e294))) > 0f)));
-                        if _e46 {
+                        let _e58 = global_6.member[_e46];
+                        if _e48 {
                         } else {
                             break;
                         }
-                        global_6.member[_e45] = type_29(_e57.member, _e57.member_1, _e57.member_2, array<f32, 3>((_e57.member_3[0] + (((_e411.x * 0.5f) + 0.5f) * _e57.member_1[0])), (_e57.member_3[1] + (((_e411.y * 0.5f) + 0.5f) * _e57.member_1[1])), (_e57.member_3[2] + (((_e411.z * 0.5f) + 0.5f) * _e57.member_1[2]))), _e57.member_4);
+                        let _e59 = global_5.member[_e46];
+                        let _e62 = global_1.member[0u];
+                        let _e63 = bitcast<i32>(_e62);
+                        if (_e63 < -126i) {
+                            phi_161_ = -126i;
+                        } else {
+                            phi_161_ = select(_e63, 127i, (_e63 > 127i));
+                        }
+                        let _e68 = phi_161_;
+                        let _e73 = bitcast<f32>((bitcast<u32>((_e68 + 127i)) << bitcast<u32>(23i)));
+                        let _e79 = bitcast<f32>((bitcast<u32>(((_e63 - _e68) + 127i)) << bitcast<u32>(23i)));
+                        let _e81 = (_e59.member_3 < arrayLength((&global_3.member)));
+                        if _e81 {
+                            if _e81 {
+                            } else {
+                                break;
+                            }
+                            let _e83 = global_3.member[_e59.member_3];
+                            phi_185_ = _e83;
+                        } else {
+                            phi_185_ = array<u32, 3>(0u, 0u, 0u);
+                        }
+                        let _e85 = phi_185_;
+                        let _e87 = (_e85[0] < _e33);
+                        if _e87 {
+                            if _e87 {
+                            } else {
+                                break;
+                            }
+                            let _e89 = global_2.member[_e85[0]];
+                            phi_200_ = _e89;
+                        } else {
+                            phi_200_ = array<f32, 3>(0f, 0f, 0f);
+                        }
+                        let _e91 = phi_200_;
+                        let _e96 = (_e85[1] < _e33);
+                        if _e96 {
+                            if _e96 {
+                            } else {
+                                break;
+                            }
+                            let _e98 = global_2.member[_e85[1]];
+                            phi_218_ = _e98;
+                        } else {
+                            phi_218_ = array<f32, 3>(0f, 0f, 0f);
+                        }
+                        let _e100 = phi_218_;
+                        let _e105 = (_e85[2] < _e33);
+                        if _e105 {
+                            if _e105 {
+                            } else {
+                                break;
+                            }
+                            let _e107 = global_2.member[_e85[2]];
+                            phi_236_ = _e107;
+                        } else {
+                            phi_236_ = array<f32, 3>(0f, 0f, 0f);
+                        }
+                        let _e109 = phi_236_;
+                        let _e114 = ((_e91[0] * _e73) * _e79);
+                        let _e116 = select(_e114, 0f, (_e114 == 0f));
+                        let _e118 = ((_e91[1] * _e73) * _e79);
+                        let _e120 = select(_e118, 0f, (_e118 == 0f));
+                        let _e122 = ((_e91[2] * _e73) * _e79);
+                        let _e124 = select(_e122, 0f, (_e122 == 0f));
+                        let _e126 = ((_e100[0] * _e73) * _e79);
+                        let _e130 = ((_e100[1] * _e73) * _e79);
+                        let _e134 = ((_e100[2] * _e73) * _e79);
+                        let _e138 = ((_e109[0] * _e73) * _e79);
+                        let _e142 = ((_e109[1] * _e73) * _e79);
+                        let _e146 = ((_e109[2] * _e73) * _e79);
+                        if _e81 {
+                            if _e81 {
+                            } else {
+                                break;
+                            }
+                            let _e150 = global_3.member[_e59.member_3];
+                            phi_319_ = _e150;
+                        } else {
+                            phi_319_ = array<u32, 3>(0u, 0u, 0u);
+                        }
+                        let _e152 = phi_319_;
+                        let _e154 = (_e152[0] < _e38);
+                        if _e154 {
+                            if _e154 {
+                            } else {
+                                break;
+                            }
+                            let _e157 = global_4.member[_e152[0]];
+                            phi_336_ = vec3<f32>(_e157[0], _e157[1], _e157[2]);
+                        } else {
+                            phi_336_ = vec3<f32>(0f, 0f, 0f);
+                        }
+                        let _e163 = phi_336_;
+                        let _e165 = (_e152[1] < _e38);
+                        if _e165 {
+                            if _e165 {
+                            } else {
+                                break;
+                            }
+                            let _e168 = global_4.member[_e152[1]];
+                            phi_353_ = vec3<f32>(_e168[0], _e168[1], _e168[2]);
+                        } else {
+                            phi_353_ = vec3<f32>(0f, 0f, 0f);
+                        }
+                        let _e174 = phi_353_;
+                        let _e176 = (_e152[2] < _e38);
+                        if _e176 {
+                            if _e176 {
+                            } else {
+                                break;
+                            }
+                            let _e179 = global_4.member[_e152[2]];
+                            phi_370_ = vec3<f32>(_e179[0], _e179[1], _e179[2]);
+                        } else {
+                            phi_370_ = vec3<f32>(0f, 0f, 0f);
+                        }
+                        let _e185 = phi_370_;
+                        let _e194 = ((1f - _e59.member_1) - _e59.member_2);
+                        let _e196 = select(0f, _e194, (_e194 > 0f));
+                        let _e198 = select(1f, _e59.member_1, (_e59.member_1 < 1f));
+                        let _e200 = select(1f, _e59.member_2, (_e59.member_2 < 1f));
+                        let _e201 = (select(_e126, 0f, (_e126 == 0f)) - _e116);
+                        let _e202 = (select(_e130, 0f, (_e130 == 0f)) - _e120);
+                        let _e203 = (select(_e134, 0f, (_e134 == 0f)) - _e124);
+                        let _e204 = (select(_e138, 0f, (_e138 == 0f)) - _e116);
+                        let _e205 = (select(_e142, 0f, (_e142 == 0f)) - _e120);
+                        let _e206 = (select(_e146, 0f, (_e146 == 0f)) - _e124);
+                        let _e209 = ((_e202 * _e206) - (_e205 * _e203));
+                        let _e212 = ((_e203 * _e204) - (_e206 * _e201));
+                        let _e215 = ((_e201 * _e205) - (_e204 * _e202));
+                        let _e218 = bitcast<f32>((bitcast<u32>(_e209) & 2147483647u));
+                        let _e221 = bitcast<f32>((bitcast<u32>(_e212) & 2147483647u));
+                        let _e223 = select(_e221, _e218, (_e218 > _e221));
+                        let _e226 = bitcast<f32>((bitcast<u32>(_e215) & 2147483647u));
+                        let _e228 = select(_e226, _e223, (_e223 > _e226));
+                        if (_e228 < 0.000000000000000000000000000000000000011754944f) {
+                            phi_497_ = vec3<f32>(0f, 0f, 0f);
+                        } else {
+                            let _e231 = (bitcast<u32>(_e228) & 2147483647u);
+                            let _e232 = (_e231 >= 8388608u);
+                            if _e232 {
+                                phi_447_ = (bitcast<i32>((_e231 >> bitcast<u32>(23i))) - 127i);
+                            } else {
+                                phi_447_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e231)), 32u, (_e231 == 0u))));
+                            }
+                            let _e245 = phi_447_;
+                            let _e252 = bitcast<f32>((bitcast<u32>(((_e245 / -2i) + 127i)) << bitcast<u32>(23i)));
+                            if _e232 {
+                                phi_478_ = (bitcast<i32>((_e231 >> bitcast<u32>(23i))) - 127i);
+                            } else {
+                                phi_478_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e231)), 32u, (_e231 == 0u))));
+                            }
+                            let _e268 = phi_478_;
+                            let _e274 = bitcast<f32>((bitcast<u32>((((_e245 / 2i) - _e268) + 127i)) << bitcast<u32>(23i)));
+                            let _e275 = ((_e209 * _e252) * _e274);
+                            let _e276 = ((_e212 * _e252) * _e274);
+                            let _e277 = ((_e215 * _e252) * _e274);
+                            let _e283 = sqrt((((_e275 * _e275) + (_e276 * _e276)) + (_e277 * _e277)));
+                            phi_497_ = vec3<f32>((_e275 / _e283), (_e276 / _e283), (_e277 / _e283));
+                        }
+                        let _e289 = phi_497_;
+                        let _e299 = select(1f, -1f, ((((_e289.x * _e58.member.member_2[0]) + (_e289.y * _e58.member.member_2[1])) + (_e289.z * _e58.member.member_2[2])) > 0f));
+                        let _e325 = (((_e163.x * _e196) + (_e174.x * _e198)) + (_e185.x * _e200));
+                        let _e326 = (((_e163.y * _e196) + (_e174.y * _e198)) + (_e185.y * _e200));
+                        let _e327 = (((_e163.z * _e196) + (_e174.z * _e198)) + (_e185.z * _e200));
+                        let _e330 = bitcast<f32>((bitcast<u32>(_e325) & 2147483647u));
+                        let _e333 = bitcast<f32>((bitcast<u32>(_e326) & 2147483647u));
+                        let _e335 = select(_e333, _e330, (_e330 > _e333));
+                        let _e338 = bitcast<f32>((bitcast<u32>(_e327) & 2147483647u));
+                        let _e340 = select(_e338, _e335, (_e335 > _e338));
+                        if (_e340 < 0.000000000000000000000000000000000000011754944f) {
+                            phi_630_ = vec3<f32>(0f, 0f, 0f);
+                        } else {
+                            let _e343 = (bitcast<u32>(_e340) & 2147483647u);
+                            let _e344 = (_e343 >= 8388608u);
+                            if _e344 {
+                                phi_580_ = (bitcast<i32>((_e343 >> bitcast<u32>(23i))) - 127i);
+                            } else {
+                                phi_580_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e343)), 32u, (_e343 == 0u))));
+                            }
+                            let _e357 = phi_580_;
+                            let _e364 = bitcast<f32>((bitcast<u32>(((_e357 / -2i) + 127i)) << bitcast<u32>(23i)));
+                            if _e344 {
+                                phi_611_ = (bitcast<i32>((_e343 >> bitcast<u32>(23i))) - 127i);
+                            } else {
+                                phi_611_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e343)), 32u, (_e343 == 0u))));
+                            }
+                            let _e380 = phi_611_;
+                            let _e386 = bitcast<f32>((bitcast<u32>((((_e357 / 2i) - _e380) + 127i)) << bitcast<u32>(23i)));
+                            let _e387 = ((_e325 * _e364) * _e386);
+                            let _e388 = ((_e326 * _e364) * _e386);
+                            let _e389 = ((_e327 * _e364) * _e386);
+                            let _e395 = sqrt((((_e387 * _e387) + (_e388 * _e388)) + (_e389 * _e389)));
+                            phi_630_ = vec3<f32>((_e387 / _e395), (_e388 / _e395), (_e389 / _e395));
+                        }
+                        let _e401 = phi_630_;
+                        let _e416 = select((_e289 * _e299), (_e401 * _e299), vec3((((((_e401.x * _e299) * (_e289.x * _e299)) + ((_e401.y * _e299) * (_e289.y * _e299))) + ((_e401.z * _e299) * (_e289.z * _e299))) > 0f)));
+                        if _e47 {
+                        } else {
+                            break;
+                        }
+                        global_6.member[_e46] = type_29(_e58.member, _e58.member_1, _e58.member_2, array<f32, 3>((_e58.member_3[0] + (((_e416.x * 0.5f) + 0.5f) * _e58.member_1[0])), (_e58.member_3[1] + (((_e416.y * 0.5f) + 0.5f) * _e58.member_1[1])), (_e58.member_3[2] + (((_e416.z * 0.5f) + 0.5f) * _e58.member_1[2]))), _e58.member_4);
                     }
                 }
             }

@@ -33,7 +33,7 @@ pub struct RenderSettings {
     pub sample_count: u32,
     /// What to show.
     pub view: View,
-    /// How many mirrors a path may meet.
+    /// How many mirrors and surfaces of glass a path may meet.
     pub mirror_depth: u32,
     /// Whether shadow rays also go where there is no light: from surfaces that face away from it, beyond its range, to a
     /// black one. The picture stays the same.
@@ -84,7 +84,7 @@ pub struct RenderReport {
     pub primary_ray_count: u64,
     /// Rays to lights.
     pub shadow_ray_count: u64,
-    /// Rays from mirrors.
+    /// Rays from mirrors and through glass.
     pub mirror_ray_count: u64,
     /// Camera rays that met something.
     pub primary_hit_count: u64,

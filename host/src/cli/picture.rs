@@ -46,7 +46,7 @@ pub struct PictureArguments {
     #[arg(long, value_enum, default_value_t = View::Color)]
     pub view: View,
 
-    /// How many mirrors a ray may meet
+    /// How many mirrors and surfaces of glass a ray may meet
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = |text: &str| options::whole(text, 0..=64))]
     mirror_depth: u32,
 

@@ -1,6 +1,7 @@
 //! `slimbvh reproduce`.
 
 mod aim;
+mod compressed;
 mod layout;
 mod lights;
 mod machine;
@@ -11,6 +12,7 @@ mod report;
 mod rounds;
 mod savings;
 mod scenes;
+mod sheet;
 mod table;
 mod tables;
 mod times;
@@ -25,6 +27,8 @@ use measure::{SceneRecord, measure};
 use protocol::Protocol;
 use report::Report;
 use scenes::Subject;
+use serde::Serialize;
+use sheet::Sheet;
 use std::path::{Path, PathBuf};
 
 /// The environment variable that names the folder of scene files.
@@ -41,6 +45,9 @@ enum Paper {
     /// Reduced trees: tables I to VI of Wong, Cheng and Lii, "Reduced BVHs for GPU Ray Tracing" (2012), ours beside the
     /// printed ones
     Reduced(ReducedArguments),
+    /// Compressed trees: box tests, triangle tests, bytes and times of a paper on compressed hierarchies (after Karras 2012),
+    /// ours beside the printed ones
+    Compressed(compressed::CompressedArguments),
 }
 
 const EXAMPLES: &str = "\
@@ -93,35 +100,42 @@ enum SceneName {
 pub fn run(arguments: &ReproduceArguments) -> Result<()> {
     match &arguments.paper {
         Paper::Reduced(arguments) => reduced(arguments),
+        Paper::Compressed(arguments) => compressed::run(arguments),
     }
 }
 
 fn reduced(arguments: &ReducedArguments) -> Result<()> {
-    check_places(arguments)?;
+    let (out, json) = (arguments.out.as_deref(), arguments.json.as_deref());
+    check_places(arguments.scenes.as_deref(), out, json)?;
     let chosen = choose(&arguments.backend)?;
     let report = arguments.threads.run(|| make(arguments, chosen))??;
-    if !output::is_stdout(arguments.json.as_deref()) {
-        output::print(&report.text())?;
+    hand_out(&report, &report.sheet(), out, json)
+}
+
+/// Prints a report, unless its JSON is printed, and writes the files that are asked for.
+fn hand_out(
+    report: &impl Serialize,
+    sheet: &Sheet,
+    out: Option<&Path>,
+    json: Option<&Path>,
+) -> Result<()> {
+    if !output::is_stdout(json) {
+        output::print(&sheet.text())?;
     }
-    if let Some(path) = &arguments.out {
-        output::write_whole(path, report.markdown().as_bytes())?;
+    if let Some(path) = out {
+        output::write_whole(path, sheet.markdown().as_bytes())?;
     }
-    match &arguments.json {
-        Some(path) => output::write_json(path, &report),
+    match json {
+        Some(path) => output::write_json(path, report),
         None => Ok(()),
     }
 }
 
 /// Tells before the work, not after it, that a file has no place to go, or a folder is not there.
-fn check_places(arguments: &ReducedArguments) -> Result<()> {
-    if let Some(folder) = arguments
-        .scenes
-        .as_deref()
-        .filter(|folder| !folder.is_dir())
-    {
+fn check_places(scenes: Option<&Path>, out: Option<&Path>, json: Option<&Path>) -> Result<()> {
+    if let Some(folder) = scenes.filter(|folder| !folder.is_dir()) {
         bail!("there is no folder {:?}", folder.display().to_string());
     }
-    let out = arguments.out.as_deref();
     if let Some(out) = out {
         let is_markdown = out
             .extension()
@@ -134,10 +148,16 @@ fn check_places(arguments: &ReducedArguments) -> Result<()> {
         }
         output::check_place(out, &[])?;
     }
-    match &arguments.json {
+    match json {
         Some(json) if !output::is_stdout(Some(json)) => output::check_place(json, out.as_slice()),
         _ => Ok(()),
     }
+}
+
+/// The folder of scene files, if there is one.
+fn scenes_folder(asked: Option<&Path>) -> Option<PathBuf> {
+    let variable = || std::env::var_os(SCENES_VARIABLE).map(PathBuf::from);
+    asked.map(Path::to_path_buf).or_else(variable)
 }
 
 /// Measures on what was chosen.
@@ -167,13 +187,12 @@ fn measure_all(
     chosen: &Chosen,
     protocol: &Protocol,
 ) -> Result<Vec<SceneRecord>> {
-    let variable = std::env::var_os(SCENES_VARIABLE).map(PathBuf::from);
-    let folder: Option<&Path> = arguments.scenes.as_deref().or(variable.as_deref());
+    let folder = scenes_folder(arguments.scenes.as_deref());
     let measure_one = |name: SceneName| {
         let shown = name.to_possible_value();
         let shown = shown.as_ref().map_or("scene", |value| value.get_name());
         let _progress = output::spinner(format!("measuring {shown}"));
-        let subject = Subject::new(name, folder, protocol.size)?;
+        let subject = Subject::new(name, folder.as_deref(), protocol.size)?;
         measure(subject, chosen, protocol, name == SceneName::Armadillo)
     };
     arguments.names().into_iter().map(measure_one).collect()

@@ -221,7 +221,7 @@ impl Renderer {
         });
     }
 
-    /// Gathers light, and follows mirrors to the given depth.
+    /// Gathers light, and follows mirrors and glass to the given depth.
     fn shade(
         &mut self,
         stage: &Stage,
@@ -300,7 +300,7 @@ impl Renderer {
         ray_count.into_inner()
     }
 
-    /// Ends paths, or sends them on at mirrors. Returns how many go on.
+    /// Ends paths, or sends them on at mirrors and through glass. Returns how many go on.
     fn scatter(&mut self, stage: &Stage) -> u64 {
         let blocks = self
             .paths
@@ -465,4 +465,7 @@ impl<'a> Stage<'a> {
 const DEFAULT_MATERIAL: CoreMaterial = CoreMaterial {
     base_color: [0.8; 3],
     mirror: 0.0,
+    transmission: 0.0,
+    ior: 1.0,
+    padding: [0; 2],
 };

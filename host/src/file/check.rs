@@ -22,8 +22,8 @@ pub fn check(scene: &Scene, bvh: &Bvh, framing: Option<Aabb>) -> Result<(), Cont
         });
     }
     for (material, it) in scene.materials.iter().enumerate() {
-        let mut shares = it.base_color.iter().chain([&it.mirror]);
-        if !shares.all(|share| (0.0..=1.0).contains(share)) {
+        let mut shares = it.base_color.iter().chain([&it.mirror, &it.transmission]);
+        if !shares.all(|share| (0.0..=1.0).contains(share)) || !it.ior.is_finite() {
             return Err(ContentError::Material { material });
         }
     }

@@ -170,7 +170,9 @@ pub enum ContentError {
         count: usize,
     },
     /// A material has a number that is no share.
-    #[error("material {material} has a color or a mirror's share that is not from 0 to 1")]
+    #[error(
+        "material {material} has a color, a mirror's share or a share that passes that is not from 0 to 1, or no index of refraction"
+    )]
     Material {
         /// Which, counted from 0.
         material: usize,

@@ -21,7 +21,7 @@ pub struct PartRecord {
     pub triangle_count: u32,
 }
 
-/// A material. 16 bytes.
+/// A material. 32 bytes.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub struct MaterialRecord {
@@ -29,13 +29,24 @@ pub struct MaterialRecord {
     base_color: [f32; 3],
     /// Bytes 12–15.
     mirror: f32,
+    /// Bytes 16–19.
+    transmission: f32,
+    /// Bytes 20–23.
+    ior: f32,
+    /// Bytes 24–31: zeros.
+    zeros: [u32; 2],
 }
+
+const _: () = assert!(size_of::<MaterialRecord>() == 32);
 
 impl From<&Material> for MaterialRecord {
     fn from(material: &Material) -> Self {
         Self {
             base_color: material.base_color,
             mirror: material.mirror,
+            transmission: material.transmission,
+            ior: material.ior,
+            zeros: [0; 2],
         }
     }
 }
@@ -45,6 +56,8 @@ impl From<&MaterialRecord> for Material {
         Self {
             base_color: record.base_color,
             mirror: record.mirror,
+            transmission: record.transmission,
+            ior: record.ior,
         }
     }
 }

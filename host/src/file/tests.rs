@@ -73,6 +73,8 @@ fn scene(subdivisions: u32) -> Scene {
             Material {
                 base_color: [0.25, 1.0, 0.0],
                 mirror: 0.5,
+                transmission: 0.75,
+                ior: 1.5,
             },
         ],
         cameras: vec![camera, parallel],

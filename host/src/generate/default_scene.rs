@@ -38,6 +38,7 @@ pub fn default_scene() -> Scene {
         scene.materials.push(Material {
             base_color: object.base_color,
             mirror: object.mirror,
+            ..Material::default()
         });
     }
     scene

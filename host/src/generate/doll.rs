@@ -28,10 +28,12 @@ pub fn doll(subdivisions: u32) -> Scene {
             Material {
                 base_color: [0.78, 0.55, 0.32],
                 mirror: 0.03,
+                ..Material::default()
             },
             Material {
                 base_color: [0.42, 0.24, 0.12],
                 mirror: 0.06,
+                ..Material::default()
             },
         ],
         cameras: vec![Camera {

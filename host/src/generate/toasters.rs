@@ -66,7 +66,12 @@ const MATERIALS: [Material; 6] = [
 ];
 
 const fn material(base_color: [f32; 3], mirror: f32) -> Material {
-    Material { base_color, mirror }
+    Material {
+        base_color,
+        mirror,
+        transmission: 0.0,
+        ior: 1.0,
+    }
 }
 
 /// The parts of a toaster that stands on the origin, front to +z, its lever on the end at +x, and what they are made of.

@@ -65,10 +65,12 @@ pub fn twenty_four_cell(measures: &TwentyFourCell) -> Scene {
             Material {
                 base_color: [0.10, 0.32, 0.40],
                 mirror: 0.1,
+                ..Material::default()
             },
             Material {
                 base_color: [0.72, 0.45, 0.14],
                 mirror: 0.15,
+                ..Material::default()
             },
         ],
         cameras: vec![Camera {

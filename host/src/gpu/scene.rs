@@ -88,6 +88,9 @@ impl Scene {
     }
 }
 
+/// Whether paths may go on, at mirrors or through glass.
 fn has_mirrors(materials: &[CoreMaterial]) -> bool {
-    materials.iter().any(|material| material.mirror > 0.0)
+    materials
+        .iter()
+        .any(|material| material.onward_share() > 0.0)
 }

@@ -56,7 +56,7 @@ pub struct Trees<'a> {
     pub primary: Tree<'a>,
     /// For shadow rays, one for each light.
     pub lights: Vec<Tree<'a>>,
-    /// For rays from mirrors: all triangles count. None where the scene has none.
+    /// For rays from mirrors and glass: all triangles count. None where the scene has none.
     pub mirrors: Option<&'a Bvh>,
 }
 

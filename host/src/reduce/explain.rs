@@ -95,7 +95,7 @@ impl Plan<'_> {
         let used_by = |aim: &&Aim| aim.choice == Choice::Whole;
         let mut users: Vec<String> = self.aims.iter().filter(used_by).map(Aim::name).collect();
         if self.has_mirrors {
-            users.push("mirrors".to_owned());
+            users.push("mirrors and glass".to_owned());
         }
         if self.needs_whole {
             format!("is built, for {}", users.join(", "))

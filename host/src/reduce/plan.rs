@@ -22,7 +22,7 @@ pub struct Plan<'a> {
     pub aims: Vec<Aim>,
     /// Whether the whole tree is built.
     pub needs_whole: bool,
-    /// Whether rays from mirrors are traced, through the whole tree.
+    /// Whether rays from mirrors and glass are traced, through the whole tree.
     pub has_mirrors: bool,
     /// How many triangles the mesh has.
     pub triangle_count: usize,
@@ -105,7 +105,7 @@ impl<'a> Plan<'a> {
             }
             look.measure(camera);
         }
-        // Where paths leave mirrors nobody knows from where shadow rays start.
+        // Where paths leave mirrors, or are inside of glass, nobody knows from where shadow rays start.
         let eye_sides = aims.iter().map(|camera| camera.sides.clone()).next();
         let eye_sides = eye_sides.filter(|_| savings.has(Saving::Away) && !has_mirrors);
         let cost_ms = |aim: &Aim| decide::set_cost_ms(&candidate(aim), asked);
@@ -254,13 +254,13 @@ impl Look<'_> {
     }
 }
 
-/// Whether any path may go on at a mirror.
+/// Whether any path may go on, at a mirror or through glass.
 fn has_mirrors(asked: &Asked) -> bool {
     let mut materials = asked.scene.materials.iter();
     let settings = asked.settings;
     settings.view == View::Color
         && settings.mirror_depth > 0
-        && materials.any(|material| material.mirror > 0.0)
+        && materials.any(|material| material.mirror > 0.0 || material.transmission > 0.0)
 }
 
 /// The rays that there are, for the model of costs.

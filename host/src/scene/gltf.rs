@@ -147,7 +147,7 @@ impl Flat<'_> {
     }
 }
 
-/// The base colour; a smooth metal as a mirror.
+/// The base colour; a smooth metal as a mirror; what transmits as glass, rough or not.
 fn convert(material: &::gltf::Material<'_>) -> Material {
     const LEAST_METALLIC: f32 = 0.5;
     const MOST_ROUGH: f32 = 0.2;
@@ -160,5 +160,10 @@ fn convert(material: &::gltf::Material<'_>) -> Material {
             true => share(pbr.metallic_factor()),
             false => 0.0,
         },
+        transmission: match material.transmission() {
+            Some(glass) => share(glass.transmission_factor()),
+            None => 0.0,
+        },
+        ior: material.ior().unwrap_or(Material::default().ior),
     }
 }

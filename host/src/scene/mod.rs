@@ -57,13 +57,20 @@ pub struct Scene {
     pub dropped_face_count: usize,
 }
 
-/// Lambert reflection, with a mirror's share.
+/// Lambert reflection, with a share for a mirror, or for glass.
+///
+/// Glass bends what passes through it (Snell), and mirrors it inside where it must. It reflects nothing outside, and stops
+/// light like any other surface: what is behind it lies in its shadow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Linear RGB, each 0 to 1.
+    /// Linear RGB, each 0 to 1. Of glass, also the share of each channel that passes a surface.
     pub base_color: [f32; 3],
-    /// Share of light that is reflected as by a mirror, 0 to 1.
+    /// Share of light that is reflected as by a mirror, 0 to 1. Of glass it does not count.
     pub mirror: f32,
+    /// Share of light that passes through, 0 to 1; above 0 for glass.
+    pub transmission: f32,
+    /// Index of refraction behind the front side, as a multiple of that before it. What is not above 0 counts as 1.
+    pub ior: f32,
 }
 
 impl Default for Material {
@@ -71,6 +78,8 @@ impl Default for Material {
         Self {
             base_color: [0.8, 0.8, 0.8],
             mirror: 0.0,
+            transmission: 0.0,
+            ior: 1.5,
         }
     }
 }

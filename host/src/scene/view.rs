@@ -394,6 +394,13 @@ impl Scene {
         let to_core = |material: &Material| slimbvh_core::shade::Material {
             base_color: material.base_color,
             mirror: material.mirror,
+            transmission: material.transmission,
+            ior: if material.ior > 0.0 && material.ior.is_finite() {
+                material.ior
+            } else {
+                1.0
+            },
+            padding: [0; 2],
         };
         if self.materials.is_empty() {
             vec![to_core(&Material::default())]

@@ -182,7 +182,14 @@ fn the_whole_tree_is_built_for_what_needs_it() {
     }];
     let (choices, needs_whole, said) = decided(&asked(&mirror, &settings, on, 1));
     assert_eq!((choices, needs_whole), (vec![Choice::Set], true));
-    assert!(said.contains("whole tree: is built, for mirrors"));
+    assert!(said.contains("whole tree: is built, for mirrors and glass"));
+    // Glass, in which paths begin inside of components.
+    let mut glass = mirror.clone();
+    glass.materials = vec![Material {
+        transmission: 0.5,
+        ..Material::default()
+    }];
+    assert!(decided(&asked(&glass, &settings, on, 1)).1);
     let settings = RenderSettings {
         mirror_depth: 0,
         ..settings
@@ -325,6 +332,10 @@ fn the_cheaper_half_counts_where_all_rays_start_outside() {
         ..Material::default()
     }];
     assert_eq!(half(&mirror, on).0, Half::Toward);
+    let mut glass = mirror;
+    glass.materials[0].mirror = 0.0;
+    glass.materials[0].transmission = 0.5;
+    assert_eq!(half(&glass, on).0, Half::Toward);
 }
 
 #[test]

@@ -136,8 +136,8 @@ const STAGES: &[Stage] = &[
     },
     Stage {
         name: "shade",
-        what: "light, shadow rays, mirrors",
-        core: &["shade", "light", "surface"],
+        what: "light, shadow rays, mirrors, glass",
+        core: &["shade", "light", "surface", "material"],
         shaders: &["shade"],
         cpu: &["render"],
         gpu: &["render/wave"],

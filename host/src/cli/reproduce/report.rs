@@ -3,13 +3,12 @@
 use super::ReducedArguments;
 use super::measure::SceneRecord;
 use super::protocol::Protocol;
-use super::table::wrap;
+use super::sheet::{Sheet, processor};
 use super::tables::tables;
 use super::verdicts::{Verdict, verdicts};
 use crate::cli::backend::Chosen;
 use crate::cli::output::{count, things};
 use serde::Serialize;
-use std::fmt::Write;
 
 /// Everything that was measured.
 #[derive(Serialize)]
@@ -55,53 +54,16 @@ impl Report {
         }
     }
 
-    /// For a terminal.
-    pub fn text(&self) -> String {
-        let mut text = format!(
-            "Reduced trees, beside the figures of the paper\n{}\n",
-            self.paper
-        );
-        for (name, value) in self.head() {
-            let mut value_text = String::new();
-            wrap(&mut value_text, &value, 88);
-            for (i, line) in value_text.lines().enumerate() {
-                let name = if i == 0 { name } else { "" };
-                let _ = writeln!(text, "{name:<10} {line}");
-            }
+    /// As it is printed.
+    pub fn sheet(&self) -> Sheet<'_> {
+        Sheet {
+            title: "Reduced trees, beside the figures of the paper",
+            paper: self.paper,
+            head: self.head(),
+            scope: "for scenes whose triangles are spread evenly over closed surfaces",
+            verdicts: &self.verdicts,
+            tables: tables(&self.scenes),
         }
-        for table in tables(&self.scenes) {
-            let _ = write!(text, "\n{}", table.text());
-        }
-        let _ = writeln!(
-            text,
-            "\nTargets, for scenes whose triangles are spread evenly over closed surfaces"
-        );
-        for verdict in &self.verdicts {
-            let _ = writeln!(text, "  {}", verdict.line());
-        }
-        text
-    }
-
-    /// For a Markdown file.
-    pub fn markdown(&self) -> String {
-        let mut text = format!(
-            "# Reduced trees, beside the figures of the paper\n\n{}.\n\n| | |\n|---|---|\n",
-            self.paper
-        );
-        for (name, value) in self.head() {
-            let _ = writeln!(text, "| {name} | {value} |");
-        }
-        let _ = writeln!(
-            text,
-            "\n## Targets\n\nFor scenes whose triangles are spread evenly over closed surfaces.\n"
-        );
-        for verdict in &self.verdicts {
-            let _ = writeln!(text, "- {}", verdict.line());
-        }
-        for table in tables(&self.scenes) {
-            let _ = write!(text, "\n{}", table.markdown());
-        }
-        text
     }
 
     /// What must be known to read the tables.
@@ -191,15 +153,4 @@ fn adapter(gpu: &slimbvh::gpu::Gpu) -> String {
         }
         _ => name.to_owned(),
     }
-}
-
-/// The processor's name, as Linux tells it.
-fn processor() -> String {
-    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let line = text.lines().find(|line| line.starts_with("model name"));
-    let name = line.and_then(|line| line.split_once(':'));
-    name.map_or_else(
-        || "this machine's cores".into(),
-        |(_, name)| name.trim().to_owned(),
-    )
 }

@@ -21,26 +21,26 @@ pub struct Subject {
 }
 
 /// A scene from a file, or what stands in for it.
-struct Source {
-    file: &'static str,
-    stand_in: fn() -> Mesh,
-    what: &'static str,
+pub struct Source {
+    pub file: &'static str,
+    pub stand_in: fn() -> Mesh,
+    pub what: &'static str,
 }
 
 const ARMADILLO: Source = Source {
     file: "armadillo.off",
-    stand_in: dented_ball,
+    stand_in: || dented_ball(6),
     what: "a dented ball",
 };
 
-const DRAGON: Source = Source {
+pub const DRAGON: Source = Source {
     file: "dragon.ply",
     stand_in: knot,
     what: "a torus knot",
 };
 
 /// Triangles of the dragon. Nothing is printed of it.
-const DRAGON_TRIANGLES: usize = 871_414;
+pub const DRAGON_TRIANGLES: usize = 871_414;
 
 impl Subject {
     /// Makes a scene, and takes stock of its surfaces.
@@ -79,7 +79,7 @@ impl Subject {
 }
 
 impl Source {
-    fn load(&self, folder: Option<&Path>, note: &mut Option<String>) -> Result<Scene> {
+    pub fn load(&self, folder: Option<&Path>, note: &mut Option<String>) -> Result<Scene> {
         let path: Option<PathBuf> = folder.map(|folder| folder.join(self.file));
         if let Some(path) = path.filter(|path| path.exists()) {
             return Ok(load(&path, &LoadOptions::default())?);
@@ -96,8 +96,8 @@ impl Source {
 }
 
 /// A closed surface with valleys, which throws shadows on itself.
-fn dented_ball() -> Mesh {
-    let mut mesh = generate::icosphere(glam::Vec3::ZERO, 1.0, 6);
+pub fn dented_ball(subdivisions: u32) -> Mesh {
+    let mut mesh = generate::icosphere(glam::Vec3::ZERO, 1.0, subdivisions);
     for vertex in &mut mesh.vertices {
         let [x, y, z] = *vertex;
         let dent = (5.0 * x).sin() * (6.0 * y + 1.0).sin() * (4.0 * z + 2.0).sin();

@@ -25,7 +25,7 @@ pub fn tables(records: &[SceneRecord]) -> Vec<Table> {
 }
 
 /// Stands where nothing is printed or measured.
-const NOTHING: &str = "–";
+pub const NOTHING: &str = "–";
 
 fn sizes(records: &[SceneRecord]) -> Table {
     let mut rows = Vec::new();
@@ -130,7 +130,7 @@ fn nothing(record: &SceneRecord, columns: usize) -> Vec<String> {
 }
 
 /// A time that may be of any length.
-fn time(ms: f64) -> String {
+pub fn time(ms: f64) -> String {
     match ms {
         ms if ms.is_nan() => NOTHING.to_owned(),
         ms if ms >= 1000.0 => format!("{ms:.0}"),
@@ -139,7 +139,7 @@ fn time(ms: f64) -> String {
     }
 }
 
-fn ratio(value: f64) -> String {
+pub fn ratio(value: f64) -> String {
     if value.is_nan() {
         NOTHING.to_owned()
     } else {
@@ -147,6 +147,6 @@ fn ratio(value: f64) -> String {
     }
 }
 
-fn percent(share: f64) -> String {
+pub fn percent(share: f64) -> String {
     format!("{:.0} %", 100.0 * share)
 }

@@ -94,7 +94,7 @@ fn shadow_ray(scene: &Scene, scale: &PowerOfTwo, ray: &Ray, hit: &Hit, light: &L
     let surface = Surface::new(triangle, hit, direction, [glam::Vec3::ZERO; 3]);
     let material = slimbvh_core::shade::Material {
         base_color: [1.0; 3],
-        mirror: 0.0,
+        ..Default::default()
     };
     direct_light(&surface, hit.primitive, &material, light)
 }

@@ -134,7 +134,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Gathers light, and follows mirrors.
+    /// Gathers light, and follows mirrors and glass.
     fn record_light(&self, recorder: &mut Recorder, wave: &Wave) {
         let samples = u64::from(wave.sample_count);
         let all = &self.buffers;

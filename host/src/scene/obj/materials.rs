@@ -37,18 +37,34 @@ fn is_readable(line: &str) -> bool {
     let mut words = line.split_whitespace();
     match words.next() {
         Some("newmtl") => words.next().is_some(),
-        Some("Kd" | "Ks") => {
-            let numbers = words.take(3).filter(|word| word.parse::<f32>().is_ok());
-            numbers.count() == 3
-        }
+        Some("Kd" | "Ks" | "Tf") => color(words).is_some(),
+        Some("Ni") => words.next().is_some_and(|word| word.parse::<f32>().is_ok()),
         Some("illum") => words.next().is_some_and(|word| word.parse::<u8>().is_ok()),
         _ => false,
     }
 }
 
-/// The diffuse colour; the specular one as a mirror if the illumination model is the one with reflection.
+/// Three numbers.
+fn color<'a>(words: impl Iterator<Item = &'a str>) -> Option<[f32; 3]> {
+    let numbers: Vec<f32> = words.take(3).map_while(|word| word.parse().ok()).collect();
+    numbers.try_into().ok()
+}
+
+/// The diffuse colour; the specular one as a mirror if the illumination model is the one with reflection; glass of the
+/// transmission filter's colour if it is one with refraction.
 pub(super) fn convert(material: &tobj::Material) -> Material {
     const REFLECTION: u8 = 3;
+    const REFRACTION: [u8; 2] = [6, 7];
+    if REFRACTION.map(Some).contains(&material.illumination_model) {
+        let filter = material.unknown_param.get("Tf");
+        let filter = filter.and_then(|text| color(text.split_whitespace()));
+        return Material {
+            base_color: filter.map_or([1.0; 3], |filter| filter.map(share)),
+            mirror: 0.0,
+            transmission: 1.0,
+            ior: material.optical_density.unwrap_or(Material::default().ior),
+        };
+    }
     let specular = material.specular.unwrap_or_default();
     let is_mirror = material.illumination_model == Some(REFLECTION);
     Material {
@@ -60,5 +76,6 @@ pub(super) fn convert(material: &tobj::Material) -> Material {
             true => share(specular.into_iter().fold(0.0, f32::max)),
             false => 0.0,
         },
+        ..Material::default()
     }
 }

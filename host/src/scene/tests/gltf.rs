@@ -130,13 +130,35 @@ fn nodes_are_flattened_and_mirrored_ones_turned() {
         [
             Material {
                 base_color: [0.75, 0.5, 0.25],
-                mirror: 0.625
+                mirror: 0.625,
+                ..Material::default()
             },
             Material {
                 base_color: [1.0; 3],
-                mirror: 0.0
+                mirror: 0.0,
+                ..Material::default()
             }
         ]
+    );
+}
+
+#[test]
+fn what_transmits_is_glass() {
+    let scene = load_changed(
+        r#""metallicFactor": 1, "roughnessFactor": 0.5}"#,
+        r#""metallicFactor": 0}, "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.75}, "KHR_materials_ior": {"ior": 1.25}}"#,
+    );
+    let expected = Material {
+        base_color: [1.0; 3],
+        transmission: 0.75,
+        ior: 1.25,
+        ..Material::default()
+    };
+    assert_eq!(scene.materials[1], expected);
+    let plain = load_changed(r#""metallicFactor": 1"#, r#""metallicFactor": 0"#);
+    assert_eq!(
+        (plain.materials[1].transmission, plain.materials[1].ior),
+        (0.0, 1.5)
     );
 }
 

@@ -59,16 +59,38 @@ fn materials_come_from_the_library_beside() {
         [
             Material {
                 base_color: [0.75, 0.25, 0.0],
-                mirror: 0.0
+                mirror: 0.0,
+                ..Material::default()
             },
             Material {
                 base_color: [0.0, 0.5, 1.0],
-                mirror: 0.5
+                mirror: 0.5,
+                ..Material::default()
             },
             Material::default(),
         ]
     );
     assert_eq!(scene.mesh.materials, [2, 2, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1]);
+}
+
+#[test]
+fn glass_comes_from_the_library_too() {
+    let files = Files::with("box.obj", sample());
+    files.put(
+        "box.mtl",
+        "newmtl red\nKd 0.1 0.2 0.3\nTf 0.5 0.75 2\nNi 1.25\nillum 7\nnewmtl mirror\nillum 6\nTf xyz 1 1 1\nNi\n",
+    );
+    let glass = |base_color, ior| Material {
+        base_color,
+        transmission: 1.0,
+        ior,
+        ..Material::default()
+    };
+    let materials = files.load("box.obj").materials;
+    assert_eq!(
+        materials,
+        [glass([0.5, 0.75, 1.0], 1.25), glass([1.0; 3], 1.5)]
+    );
 }
 
 #[test]

@@ -72,3 +72,26 @@ fn gpus_that_are_not_there() {
     let both = [&REDUCED[..], &["--adapter", "x", "--backend", "cpu"]].concat();
     refuses(&folder, &both, &["--adapter", "leave one out"]);
 }
+
+/// The same is refused of either paper.
+#[test]
+fn compressed_trees_without_a_place_or_scenes() {
+    const COMPRESSED: [&str; 3] = ["reproduce", "compressed", "--quick"];
+    let folder = folder();
+    let with = |options: &[&'static str]| [&COMPRESSED[..], options].concat();
+    refuses_usage(
+        &folder,
+        &with(&["--only", "rabbit"]),
+        &["rabbit", "shiny, bunny, dragon, asian-dragon"],
+    );
+    let nowhere = with(&["--scenes", "nowhere"]);
+    refuses(&folder, &nowhere, &["there is no folder", "\"nowhere\""]);
+    let text = with(&["--only", "shiny", "--out", "new.txt"]);
+    refuses(&folder, &text, &["\"new.txt\" does not end in .md"]);
+    let json = with(&["--only", "shiny", "--json", "no folder/new.json"]);
+    refuses(&folder, &json, &["\"no folder\""]);
+    std::fs::create_dir(folder.path().join("models")).unwrap();
+    folder.write("models/bunny00.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
+    let broken = with(&["--scenes", "models", "--only", "bunny"]);
+    refuses(&folder, &broken, &["bunny00.off"]);
+}

@@ -153,3 +153,24 @@ fn help_has_every_option() {
     );
     assert_eq!(folder.succeed(["help", "render"]), render);
 }
+
+#[test]
+fn help_for_compressed_trees() {
+    let folder = Folder::new();
+    let compressed = folder.succeed(["reproduce", "compressed", "--help"]);
+    let expected = [
+        "--help",
+        "--json",
+        "--only",
+        "--out",
+        "--quick",
+        "--scenes",
+        "--threads",
+    ];
+    assert_eq!(options_in(&compressed), expected, "{compressed}");
+    for word in ["asian-dragon", "SLIMBVH_SCENES", "FILE.md", "Examples:"] {
+        assert!(compressed.contains(word), "{word} is not in {compressed}");
+    }
+    let papers = folder.succeed(["reproduce", "--help"]);
+    assert!(papers.contains("compressed"), "{papers}");
+}

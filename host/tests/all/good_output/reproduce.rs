@@ -188,3 +188,132 @@ fn what_is_missing_is_stood_in_for() {
     assert_eq!(rows.len(), 2 + expected.len());
     assert!(rows.iter().all(|row| row.len() == rows[0].len()));
 }
+
+const QUICK_COMPRESSED: [&str; 3] = ["reproduce", "compressed", "--quick"];
+
+/// What is printed beside what is measured, with a stand-in where there is no file; verdicts are those of the figures.
+#[test]
+fn compressed_trees_as_text_markdown_and_json() {
+    let folder = Folder::new();
+    let options = [
+        "--only",
+        "bunny",
+        "shiny",
+        "--scenes",
+        ".",
+        "--threads",
+        "2",
+        "--out",
+        "c.md",
+        "--json",
+        "c.json",
+    ];
+    let text = folder.succeed([&QUICK_COMPRESSED[..], &options].concat());
+    for part in [
+        "What a ray touches",
+        "Bytes of tree and triangles",
+        "Times, ms",
+        "What becomes of the picture",
+        "The same by kind of rays",
+        "How many bits",
+        "Targets",
+        "stands in for bunny00.off",
+        "2 threads",
+        "slimbvh reproduce compressed --quick --only shiny bunny --threads 2",
+    ] {
+        assert!(text.contains(part), "{part} is not in {text}");
+    }
+    assert!(!text.contains("NaN") && !text.contains("-0 %"), "{text}");
+
+    let report = parse(&String::from_utf8(folder.read("c.json")).unwrap());
+    let expected = [
+        "backend", "command", "machine", "paper", "protocol", "quick", "scenes", "threads",
+        "verdicts",
+    ];
+    let mut found = keys(&report);
+    found.sort_unstable();
+    assert_eq!(found, expected);
+    let scenes = report["scenes"].as_array().unwrap();
+    check_scene(&scenes[0], "shiny");
+    check_scene(&scenes[1], "bunny");
+
+    // Nothing of ours lets rays in between triangles; the printed codec of triangles does.
+    let got_in = |method: usize| number(&scenes[1]["methods"][method]["cracks"], "leaked");
+    assert!(got_in(2) > 500.0);
+    assert!(
+        (0..13)
+            .filter(|method| *method != 2)
+            .all(|method| got_in(method) == 0.0)
+    );
+
+    let bytes = |scene: &Value, method: usize| {
+        let method = &scene["methods"][method];
+        number(method, "node_bytes") + number(method, "triangle_bytes")
+    };
+    let verdicts = report["verdicts"].as_array().unwrap();
+    assert_eq!(verdicts.len(), 10);
+    let first = &verdicts[0];
+    assert_eq!(number(first, "bound"), 0.6);
+    for (measured, scene) in first["measured"].as_array().unwrap().iter().zip(scenes) {
+        assert_eq!(measured["scene"], scene["name"]);
+        let share = bytes(scene, 6) / bytes(scene, 0);
+        assert!((number(measured, "value") - share).abs() < 1e-9 && share < 0.6);
+    }
+
+    let file = String::from_utf8(folder.read("c.md")).unwrap();
+    for (title, count) in [
+        ("What a ray touches", 2 * (2 + 7)),
+        ("Bytes of tree and triangles", 2 * 7),
+        ("Times, ms", 2 * (3 + 7)),
+        ("What becomes of the picture", 2 * 7),
+        ("The same by kind of rays", 3 * 7 + 2 * 7),
+        ("How many bits", 2 * 7),
+    ] {
+        let rows = rows(&file, &format!("## {title}"));
+        assert_eq!(rows.len(), 2 + count, "{title}");
+        assert!(rows.iter().all(|row| row.len() == rows[0].len()), "{title}");
+    }
+    let touched = rows(&file, "## What a ray touches");
+    assert_eq!(touched[2][..5], ["shiny", "printed", "NODE", "–", "+9.0 %"]);
+}
+
+/// The methods of a scene, in order, and what each must have.
+fn check_scene(scene: &Value, name: &str) {
+    let is_shiny = name == "shiny";
+    assert_eq!(scene["name"], name);
+    assert_eq!(scene["stand_in"].is_null(), is_shiny);
+    let methods = scene["methods"].as_array().expect("it is a list");
+    let names: Vec<&str> = methods
+        .iter()
+        .map(|method| method["name"].as_str().expect("it is a name"))
+        .collect();
+    let expected = [
+        "plain",
+        "NODE",
+        "NODE+MESH",
+        "q10",
+        "q10, mesh at finest step",
+        "q10, mesh to 0.1px",
+        "q10, mesh to 0.5px",
+        "q4",
+        "q6",
+        "q8",
+        "q12",
+        "q16",
+        "q21",
+    ];
+    assert_eq!(names, expected);
+    for (method, name) in methods.iter().zip(names) {
+        let has_mesh = name.to_lowercase().contains("mesh");
+        assert_eq!(method["moved"].is_null(), !has_mesh, "{method}");
+        // Boxes that grow change nothing.
+        if !has_mesh {
+            assert_eq!(number(&method["differences"], "changed"), 0.0);
+        }
+        let secondary = number(&method["counts"]["secondary"], "rays");
+        assert_eq!(secondary > 0.0, is_shiny);
+        assert_eq!(method["cracks"].is_null(), is_shiny);
+    }
+    let rounds = methods[1]["rounds"].as_array();
+    assert_eq!(rounds.map(Vec::len), Some(2));
+}

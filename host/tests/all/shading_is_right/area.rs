@@ -14,6 +14,8 @@ const PIXEL: f64 = 0.12;
 const WHITE: Material = Material {
     base_color: [0.8, 0.6, 0.4],
     mirror: 0.0,
+    transmission: 0.0,
+    ior: 1.5,
 };
 
 /// The board hides what is above this height, where x is below 0.

@@ -21,6 +21,7 @@ fn scene(center: Vec3, radius: f32, subdivisions: u32, sun: Vec3) -> Scene {
         materials: vec![Material {
             base_color: [0.9, 0.8, 0.7],
             mirror: 0.0,
+            ..Material::default()
         }],
         cameras: vec![Camera {
             eye: (center + radius * Vec3::new(1.0, 1.5, 3.0)).to_array(),

@@ -28,10 +28,14 @@ const MATERIALS: [Material; 2] = [
     Material {
         base_color: [0.8, 0.5, 0.25],
         mirror: 0.0,
+        transmission: 0.0,
+        ior: 1.5,
     },
     Material {
         base_color: [0.2, 0.6, 1.0],
         mirror: 0.0,
+        transmission: 0.0,
+        ior: 1.5,
     },
 ];
 

@@ -17,10 +17,14 @@ const COLORS: [Material; 2] = [
     Material {
         base_color: [0.9, 0.1, 0.3],
         mirror: 0.0,
+        transmission: 0.0,
+        ior: 1.5,
     },
     Material {
         base_color: [0.1, 0.7, 0.5],
         mirror: 0.0,
+        transmission: 0.0,
+        ior: 1.5,
     },
 ];
 

@@ -19,14 +19,17 @@ fn things() -> Scene {
             Material {
                 base_color: [0.7, 0.6, 0.5],
                 mirror: 0.7,
+                ..Material::default()
             },
             Material {
                 base_color: [0.9, 0.3, 0.1],
                 mirror: 0.0,
+                ..Material::default()
             },
             Material {
                 base_color: [0.1, 0.4, 0.9],
                 mirror: 0.0,
+                ..Material::default()
             },
         ],
         cameras: vec![Camera {

@@ -3,6 +3,7 @@
 mod area;
 mod camera;
 mod closed;
+mod glass;
 mod lambert;
 mod lens;
 mod mirror;

@@ -115,7 +115,11 @@ fn look_at(eye: [f32; 3], target: [f32; 3], projection: Projection) -> Camera {
 
 /// Mirrors that see each other, three lights of both kinds, one of them near, smooth and flat parts.
 pub fn hall_of_mirrors() -> Scene {
-    let material = |base_color, mirror| Material { base_color, mirror };
+    let material = |base_color, mirror| Material {
+        base_color,
+        mirror,
+        ..Material::default()
+    };
     let mut mesh = icosphere(Vec3::new(-0.6, 0.1, 0.0), 0.55, 4);
     append(
         &mut mesh,
@@ -196,6 +200,23 @@ pub fn soft_hall() -> Scene {
     scene
 }
 
+/// Glass of three indices, in front of each other and of a mirror, smooth and flat, one with a share that is not clear.
+pub fn glasses() -> Scene {
+    let glass = |base_color, transmission, ior| Material {
+        base_color,
+        transmission,
+        ior,
+        ..Material::default()
+    };
+    let mut scene = hall_of_mirrors();
+    scene.materials[0] = glass([1.0; 3], 1.0, 1.5);
+    scene.materials[3] = glass([0.9, 0.7, 0.4], 0.8, 1.33);
+    let cube = cuboid(Vec3::new(-0.2, -0.4, 0.6), Vec3::new(0.2, 0.1, 1.0));
+    append(&mut scene.mesh, cube, "cube", scene.materials.len() as u32);
+    scene.materials.push(glass([0.6, 0.9, 0.7], 1.0, 2.4));
+    scene
+}
+
 /// An open surface without normals, seen by parallel rays, with indices of materials that are not all there.
 pub fn open_and_flat() -> Scene {
     let mut mesh = terrain(4.0, 40, 3);
@@ -205,6 +226,7 @@ pub fn open_and_flat() -> Scene {
     let material = |base_color| Material {
         base_color,
         mirror: 0.0,
+        ..Material::default()
     };
     Scene {
         mesh,
@@ -255,6 +277,22 @@ fn mirrors_lights_and_parallel_views_are_those_of_the_cpu() {
         };
         check(gpu, "hall of mirrors", &hall_of_mirrors(), &settings);
     }
+}
+
+/// Where a ray is as likely to pass as to be mirrored, a last bit decides: of such rays there are few.
+#[test]
+fn glass_is_that_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for mirror_depth in [0, 1, 4, 9] {
+        let settings = RenderSettings {
+            mirror_depth,
+            ..settings(View::Color)
+        };
+        check(gpu, "glasses", &glasses(), &settings);
+    }
+    let clear = of_cpu(&glasses(), &settings(View::Color)).0;
+    let solid = of_cpu(&hall_of_mirrors(), &settings(View::Color)).0;
+    assert!(alike(&clear, &solid, 0.05, MOST).is_err());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::awkward;
 use glam::{Quat, Vec3};
 use slimbvh::generate::{append, cuboid, default_scene, ground, icosphere, transformed};
-use slimbvh::{AreaShape, Camera, Light, Mesh, Projection, Scene};
+use slimbvh::{AreaShape, Camera, Light, Material, Mesh, Projection, Scene};
 use slimbvh_tests::closed::small_torus_knot;
 
 pub const EYE: [f32; 3] = [0.4, 0.9, 4.5];
@@ -101,6 +101,34 @@ pub fn scenes() -> Vec<(&'static str, Scene)> {
     scenes
 }
 
+/// A ball and a box of glass, one in the other's shadow, and a lamp inside of a third: shadow rays begin inside.
+fn glass(camera: Camera, lights: &[Light]) -> Scene {
+    let parts = [
+        ball([-0.5, 0.0, 0.0], 0.7),
+        turned_box([0.4, -0.6, -0.6], [1.2, 0.4, 0.2]),
+        ball([0.5, 0.6, 1.2], 0.3),
+        floor(),
+    ];
+    let mut lights = lights.to_vec();
+    lights.push(lamp([0.5, 0.65, 1.2]));
+    let mut scene = scene(Vec::new(), camera, &lights);
+    for (material, part) in (0..).zip(parts) {
+        append(&mut scene.mesh, part, "part", material);
+    }
+    let material = |transmission, ior| Material {
+        transmission,
+        ior,
+        ..Material::default()
+    };
+    scene.materials = vec![
+        material(0.7, 1.5),
+        material(0.5, 1.25),
+        material(0.9, 1.5),
+        material(0.0, 1.0),
+    ];
+    scene
+}
+
 fn plain() -> Vec<(&'static str, Scene)> {
     let front = || camera(EYE, [0.0; 3], PERSPECTIVE);
     let both = [SUN, lamp([2.5, 2.0, 1.5])];
@@ -182,6 +210,7 @@ fn plain() -> Vec<(&'static str, Scene)> {
             ),
         ),
         ("cavity", scene(hollow(), front(), &both)),
+        ("glass", glass(front(), &both)),
         (
             "inside a cavity",
             scene(

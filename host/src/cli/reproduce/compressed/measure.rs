@@ -1,0 +1,243 @@
+//! Everything that is measured of a scene.
+
+use super::counts::{Counts, count};
+use super::cracks::{Cracks, aim};
+use super::machine::{Cpu, Machine};
+use super::methods::{Method, Prepared};
+use super::moves::moved;
+use super::printed::Printed;
+use super::protocol::Protocol;
+use super::scenes::Subject;
+use crate::cli::reproduce::rounds::Rounds;
+use anyhow::Result;
+use serde::Serialize;
+use slimbvh::{MeshCodec, Picture, RenderSettings, Stages};
+
+/// What was measured of one scene.
+#[derive(Serialize)]
+pub struct SceneRecord {
+    pub name: &'static str,
+    #[serde(skip)]
+    pub printed: Option<Printed>,
+    pub stand_in: Option<String>,
+    pub triangles: usize,
+    /// Of the scene's box.
+    pub diagonal: f32,
+    /// The plain tree first.
+    pub methods: Vec<MethodRecord>,
+}
+
+/// What was measured with one method.
+#[derive(Serialize)]
+pub struct MethodRecord {
+    #[serde(skip)]
+    pub method: Method,
+    pub name: String,
+    /// Of the tree and of the triangles in its leaves.
+    pub node_bytes: usize,
+    pub triangle_bytes: usize,
+    pub counts: Counts,
+    /// Beside the plain tree's picture.
+    pub differences: Differences,
+    /// How far a vertex moved, and how far it might have, in the scene's unit.
+    pub moved: Option<[f32; 2]>,
+    /// Of closed scenes.
+    pub cracks: Option<Cracks>,
+    pub rounds: Rounds<Round>,
+}
+
+/// Pixels of two pictures.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Differences {
+    /// There is nothing any more.
+    pub lost: usize,
+    /// There was nothing.
+    pub gained: usize,
+    pub changed: usize,
+    /// By more than [`STRONG`] of 255.
+    pub strongly: usize,
+}
+
+/// A change that may be seen.
+pub const STRONG: u8 = 16;
+
+/// A frame with a plain tree, and the same with another.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Round {
+    pub plain: Frame,
+    pub own: Frame,
+}
+
+/// Milliseconds.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Frame {
+    /// All stages but the next.
+    pub construction: f64,
+    /// Boxes, nodes and triangles in codecs.
+    pub encoding: f64,
+    pub rendering: f64,
+}
+
+impl Frame {
+    fn take(machine: &mut dyn Machine, settings: &RenderSettings) -> Result<Self> {
+        let ms = |stages: &Stages, is_counted: &dyn Fn(&str) -> bool| {
+            let times = stages.iter().filter(|(stage, _)| is_counted(stage));
+            times.fold(0.0, |sum, (_, time)| sum + time.as_secs_f64() * 1e3)
+        };
+        let build = machine.build()?;
+        let render = machine.render(settings)?;
+        Ok(Self {
+            construction: ms(&build, &|stage| stage != "encode"),
+            encoding: ms(&build, &|stage| stage == "encode"),
+            rendering: ms(&render, &|_| true),
+        })
+    }
+
+    pub fn total(&self) -> f64 {
+        self.construction + self.encoding + self.rendering
+    }
+}
+
+impl Round {
+    /// What the codec adds to building, as a share of building the plain tree. Boxes are found while coding, so that neither
+    /// is there without the other.
+    pub fn added(&self) -> f64 {
+        let built = |frame: &Frame| frame.construction + frame.encoding;
+        built(&self.own) / built(&self.plain) - 1.0
+    }
+}
+
+impl SceneRecord {
+    pub fn plain(&self) -> &MethodRecord {
+        &self.methods[0]
+    }
+
+    /// The record of a method.
+    pub fn of(&self, method: Method) -> Option<&MethodRecord> {
+        self.methods.iter().find(|record| record.method == method)
+    }
+}
+
+impl MethodRecord {
+    /// Of tree and triangles.
+    pub fn bytes(&self) -> usize {
+        self.node_bytes + self.triangle_bytes
+    }
+}
+
+/// Measures one scene with each method. What is timed takes turns with the plain tree.
+pub fn measure(subject: Subject, protocol: &Protocol) -> Result<SceneRecord> {
+    let scene = &subject.scene;
+    let settings = RenderSettings {
+        size: protocol.size,
+        mirror_depth: protocol.mirror_depth,
+        ..RenderSettings::default()
+    };
+    let plain = Method::Plain.prepare(scene, &Protocol::PIXELS);
+    let mut reference = Cpu::new(&plain);
+    let aimed_rays = subject.is_closed.then_some(protocol.aimed_rays);
+    reference.build()?;
+    reference.render(&settings)?;
+    let facts = |own: &Cpu, prepared: &Prepared, reference: &Cpu, hits: Option<&[bool]>| {
+        facts(prepared, (own, reference), (&settings, aimed_rays), hits)
+    };
+    let first = facts(&reference, &plain, &reference, None)?;
+    let hits = first.counts.hits.clone();
+    let mut methods = vec![first];
+    for method in Method::all() {
+        let prepared = method.prepare(scene, &Protocol::PIXELS);
+        let mut own = Cpu::new(&prepared);
+        own.build()?;
+        own.render(&settings)?;
+        let mut record = facts(&own, &prepared, &reference, Some(&hits))?;
+        record.rounds = take_turns((&mut reference, &mut own), &settings, protocol.rounds)?;
+        methods.push(record);
+    }
+    // All that was timed of the plain tree.
+    let all = methods.iter().flat_map(|record| &record.rounds.0);
+    let all = all.map(|round| Round {
+        own: round.plain,
+        ..*round
+    });
+    let all = all.collect();
+    methods[0].rounds = Rounds(all);
+    let bounds = scene.mesh.bounds();
+    Ok(SceneRecord {
+        name: subject.name,
+        printed: subject.printed,
+        triangles: scene.mesh.indices.len(),
+        diagonal: bounds.map_or(0.0, |bounds| (bounds.max - bounds.min).length()),
+        stand_in: subject.stand_in,
+        methods,
+    })
+}
+
+/// Builds and renders in turn. One round before does not count.
+fn take_turns(
+    (plain, own): (&mut dyn Machine, &mut dyn Machine),
+    settings: &RenderSettings,
+    count: u32,
+) -> Result<Rounds<Round>> {
+    let mut rounds = Rounds::default();
+    for round in 0..=count {
+        let times = Round {
+            plain: Frame::take(plain, settings)?,
+            own: Frame::take(own, settings)?,
+        };
+        if round > 0 {
+            rounds.0.push(times);
+        }
+    }
+    Ok(rounds)
+}
+
+/// What needs no clock, of a tree that was built and a picture that was made. `hits` are the pixels of the reference where there
+/// is anything.
+fn facts(
+    prepared: &Prepared,
+    (own, reference): (&Cpu, &Cpu),
+    (settings, aimed_rays): (&RenderSettings, Option<usize>),
+    hits: Option<&[bool]>,
+) -> Result<MethodRecord> {
+    let bvh = &own.bvh;
+    let decoded = (prepared.config.mesh != MeshCodec::F32).then(|| bvh.decoded());
+    let counts = count(prepared, (bvh, decoded.as_ref()), settings)?;
+    let moved = match (prepared.config.mesh, &decoded) {
+        (MeshCodec::Leaf10, Some(decoded)) => Some(moved(&reference.bvh, decoded)?),
+        _ => prepared.moved,
+    };
+    let cracks = aimed_rays.map(|count| aim(&prepared.scene, bvh, count));
+    let differences = Differences {
+        lost: differ(hits, &counts.hits, true),
+        gained: differ(hits, &counts.hits, false),
+        changed: changed(&own.picture, &reference.picture, 0),
+        strongly: changed(&own.picture, &reference.picture, STRONG),
+    };
+    Ok(MethodRecord {
+        method: prepared.method,
+        name: prepared.method.name(),
+        node_bytes: bvh.node_bytes(),
+        triangle_bytes: bvh.triangle_bytes(),
+        counts,
+        differences,
+        moved,
+        cracks: cracks.transpose()?,
+        rounds: Rounds::default(),
+    })
+}
+
+/// How many pixels were so, and are not any more.
+fn differ(before: Option<&[bool]>, after: &[bool], were: bool) -> usize {
+    let pairs = before.unwrap_or(after).iter().zip(after);
+    pairs
+        .filter(|(before, after)| **before == were && **after != were)
+        .count()
+}
+
+/// How many pixels differ by more than this in any channel.
+fn changed(a: &Picture, b: &Picture, most: u8) -> usize {
+    let (a, b) = (a.to_srgb(), b.to_srgb());
+    let pixels = a.chunks(3).zip(b.chunks(3));
+    let differ = |(a, b): &(&[u8], &[u8])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > most);
+    pixels.filter(differ).count()
+}

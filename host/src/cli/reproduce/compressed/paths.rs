@@ -1,0 +1,99 @@
+//! The rays of a picture, as the renderer sends them: from the eye, to lights, and on from mirrors and glass.
+
+use anyhow::{Context, Result};
+use slimbvh::{Hit, Ray, RenderSettings, Scene};
+use slimbvh_core::camera::Camera;
+use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::sampling::Draw;
+use slimbvh_core::shade::{Light, Material, Path, direct_light};
+use slimbvh_core::snap::leaf_triangle;
+use slimbvh_core::surface::Surface;
+
+/// What a ray is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    Eye,
+    Shadow,
+    Secondary,
+}
+
+/// All that paths are made from, in the scene's magnitude.
+pub struct Paths<'a> {
+    scene: &'a Scene,
+    scale: PowerOfTwo,
+    camera: Camera,
+    lights: Vec<Light>,
+    materials: Vec<Material>,
+    depth: u32,
+}
+
+impl<'a> Paths<'a> {
+    /// Of a scene whose tree has this exponent.
+    pub fn new(scene: &'a Scene, exponent: i32, settings: &RenderSettings) -> Result<Self> {
+        let scale = PowerOfTwo::new(exponent);
+        let camera = scene.cameras.first().context("the scene has no camera")?;
+        let camera = camera.to_core(settings.size, settings.sample_count)?;
+        let lights = scene.lights.iter().enumerate();
+        let lights = lights.map(|(index, light)| Ok(light.to_core(index)?.scaled(&scale)));
+        Ok(Self {
+            scene,
+            scale,
+            camera: camera.scaled(&scale),
+            lights: lights.collect::<Result<_>>()?,
+            materials: scene.core_materials(),
+            depth: settings.mirror_depth,
+        })
+    }
+
+    /// Follows a sample, and asks what each of its rays meets, but for the triangle that it starts on. Whether the first met
+    /// anything.
+    pub fn follow(&self, sample: u32, mut meet: impl FnMut(Kind, &Ray, u32) -> Hit) -> bool {
+        let mut path = Path::new(self.camera.ray(sample), sample);
+        let mut sees = false;
+        for bounce in 0..=self.depth {
+            let kind = match bounce {
+                0 => Kind::Eye,
+                _ => Kind::Secondary,
+            };
+            let hit = meet(kind, &path.ray, path.skip);
+            if !hit.is_hit() {
+                break;
+            }
+            sees = true;
+            let (surface, material) = self.surface(&path, &hit);
+            let draw = Draw {
+                sample,
+                sample_count: self.camera.sample_count,
+                bounce,
+            };
+            for light in &self.lights {
+                let light = light.sampled(&draw);
+                let shadow = direct_light(&surface, hit.primitive, &material, &light);
+                if shadow.is_possible() {
+                    meet(Kind::Shadow, &shadow.ray, shadow.skip);
+                }
+            }
+            path = path.scattered(&surface, &material, hit.primitive);
+            if !path.is_alive() {
+                break;
+            }
+        }
+        sees
+    }
+
+    /// The point that a path hit, and what it is made of.
+    fn surface(&self, path: &Path, hit: &Hit) -> (Surface, Material) {
+        let mesh = &self.scene.mesh;
+        let triangle = leaf_triangle(hit.primitive, &mesh.triangles(), &self.scale).triangle();
+        let place = hit.primitive as usize;
+        let corners = mesh.indices.get(place).copied().unwrap_or_default();
+        let normals = corners.map(|corner| {
+            let normal = mesh.normals.get(corner as usize);
+            normal.map_or(glam::Vec3::ZERO, |&n| n.into())
+        });
+        let material = mesh.materials.get(place).map_or(0, |&m| m as usize);
+        let material = self.materials.get(material).or(self.materials.first());
+        let surface = Surface::new(triangle, hit, path.ray.direction.into(), normals);
+        (surface, material.copied().unwrap_or_default())
+    }
+}
