@@ -76,106 +76,106 @@ var<storage, read_write> global_5: type_4;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_263_: i32;
     var phi_264_: i32;
-    var phi_274_: bool;
-    var phi_284_: u32;
+    var phi_265_: i32;
+    var phi_275_: bool;
     var phi_285_: u32;
-    var phi_287_: bool;
-    var phi_292_: u32;
-    var phi_336_: f32;
-    var phi_342_: f32;
-    var phi_353_: f32;
-    var phi_359_: f32;
-    var phi_382_: f32;
-    var phi_393_: f32;
-    var phi_402_: f32;
-    var phi_408_: f32;
-    var phi_419_: f32;
-    var phi_425_: f32;
-    var phi_448_: f32;
-    var phi_459_: f32;
-    var phi_468_: f32;
-    var phi_474_: f32;
-    var phi_485_: f32;
-    var phi_491_: f32;
-    var phi_514_: f32;
-    var phi_525_: f32;
-    var phi_625_: f32;
+    var phi_286_: u32;
+    var phi_288_: bool;
+    var phi_293_: u32;
+    var phi_337_: f32;
+    var phi_343_: f32;
+    var phi_354_: f32;
+    var phi_360_: f32;
+    var phi_383_: f32;
+    var phi_394_: f32;
+    var phi_403_: f32;
+    var phi_409_: f32;
+    var phi_420_: f32;
+    var phi_426_: f32;
+    var phi_449_: f32;
+    var phi_460_: f32;
+    var phi_469_: f32;
+    var phi_475_: f32;
+    var phi_486_: f32;
+    var phi_492_: f32;
+    var phi_515_: f32;
+    var phi_526_: f32;
     var phi_626_: f32;
-    var phi_2197_: bool;
-    var phi_900_: type_45;
-    var phi_903_: u32;
-    var phi_905_: u32;
-    var phi_907_: bool;
-    var phi_909_: u32;
-    var phi_920_: bool;
-    var phi_951_: u32;
-    var phi_952_: bool;
-    var phi_953_: u32;
-    var phi_1753_: type_41;
-    var phi_2097_: u32;
-    var phi_2124_: u32;
-    var phi_2125_: u32;
-    var phi_2126_: u32;
-    var phi_2128_: u32;
-    var phi_2129_: u32;
-    var phi_2130_: bool;
-    var phi_2139_: u32;
-    var phi_2144_: u32;
-    var phi_2145_: bool;
-    var phi_968_: type_45;
-    var phi_971_: type_7;
-    var phi_972_: type_7;
-    var phi_994_: type_7;
-    var phi_1015_: u32;
-    var phi_1104_: array<array<f32, 3>, 3>;
-    var phi_1575_: vec3<f32>;
-    var phi_1576_: vec3<f32>;
-    var phi_1607_: bool;
-    var phi_1616_: vec3<f32>;
-    var phi_1656_: type_26;
-    var phi_1658_: type_26;
-    var phi_1659_: bool;
-    var phi_1663_: type_26;
-    var phi_1664_: type_26;
-    var phi_1665_: type_26;
-    var phi_1666_: bool;
-    var phi_1670_: type_26;
-    var phi_1671_: bool;
-    var phi_1675_: type_26;
-    var phi_1676_: bool;
-    var phi_1680_: type_26;
-    var phi_1691_: type_45;
-    var phi_1692_: type_45;
-    var phi_969_: type_45;
-    var phi_2191_: bool;
-    var local_2: type_45;
-    var phi_2302_: bool;
-    var phi_2147_: type_45;
-    var phi_2148_: u32;
-    var phi_2149_: bool;
-    var phi_2150_: u32;
-    var phi_2301_: bool;
-    var phi_2151_: type_45;
-    var phi_2152_: u32;
-    var phi_2153_: u32;
-    var phi_2154_: bool;
-    var phi_2155_: u32;
-    var phi_2300_: bool;
-    var phi_2156_: type_45;
-    var phi_2157_: u32;
-    var phi_2158_: u32;
-    var phi_2159_: bool;
-    var phi_2160_: u32;
-    var phi_2299_: bool;
+    var phi_627_: f32;
+    var phi_2198_: bool;
     var phi_901_: type_45;
     var phi_904_: u32;
     var phi_906_: u32;
     var phi_908_: bool;
     var phi_910_: u32;
-    var phi_2161_: bool;
-    var phi_2298_: bool;
+    var phi_921_: bool;
+    var phi_952_: u32;
+    var phi_953_: bool;
+    var phi_954_: u32;
+    var phi_1754_: type_41;
+    var phi_2098_: u32;
+    var phi_2125_: u32;
+    var phi_2126_: u32;
+    var phi_2127_: u32;
+    var phi_2129_: u32;
+    var phi_2130_: u32;
+    var phi_2131_: bool;
+    var phi_2140_: u32;
+    var phi_2145_: u32;
+    var phi_2146_: bool;
+    var phi_969_: type_45;
+    var phi_972_: type_7;
+    var phi_973_: type_7;
+    var phi_995_: type_7;
+    var phi_1016_: u32;
+    var phi_1105_: array<array<f32, 3>, 3>;
+    var phi_1576_: vec3<f32>;
+    var phi_1577_: vec3<f32>;
+    var phi_1608_: bool;
+    var phi_1617_: vec3<f32>;
+    var phi_1657_: type_26;
+    var phi_1659_: type_26;
+    var phi_1660_: bool;
+    var phi_1664_: type_26;
+    var phi_1665_: type_26;
+    var phi_1666_: type_26;
+    var phi_1667_: bool;
+    var phi_1671_: type_26;
+    var phi_1672_: bool;
+    var phi_1676_: type_26;
+    var phi_1677_: bool;
+    var phi_1681_: type_26;
+    var phi_1692_: type_45;
+    var phi_1693_: type_45;
+    var phi_970_: type_45;
+    var phi_2192_: bool;
+    var local_2: type_45;
+    var phi_2303_: bool;
+    var phi_2148_: type_45;
+    var phi_2149_: u32;
+    var phi_2150_: bool;
+    var phi_2151_: u32;
+    var phi_2302_: bool;
+    var phi_2152_: type_45;
+    var phi_2153_: u32;
+    var phi_2154_: u32;
+    var phi_2155_: bool;
+    var phi_2156_: u32;
+    var phi_2301_: bool;
+    var phi_2157_: type_45;
+    var phi_2158_: u32;
+    var phi_2159_: u32;
+    var phi_2160_: bool;
+    var phi_2161_: u32;
+    var phi_2300_: bool;
+    var phi_902_: type_45;
+    var phi_905_: u32;
+    var phi_907_: u32;
+    var phi_909_: bool;
+    var phi_911_: u32;
+    var phi_2162_: bool;
+    var phi_2299_: bool;
     var local_3: type_45;
     var local_4: type_45;
 
@@ -185,16 +185,16 @@ fn function_() {
             let _e63 = arrayLength((&global_2.member));
             let _e65 = arrayLength((&global_3.member));
             let _e73 = (_e61.x + (_e61.y * 2097152u));
-            let _e74 = (_e73 < arrayLength((&global_4.member)));
-            if _e74 {
-                let _e75 = (_e73 < arrayLength((&global_5.member)));
-                if _e75 {
-                    if _e74 {
+            let _e76 = global_1.member[0u];
+            let _e77 = bitcast<i32>(_e76);
+            let _e78 = (_e73 < arrayLength((&global_4.member)));
+            if _e78 {
+                let _e79 = (_e73 < arrayLength((&global_5.member)));
+                if _e79 {
+                    if _e78 {
                     } else {
                         break;
                     }
-                    let _e78 = global_1.member[0u];
-                    let _e79 = bitcast<i32>(_e78);
                     let _e87 = global_4.member[_e73].member_2[0u];
                     let _e89 = (bitcast<u32>(_e87) & 2147483647u);
                     let _e94 = global_4.member[_e73].member_2[1u];
@@ -219,48 +219,48 @@ fn function_() {
                     if _e153 {
                         let _e156 = (bitcast<u32>(bitcast<f32>(_e128)) & 2147483647u);
                         if (_e156 >= 8388608u) {
-                            phi_263_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
+                            phi_264_ = (bitcast<i32>((_e156 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_263_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
+                            phi_264_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e156)), 32u, (_e156 == 0u))));
                         }
-                        let _e170 = phi_263_;
-                        phi_264_ = _e170;
+                        let _e170 = phi_264_;
+                        phi_265_ = _e170;
                     } else {
-                        phi_264_ = 0i;
+                        phi_265_ = 0i;
                     }
-                    let _e172 = phi_264_;
+                    let _e172 = phi_265_;
                     let _e173 = (_e89 == _e128);
                     if _e173 {
-                        phi_274_ = true;
+                        phi_275_ = true;
                     } else {
-                        phi_274_ = (_e96 == _e128);
+                        phi_275_ = (_e96 == _e128);
                     }
-                    let _e176 = phi_274_;
+                    let _e176 = phi_275_;
                     let _e177 = select(1u, 0u, _e173);
                     if _e176 {
                         let _e178 = (_e177 + 1u);
-                        phi_284_ = _e178;
                         phi_285_ = _e178;
-                        phi_287_ = select(true, false, (_e178 == 2u));
+                        phi_286_ = _e178;
+                        phi_288_ = select(true, false, (_e178 == 2u));
                     } else {
-                        phi_284_ = u32();
-                        phi_285_ = 0u;
-                        phi_287_ = true;
+                        phi_285_ = u32();
+                        phi_286_ = 0u;
+                        phi_288_ = true;
                     }
-                    let _e182 = phi_284_;
-                    let _e184 = phi_285_;
-                    let _e186 = phi_287_;
+                    let _e182 = phi_285_;
+                    let _e184 = phi_286_;
+                    let _e186 = phi_288_;
                     if _e186 {
-                        phi_292_ = (_e184 + 1u);
+                        phi_293_ = (_e184 + 1u);
                     } else {
-                        phi_292_ = 0u;
+                        phi_293_ = 0u;
                     }
-                    let _e190 = phi_292_;
+                    let _e190 = phi_293_;
                     let _e191 = select(_e182, _e184, _e186);
                     let _e192 = select(_e177, select(2u, _e177, _e176), _e186);
-                    let _e193 = (_e79 / 2i);
+                    let _e193 = (_e77 / 2i);
                     let _e198 = bitcast<f32>((bitcast<u32>((_e193 + 127i)) << bitcast<u32>(23i)));
-                    let _e204 = bitcast<f32>((bitcast<u32>(((_e79 - _e193) + 127i)) << bitcast<u32>(23i)));
+                    let _e204 = bitcast<f32>((bitcast<u32>(((_e77 - _e193) + 127i)) << bitcast<u32>(23i)));
                     let _e205 = -(_e172);
                     let _e206 = (_e205 / 2i);
                     let _e211 = bitcast<f32>((bitcast<u32>((_e206 + 127i)) << bitcast<u32>(23i)));
@@ -268,145 +268,145 @@ fn function_() {
                     let _e221 = global_4.member[_e73].member;
                     let _e222 = (_e191 == 0u);
                     if _e222 {
-                        phi_336_ = _e221[0];
+                        phi_337_ = _e221[0];
                     } else {
-                        phi_336_ = _e221[1];
+                        phi_337_ = _e221[1];
                     }
-                    let _e226 = phi_336_;
+                    let _e226 = phi_337_;
                     let _e227 = (_e191 == 2u);
                     if _e227 {
-                        phi_342_ = _e221[2];
+                        phi_343_ = _e221[2];
                     } else {
-                        phi_342_ = _e226;
+                        phi_343_ = _e226;
                     }
-                    let _e230 = phi_342_;
+                    let _e230 = phi_343_;
                     let _e232 = ((_e230 * _e198) * _e204);
                     let _e233 = global_4.member[_e73].member_2;
                     if _e222 {
-                        phi_353_ = _e233[0];
+                        phi_354_ = _e233[0];
                     } else {
-                        phi_353_ = _e233[1];
+                        phi_354_ = _e233[1];
                     }
-                    let _e237 = phi_353_;
+                    let _e237 = phi_354_;
                     if _e227 {
-                        phi_359_ = _e233[2];
+                        phi_360_ = _e233[2];
                     } else {
-                        phi_359_ = _e237;
+                        phi_360_ = _e237;
                     }
-                    let _e240 = phi_359_;
+                    let _e240 = phi_360_;
                     let _e242 = ((_e240 * _e211) * _e217);
                     let _e246 = (bitcast<f32>((bitcast<u32>(_e242) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e246 {
                         let _e250 = (bitcast<f32>((bitcast<u32>(_e232) & 2147483647u)) * 0.00000011920929f);
-                        phi_382_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
+                        phi_383_ = select(0.00000000000011368684f, _e250, (_e250 > 0.00000000000011368684f));
                     } else {
-                        phi_382_ = 0f;
+                        phi_383_ = 0f;
                     }
-                    let _e254 = phi_382_;
+                    let _e254 = phi_383_;
                     let _e255 = (_e232 + _e254);
                     let _e256 = (_e232 - _e254);
                     let _e257 = select(_e242, 0f, _e246);
                     if _e246 {
-                        phi_393_ = 38685626000000000000000000f;
+                        phi_394_ = 38685626000000000000000000f;
                     } else {
-                        phi_393_ = (1f / _e242);
+                        phi_394_ = (1f / _e242);
                     }
-                    let _e260 = phi_393_;
+                    let _e260 = phi_394_;
                     let _e261 = (_e190 == 0u);
                     if _e261 {
-                        phi_402_ = _e221[0];
+                        phi_403_ = _e221[0];
                     } else {
-                        phi_402_ = _e221[1];
+                        phi_403_ = _e221[1];
                     }
-                    let _e265 = phi_402_;
+                    let _e265 = phi_403_;
                     let _e266 = (_e190 == 2u);
                     if _e266 {
-                        phi_408_ = _e221[2];
+                        phi_409_ = _e221[2];
                     } else {
-                        phi_408_ = _e265;
+                        phi_409_ = _e265;
                     }
-                    let _e269 = phi_408_;
+                    let _e269 = phi_409_;
                     let _e271 = ((_e269 * _e198) * _e204);
                     if _e261 {
-                        phi_419_ = _e233[0];
+                        phi_420_ = _e233[0];
                     } else {
-                        phi_419_ = _e233[1];
+                        phi_420_ = _e233[1];
                     }
-                    let _e275 = phi_419_;
+                    let _e275 = phi_420_;
                     if _e266 {
-                        phi_425_ = _e233[2];
+                        phi_426_ = _e233[2];
                     } else {
-                        phi_425_ = _e275;
+                        phi_426_ = _e275;
                     }
-                    let _e278 = phi_425_;
+                    let _e278 = phi_426_;
                     let _e280 = ((_e278 * _e211) * _e217);
                     let _e284 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e284 {
                         let _e288 = (bitcast<f32>((bitcast<u32>(_e271) & 2147483647u)) * 0.00000011920929f);
-                        phi_448_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
+                        phi_449_ = select(0.00000000000011368684f, _e288, (_e288 > 0.00000000000011368684f));
                     } else {
-                        phi_448_ = 0f;
+                        phi_449_ = 0f;
                     }
-                    let _e292 = phi_448_;
+                    let _e292 = phi_449_;
                     let _e293 = (_e271 + _e292);
                     let _e294 = (_e271 - _e292);
                     let _e295 = select(_e280, 0f, _e284);
                     if _e284 {
-                        phi_459_ = 38685626000000000000000000f;
+                        phi_460_ = 38685626000000000000000000f;
                     } else {
-                        phi_459_ = (1f / _e280);
+                        phi_460_ = (1f / _e280);
                     }
-                    let _e298 = phi_459_;
+                    let _e298 = phi_460_;
                     let _e299 = (_e192 == 0u);
                     if _e299 {
-                        phi_468_ = _e221[0];
+                        phi_469_ = _e221[0];
                     } else {
-                        phi_468_ = _e221[1];
+                        phi_469_ = _e221[1];
                     }
-                    let _e303 = phi_468_;
+                    let _e303 = phi_469_;
                     let _e304 = (_e192 == 2u);
                     if _e304 {
-                        phi_474_ = _e221[2];
+                        phi_475_ = _e221[2];
                     } else {
-                        phi_474_ = _e303;
+                        phi_475_ = _e303;
                     }
-                    let _e307 = phi_474_;
+                    let _e307 = phi_475_;
                     let _e309 = ((_e307 * _e198) * _e204);
                     if _e299 {
-                        phi_485_ = _e233[0];
+                        phi_486_ = _e233[0];
                     } else {
-                        phi_485_ = _e233[1];
+                        phi_486_ = _e233[1];
                     }
-                    let _e313 = phi_485_;
+                    let _e313 = phi_486_;
                     if _e304 {
-                        phi_491_ = _e233[2];
+                        phi_492_ = _e233[2];
                     } else {
-                        phi_491_ = _e313;
+                        phi_492_ = _e313;
                     }
-                    let _e316 = phi_491_;
+                    let _e316 = phi_492_;
                     let _e318 = ((_e316 * _e211) * _e217);
                     let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e322 {
                         let _e326 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_514_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
+                        phi_515_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
                     } else {
-                        phi_514_ = 0f;
+                        phi_515_ = 0f;
                     }
-                    let _e330 = phi_514_;
+                    let _e330 = phi_515_;
                     let _e331 = (_e309 + _e330);
                     let _e332 = (_e309 - _e330);
                     let _e333 = select(_e318, 0f, _e322);
                     if _e322 {
-                        phi_525_ = 38685626000000000000000000f;
+                        phi_526_ = 38685626000000000000000000f;
                     } else {
-                        phi_525_ = (1f / _e318);
+                        phi_526_ = (1f / _e318);
                     }
-                    let _e336 = phi_525_;
+                    let _e336 = phi_526_;
                     let _e339 = bitcast<f32>((bitcast<u32>(_e232) & 2147483647u));
                     let _e342 = bitcast<f32>((bitcast<u32>(_e271) & 2147483647u));
                     let _e344 = select(_e342, _e339, (_e339 > _e342));
                     let _e347 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
-                    let _e350 = (_e79 + _e172);
+                    let _e350 = (_e77 + _e172);
                     if (_e153 && (select(_e347, _e344, (_e344 > _e347)) <= 1099511600000f)) {
                         let _e353 = (_e350 / 3i);
                         let _e360 = bitcast<f32>((bitcast<u32>((_e353 + 127i)) << bitcast<u32>(23i)));
@@ -415,84 +415,84 @@ fn function_() {
                         let _e370 = select(340282350000000000000000000000000000000f, _e368, (_e368 < 340282350000000000000000000000000000000f));
                         let _e375 = (((_e147 * _e360) * _e360) * _e367);
                         let _e377 = select(340282350000000000000000000000000000000f, _e375, (_e375 < 340282350000000000000000000000000000000f));
-                        phi_625_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
-                        phi_626_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
+                        phi_626_ = select(-340282350000000000000000000000000000000f, _e377, (_e377 > -340282350000000000000000000000000000000f));
+                        phi_627_ = select(-340282350000000000000000000000000000000f, _e370, (_e370 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_625_ = 0f;
-                        phi_626_ = 1f;
+                        phi_626_ = 0f;
+                        phi_627_ = 1f;
                     }
-                    let _e381 = phi_625_;
-                    let _e383 = phi_626_;
+                    let _e381 = phi_626_;
+                    let _e383 = phi_627_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2197_ = false;
-                    phi_900_ = type_45(_e381, false);
-                    phi_903_ = select(0u, 2147483648u, (_e63 == 0u));
-                    phi_905_ = ((3u * _e63) + 1u);
-                    phi_907_ = (_e383 <= _e381);
-                    phi_909_ = 0u;
+                    phi_2198_ = false;
+                    phi_901_ = type_45(_e381, false);
+                    phi_904_ = select(0u, 2147483648u, (_e63 == 0u));
+                    phi_906_ = ((3u * _e63) + 1u);
+                    phi_908_ = (_e383 <= _e381);
+                    phi_910_ = 0u;
                     loop {
-                        let _e391 = phi_2197_;
-                        let _e393 = phi_900_;
-                        let _e395 = phi_903_;
-                        let _e397 = phi_905_;
-                        let _e399 = phi_907_;
-                        let _e401 = phi_909_;
+                        let _e391 = phi_2198_;
+                        let _e393 = phi_901_;
+                        let _e395 = phi_904_;
+                        let _e397 = phi_906_;
+                        let _e399 = phi_908_;
+                        let _e401 = phi_910_;
                         local_3 = _e393;
                         if _e399 {
-                            phi_920_ = true;
+                            phi_921_ = true;
                         } else {
-                            phi_920_ = (_e401 > 0u);
+                            phi_921_ = (_e401 > 0u);
                         }
-                        let _e404 = phi_920_;
+                        let _e404 = phi_921_;
                         if _e404 {
                             let _e405 = (_e397 > 0u);
                             if _e405 {
                                 if _e399 {
-                                    phi_951_ = _e395;
-                                    phi_952_ = _e399;
-                                    phi_953_ = _e401;
+                                    phi_952_ = _e395;
+                                    phi_953_ = _e399;
+                                    phi_954_ = _e401;
                                 } else {
                                     let _e406 = (_e401 - 1u);
                                     let _e407 = (_e406 % 128u);
                                     let _e408 = (_e407 < 128u);
                                     if _e408 {
                                     } else {
-                                        phi_2298_ = true;
+                                        phi_2299_ = true;
                                         break;
                                     }
                                     let _e410 = local_1[_e407];
                                     if _e408 {
                                     } else {
-                                        phi_2298_ = true;
+                                        phi_2299_ = true;
                                         break;
                                     }
                                     let _e412 = local[_e407];
-                                    phi_951_ = _e410;
-                                    phi_952_ = (_e412 <= _e393.member);
-                                    phi_953_ = _e406;
+                                    phi_952_ = _e410;
+                                    phi_953_ = (_e412 <= _e393.member);
+                                    phi_954_ = _e406;
                                 }
-                                let _e416 = phi_951_;
-                                let _e418 = phi_952_;
-                                let _e420 = phi_953_;
+                                let _e416 = phi_952_;
+                                let _e418 = phi_953_;
+                                let _e420 = phi_954_;
                                 if _e418 {
                                     if ((_e416 & 2147483648u) != 0u) {
-                                        phi_968_ = _e393;
-                                        phi_971_ = type_7(0u, ((_e416 >> bitcast<u32>(28u)) & 7u));
+                                        phi_969_ = _e393;
+                                        phi_972_ = type_7(0u, ((_e416 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e618 = phi_968_;
-                                            let _e620 = phi_971_;
+                                            let _e618 = phi_969_;
+                                            let _e620 = phi_972_;
                                             local_2 = _e618;
                                             local_4 = _e618;
                                             if (_e620.member < _e620.member_1) {
-                                                phi_972_ = type_7((_e620.member + 1u), _e620.member_1);
-                                                phi_994_ = type_7(1u, _e620.member);
+                                                phi_973_ = type_7((_e620.member + 1u), _e620.member_1);
+                                                phi_995_ = type_7(1u, _e620.member);
                                             } else {
-                                                phi_972_ = _e620;
-                                                phi_994_ = type_7(0u, type_7().member_1);
+                                                phi_973_ = _e620;
+                                                phi_995_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e633 = phi_972_;
-                                            let _e635 = phi_994_;
+                                            let _e633 = phi_973_;
+                                            let _e635 = phi_995_;
                                             let _e639 = (bitcast<i32>(_e635.member) != 0i);
                                             if _e639 {
                                                 let _e640 = ((_e416 & 268435455u) + _e635.member_1);
@@ -500,21 +500,21 @@ fn function_() {
                                                 if _e641 {
                                                     if _e641 {
                                                     } else {
-                                                        phi_2191_ = true;
+                                                        phi_2192_ = true;
                                                         break;
                                                     }
                                                     let _e645 = global_3.member[_e640].member_1;
-                                                    phi_1015_ = _e645;
+                                                    phi_1016_ = _e645;
                                                 } else {
-                                                    phi_1015_ = 4294967295u;
+                                                    phi_1016_ = 4294967295u;
                                                 }
-                                                let _e647 = phi_1015_;
+                                                let _e647 = phi_1016_;
                                                 if (_e640 >= _e65) {
-                                                    phi_1104_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1105_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e641 {
                                                     } else {
-                                                        phi_2191_ = true;
+                                                        phi_2192_ = true;
                                                         break;
                                                     }
                                                     let _e649 = (_e191 % 3u);
@@ -522,67 +522,67 @@ fn function_() {
                                                     let _e651 = (_e192 % 3u);
                                                     if (_e649 < 9u) {
                                                     } else {
-                                                        phi_2191_ = true;
+                                                        phi_2192_ = true;
                                                         break;
                                                     }
                                                     let _e657 = global_3.member[_e640].member[_e649];
                                                     if (_e650 < 9u) {
                                                     } else {
-                                                        phi_2191_ = true;
+                                                        phi_2192_ = true;
                                                         break;
                                                     }
                                                     let _e663 = global_3.member[_e640].member[_e650];
                                                     if (_e651 < 9u) {
                                                     } else {
-                                                        phi_2191_ = true;
+                                                        phi_2192_ = true;
                                                         break;
                                                     }
                                                     let _e669 = global_3.member[_e640].member[_e651];
                                                     let _e671 = (3u + _e649);
                                                     if (_e671 < 9u) {
                                                     } else {
-                                                        phi_2191_ = true;
+                                                        phi_2192_ = true;
                                                         break;
                                                     }
                                                     let _e677 = global_3.member[_e640].member[_e671];
                                                     let _e678 = (3u + _e650);
                                                     if (_e678 < 9u) {
                                                     } else {
-                                                        phi_2191_ = true;
+                                                        phi_2192_ = true;
                                                         break;
                                                     }
                                                     let _e684 = global_3.member[_e640].member[_e678];
                                                     let _e685 = (3u + _e651);
                                                     if (_e685 < 9u) {
                                                     } else {
-                                                        phi_2191_ = true;
+                                                        phi_2192_ = true;
                                                         break;
                                                     }
                                                     let _e691 = global_3.member[_e640].member[_e685];
                                                     let _e693 = (6u + _e649);
                                                     if (_e693 < 9u) {
                                                     } else {
-                                                        phi_2191_ = true;
+                                                        phi_2192_ = true;
                                                         break;
                                                     }
                                                     let _e699 = global_3.member[_e640].member[_e693];
                                                     let _e700 = (6u + _e650);
                                                     if (_e700 < 9u) {
                                                     } else {
-                                                        phi_2191_ = true;
+                                                        phi_2192_ = true;
                                                         break;
                                                     }
                                                     let _e706 = global_3.member[_e640].member[_e700];
                                                     let _e707 = (6u + _e651);
                                                     if (_e707 < 9u) {
                                                     } else {
-                                                        phi_2191_ = true;
+                                                        phi_2192_ = true;
                                                         break;
                                                     }
                                                     let _e713 = global_3.member[_e640].member[_e707];
-                                                    phi_1104_ = array<array<f32, 3>, 3>(array<f32, 3>(_e657, _e663, _e669), array<f32, 3>(_e677, _e684, _e691), array<f32, 3>(_e699, _e706, _e713));
+                                                    phi_1105_ = array<array<f32, 3>, 3>(array<f32, 3>(_e657, _e663, _e669), array<f32, 3>(_e677, _e684, _e691), array<f32, 3>(_e699, _e706, _e713));
                                                 }
-                                                let _e717 = phi_1104_;
+                                                let _e717 = phi_1105_;
                                                 let _e725 = (_e717[0][2] - _e309);
                                                 let _e728 = (((_e717[0][0] - _e232) * _e333) - (_e725 * _e257));
                                                 let _e731 = (((_e717[0][1] - _e271) * _e333) - (_e725 * _e295));
@@ -609,8 +609,8 @@ fn function_() {
                                                     let _e787 = select(0f, _e785, (_e785 > 0f));
                                                     let _e789 = ((_e779 + _e783) + _e787);
                                                     if (_e789 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1670_ = type_26();
-                                                        phi_1671_ = true;
+                                                        phi_1671_ = type_26();
+                                                        phi_1672_ = true;
                                                     } else {
                                                         let _e792 = select(_e717[1][0], _e717[0][0], (_e717[0][0] < _e717[1][0]));
                                                         let _e796 = select(_e717[1][0], _e717[0][0], (_e717[0][0] > _e717[1][0]));
@@ -637,12 +637,12 @@ fn function_() {
                                                         let _e847 = -(_e828);
                                                         let _e853 = select(_e383, _e838, (_e838 > _e383));
                                                         if (_e853 > (_e846 + (select(_e847, _e830, (_e830 > _e847)) * 0.0000019073523f))) {
-                                                            phi_1665_ = type_26();
-                                                            phi_1666_ = true;
+                                                            phi_1666_ = type_26();
+                                                            phi_1667_ = true;
                                                         } else {
                                                             let _e855 = (_e853 > _e618.member);
                                                             if _e855 {
-                                                                phi_1664_ = type_26();
+                                                                phi_1665_ = type_26();
                                                             } else {
                                                                 let _e859 = (_e717[1][0] - _e717[0][0]);
                                                                 let _e860 = (_e717[1][1] - _e717[0][1]);
@@ -674,30 +674,30 @@ fn function_() {
                                                                 let _e911 = select(_e896, _e883, (_e883 > _e896));
                                                                 let _e913 = select(_e909, _e911, (_e911 > _e909));
                                                                 if (_e883 == _e913) {
-                                                                    phi_1575_ = _e866;
-                                                                    phi_1576_ = _e870;
+                                                                    phi_1576_ = _e866;
+                                                                    phi_1577_ = _e870;
                                                                 } else {
                                                                     let _e916 = vec3((_e896 == _e913));
-                                                                    phi_1575_ = select(_e862, _e870, _e916);
-                                                                    phi_1576_ = select(_e866, _e862, _e916);
+                                                                    phi_1576_ = select(_e862, _e870, _e916);
+                                                                    phi_1577_ = select(_e866, _e862, _e916);
                                                                 }
-                                                                let _e920 = phi_1575_;
-                                                                let _e922 = phi_1576_;
+                                                                let _e920 = phi_1576_;
+                                                                let _e922 = phi_1577_;
                                                                 let _e929 = ((_e920.y * _e922.z) - (_e922.y * _e920.z));
                                                                 let _e934 = ((_e920.z * _e922.x) - (_e922.z * _e920.x));
                                                                 let _e937 = ((_e920.x * _e922.y) - (_e922.x * _e920.y));
                                                                 if (_e779 >= _e783) {
-                                                                    phi_1607_ = select(true, false, (_e779 >= _e787));
+                                                                    phi_1608_ = select(true, false, (_e779 >= _e787));
                                                                 } else {
-                                                                    phi_1607_ = true;
+                                                                    phi_1608_ = true;
                                                                 }
-                                                                let _e942 = phi_1607_;
+                                                                let _e942 = phi_1608_;
                                                                 if _e942 {
-                                                                    phi_1616_ = select(vec3<f32>(_e717[2][0], _e717[2][1], _e717[2][2]), vec3<f32>(_e717[1][0], _e717[1][1], _e717[1][2]), vec3((_e783 >= _e787)));
+                                                                    phi_1617_ = select(vec3<f32>(_e717[2][0], _e717[2][1], _e717[2][2]), vec3<f32>(_e717[1][0], _e717[1][1], _e717[1][2]), vec3((_e783 >= _e787)));
                                                                 } else {
-                                                                    phi_1616_ = vec3<f32>(_e717[0][0], _e717[0][1], _e717[0][2]);
+                                                                    phi_1617_ = vec3<f32>(_e717[0][0], _e717[0][1], _e717[0][2]);
                                                                 }
-                                                                let _e947 = phi_1616_;
+                                                                let _e947 = phi_1617_;
                                                                 let _e964 = ((((_e929 * (_e947.x - _e232)) + (_e934 * (_e947.y - _e271))) + (_e937 * (_e947.z - _e309))) / (((_e929 * _e257) + (_e934 * _e295)) + (_e937 * _e333)));
                                                                 let _e966 = select(_e846, _e964, (_e964 < _e846));
                                                                 let _e968 = select(_e838, _e966, (_e966 > _e838));
@@ -705,124 +705,124 @@ fn function_() {
                                                                     let _e970 = (_e968 <= _e618.member);
                                                                     if _e970 {
                                                                         let _e971 = (1f / _e789);
-                                                                        phi_1656_ = type_26(_e968, (_e783 * _e971), (_e787 * _e971), _e647);
+                                                                        phi_1657_ = type_26(_e968, (_e783 * _e971), (_e787 * _e971), _e647);
                                                                     } else {
-                                                                        phi_1656_ = type_26();
+                                                                        phi_1657_ = type_26();
                                                                     }
-                                                                    let _e976 = phi_1656_;
-                                                                    phi_1658_ = _e976;
-                                                                    phi_1659_ = select(true, false, _e970);
+                                                                    let _e976 = phi_1657_;
+                                                                    phi_1659_ = _e976;
+                                                                    phi_1660_ = select(true, false, _e970);
                                                                 } else {
-                                                                    phi_1658_ = type_26();
-                                                                    phi_1659_ = true;
+                                                                    phi_1659_ = type_26();
+                                                                    phi_1660_ = true;
                                                                 }
-                                                                let _e979 = phi_1658_;
-                                                                let _e981 = phi_1659_;
+                                                                let _e979 = phi_1659_;
+                                                                let _e981 = phi_1660_;
                                                                 if _e981 {
-                                                                    phi_1663_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1664_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1663_ = _e979;
+                                                                    phi_1664_ = _e979;
                                                                 }
-                                                                let _e983 = phi_1663_;
-                                                                phi_1664_ = _e983;
+                                                                let _e983 = phi_1664_;
+                                                                phi_1665_ = _e983;
                                                             }
-                                                            let _e985 = phi_1664_;
-                                                            phi_1665_ = _e985;
-                                                            phi_1666_ = _e855;
+                                                            let _e985 = phi_1665_;
+                                                            phi_1666_ = _e985;
+                                                            phi_1667_ = _e855;
                                                         }
-                                                        let _e987 = phi_1665_;
-                                                        let _e989 = phi_1666_;
-                                                        phi_1670_ = _e987;
-                                                        phi_1671_ = _e989;
+                                                        let _e987 = phi_1666_;
+                                                        let _e989 = phi_1667_;
+                                                        phi_1671_ = _e987;
+                                                        phi_1672_ = _e989;
                                                     }
-                                                    let _e991 = phi_1670_;
-                                                    let _e993 = phi_1671_;
-                                                    phi_1675_ = _e991;
-                                                    phi_1676_ = _e993;
+                                                    let _e991 = phi_1671_;
+                                                    let _e993 = phi_1672_;
+                                                    phi_1676_ = _e991;
+                                                    phi_1677_ = _e993;
                                                 } else {
-                                                    phi_1675_ = type_26();
-                                                    phi_1676_ = true;
+                                                    phi_1676_ = type_26();
+                                                    phi_1677_ = true;
                                                 }
-                                                let _e995 = phi_1675_;
-                                                let _e997 = phi_1676_;
+                                                let _e995 = phi_1676_;
+                                                let _e997 = phi_1677_;
                                                 if _e997 {
-                                                    phi_1680_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1681_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1680_ = _e995;
+                                                    phi_1681_ = _e995;
                                                 }
-                                                let _e999 = phi_1680_;
+                                                let _e999 = phi_1681_;
                                                 if (_e999.member_3 != 4294967295u) {
                                                     if (_e647 != 4294967295u) {
-                                                        phi_1691_ = type_45(_e618.member, true);
+                                                        phi_1692_ = type_45(_e618.member, true);
                                                     } else {
-                                                        phi_1691_ = _e618;
+                                                        phi_1692_ = _e618;
                                                     }
-                                                    let _e1007 = phi_1691_;
-                                                    phi_1692_ = _e1007;
+                                                    let _e1007 = phi_1692_;
+                                                    phi_1693_ = _e1007;
                                                 } else {
-                                                    phi_1692_ = _e618;
+                                                    phi_1693_ = _e618;
                                                 }
-                                                let _e1009 = phi_1692_;
-                                                phi_969_ = _e1009;
+                                                let _e1009 = phi_1693_;
+                                                phi_970_ = _e1009;
                                             } else {
-                                                phi_969_ = type_45();
+                                                phi_970_ = type_45();
                                             }
-                                            let _e1011 = phi_969_;
+                                            let _e1011 = phi_970_;
                                             continue;
                                             continuing {
-                                                phi_968_ = _e1011;
-                                                phi_971_ = _e633;
-                                                phi_2191_ = _e391;
+                                                phi_969_ = _e1011;
+                                                phi_972_ = _e633;
+                                                phi_2192_ = _e391;
                                                 break if !(_e639);
                                             }
                                         }
-                                        let _e1014 = phi_2191_;
-                                        phi_2298_ = _e1014;
+                                        let _e1014 = phi_2192_;
+                                        phi_2299_ = _e1014;
                                         if _e1014 {
                                             break;
                                         }
                                         let _e1016 = local_2;
-                                        phi_2302_ = _e1014;
+                                        phi_2303_ = _e1014;
                                         let _e1154 = local_4;
-                                        phi_2147_ = _e1154;
-                                        phi_2148_ = _e416;
-                                        phi_2149_ = false;
-                                        phi_2150_ = select(_e420, 0u, _e1016.member_1);
+                                        phi_2148_ = _e1154;
+                                        phi_2149_ = _e416;
+                                        phi_2150_ = false;
+                                        phi_2151_ = select(_e420, 0u, _e1016.member_1);
                                     } else {
                                         if (_e416 >= _e63) {
-                                            phi_1753_ = type_41(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1754_ = type_41(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e416 < _e63) {
                                             } else {
-                                                phi_2298_ = true;
+                                                phi_2299_ = true;
                                                 break;
                                             }
                                             let _e430 = (_e191 % 3u);
                                             if (_e430 < 3u) {
                                             } else {
-                                                phi_2298_ = true;
+                                                phi_2299_ = true;
                                                 break;
                                             }
                                             let _e436 = global_2.member[_e416].member[_e430];
                                             let _e442 = (_e190 % 3u);
                                             if (_e442 < 3u) {
                                             } else {
-                                                phi_2298_ = true;
+                                                phi_2299_ = true;
                                                 break;
                                             }
                                             let _e448 = global_2.member[_e416].member[_e442];
                                             let _e454 = (_e192 % 3u);
                                             if (_e454 < 3u) {
                                             } else {
-                                                phi_2298_ = true;
+                                                phi_2299_ = true;
                                                 break;
                                             }
                                             let _e460 = global_2.member[_e416].member[_e454];
                                             let _e470 = global_2.member[_e416].member_1;
                                             let _e474 = global_2.member[_e416].member_2;
-                                            phi_1753_ = type_41(array<vec4<f32>, 3>(vec4<f32>(_e436[0], _e436[1], _e436[2], _e436[3]), vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3])), _e470, _e474);
+                                            phi_1754_ = type_41(array<vec4<f32>, 3>(vec4<f32>(_e436[0], _e436[1], _e436[2], _e436[3]), vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3])), _e470, _e474);
                                         }
-                                        let _e477 = phi_1753_;
+                                        let _e477 = phi_1754_;
                                         let _e489 = ((_e477.member[0].x - _e255) * _e260);
                                         let _e490 = ((_e477.member[0].y - _e255) * _e260);
                                         let _e491 = ((_e477.member[0].z - _e256) * _e260);
@@ -865,157 +865,157 @@ fn function_() {
                                         if _e577 {
                                             if _e578 {
                                                 if _e579 {
-                                                    phi_2097_ = _e477.member_2;
+                                                    phi_2098_ = _e477.member_2;
                                                 } else {
-                                                    phi_2097_ = _e477.member_1;
+                                                    phi_2098_ = _e477.member_1;
                                                 }
-                                                let _e583 = phi_2097_;
+                                                let _e583 = phi_2098_;
                                                 let _e584 = (_e420 % 128u);
                                                 let _e585 = (_e584 < 128u);
                                                 if _e585 {
                                                 } else {
-                                                    phi_2298_ = true;
+                                                    phi_2299_ = true;
                                                     break;
                                                 }
                                                 local_1[_e584] = _e583;
                                                 if _e585 {
                                                 } else {
-                                                    phi_2298_ = true;
+                                                    phi_2299_ = true;
                                                     break;
                                                 }
                                                 local[_e584] = select(_e572, _e570, (_e570 > _e572));
                                                 if _e579 {
-                                                    phi_2124_ = _e477.member_1;
+                                                    phi_2125_ = _e477.member_1;
                                                 } else {
-                                                    phi_2124_ = _e477.member_2;
+                                                    phi_2125_ = _e477.member_2;
                                                 }
-                                                let _e594 = phi_2124_;
-                                                phi_2125_ = _e594;
-                                                phi_2126_ = (_e420 + 1u);
+                                                let _e594 = phi_2125_;
+                                                phi_2126_ = _e594;
+                                                phi_2127_ = (_e420 + 1u);
                                             } else {
-                                                phi_2125_ = u32();
                                                 phi_2126_ = u32();
+                                                phi_2127_ = u32();
                                             }
-                                            let _e596 = phi_2125_;
-                                            let _e598 = phi_2126_;
-                                            phi_2128_ = _e596;
-                                            phi_2129_ = _e598;
-                                            phi_2130_ = select(true, false, _e578);
+                                            let _e596 = phi_2126_;
+                                            let _e598 = phi_2127_;
+                                            phi_2129_ = _e596;
+                                            phi_2130_ = _e598;
+                                            phi_2131_ = select(true, false, _e578);
                                         } else {
-                                            phi_2128_ = u32();
                                             phi_2129_ = u32();
-                                            phi_2130_ = true;
+                                            phi_2130_ = u32();
+                                            phi_2131_ = true;
                                         }
-                                        let _e601 = phi_2128_;
-                                        let _e603 = phi_2129_;
-                                        let _e605 = phi_2130_;
+                                        let _e601 = phi_2129_;
+                                        let _e603 = phi_2130_;
+                                        let _e605 = phi_2131_;
                                         if _e605 {
                                             if _e577 {
-                                                phi_2139_ = _e477.member_1;
+                                                phi_2140_ = _e477.member_1;
                                             } else {
-                                                phi_2139_ = _e477.member_2;
+                                                phi_2140_ = _e477.member_2;
                                             }
-                                            let _e609 = phi_2139_;
-                                            phi_2144_ = _e609;
-                                            phi_2145_ = select(_e578, true, _e577);
+                                            let _e609 = phi_2140_;
+                                            phi_2145_ = _e609;
+                                            phi_2146_ = select(_e578, true, _e577);
                                         } else {
-                                            phi_2144_ = _e601;
-                                            phi_2145_ = _e418;
+                                            phi_2145_ = _e601;
+                                            phi_2146_ = _e418;
                                         }
-                                        let _e612 = phi_2144_;
-                                        let _e614 = phi_2145_;
-                                        phi_2302_ = _e391;
-                                        phi_2147_ = _e393;
-                                        phi_2148_ = _e612;
-                                        phi_2149_ = _e614;
-                                        phi_2150_ = select(_e603, _e420, _e605);
+                                        let _e612 = phi_2145_;
+                                        let _e614 = phi_2146_;
+                                        phi_2303_ = _e391;
+                                        phi_2148_ = _e393;
+                                        phi_2149_ = _e612;
+                                        phi_2150_ = _e614;
+                                        phi_2151_ = select(_e603, _e420, _e605);
                                     }
-                                    let _e1020 = phi_2302_;
-                                    let _e1022 = phi_2147_;
-                                    let _e1024 = phi_2148_;
-                                    let _e1026 = phi_2149_;
-                                    let _e1028 = phi_2150_;
-                                    phi_2301_ = _e1020;
-                                    phi_2151_ = _e1022;
-                                    phi_2152_ = _e1024;
-                                    phi_2153_ = (_e397 - 1u);
-                                    phi_2154_ = _e1026;
-                                    phi_2155_ = _e1028;
+                                    let _e1020 = phi_2303_;
+                                    let _e1022 = phi_2148_;
+                                    let _e1024 = phi_2149_;
+                                    let _e1026 = phi_2150_;
+                                    let _e1028 = phi_2151_;
+                                    phi_2302_ = _e1020;
+                                    phi_2152_ = _e1022;
+                                    phi_2153_ = _e1024;
+                                    phi_2154_ = (_e397 - 1u);
+                                    phi_2155_ = _e1026;
+                                    phi_2156_ = _e1028;
                                 } else {
-                                    phi_2301_ = _e391;
-                                    phi_2151_ = _e393;
-                                    phi_2152_ = _e416;
-                                    phi_2153_ = _e397;
-                                    phi_2154_ = _e418;
-                                    phi_2155_ = _e420;
+                                    phi_2302_ = _e391;
+                                    phi_2152_ = _e393;
+                                    phi_2153_ = _e416;
+                                    phi_2154_ = _e397;
+                                    phi_2155_ = _e418;
+                                    phi_2156_ = _e420;
                                 }
-                                let _e1030 = phi_2301_;
-                                let _e1032 = phi_2151_;
-                                let _e1034 = phi_2152_;
-                                let _e1036 = phi_2153_;
-                                let _e1038 = phi_2154_;
-                                let _e1040 = phi_2155_;
-                                phi_2300_ = _e1030;
-                                phi_2156_ = _e1032;
-                                phi_2157_ = _e1034;
-                                phi_2158_ = _e1036;
-                                phi_2159_ = _e1038;
-                                phi_2160_ = _e1040;
+                                let _e1030 = phi_2302_;
+                                let _e1032 = phi_2152_;
+                                let _e1034 = phi_2153_;
+                                let _e1036 = phi_2154_;
+                                let _e1038 = phi_2155_;
+                                let _e1040 = phi_2156_;
+                                phi_2301_ = _e1030;
+                                phi_2157_ = _e1032;
+                                phi_2158_ = _e1034;
+                                phi_2159_ = _e1036;
+                                phi_2160_ = _e1038;
+                                phi_2161_ = _e1040;
                             } else {
-                                phi_2300_ = _e391;
-                                phi_2156_ = type_45();
-                                phi_2157_ = u32();
+                                phi_2301_ = _e391;
+                                phi_2157_ = type_45();
                                 phi_2158_ = u32();
-                                phi_2159_ = bool();
-                                phi_2160_ = u32();
+                                phi_2159_ = u32();
+                                phi_2160_ = bool();
+                                phi_2161_ = u32();
                             }
-                            let _e1042 = phi_2300_;
-                            let _e1044 = phi_2156_;
-                            let _e1046 = phi_2157_;
-                            let _e1048 = phi_2158_;
-                            let _e1050 = phi_2159_;
-                            let _e1052 = phi_2160_;
-                            phi_2299_ = _e1042;
-                            phi_901_ = _e1044;
-                            phi_904_ = _e1046;
-                            phi_906_ = _e1048;
-                            phi_908_ = _e1050;
-                            phi_910_ = _e1052;
-                            phi_2161_ = _e405;
+                            let _e1042 = phi_2301_;
+                            let _e1044 = phi_2157_;
+                            let _e1046 = phi_2158_;
+                            let _e1048 = phi_2159_;
+                            let _e1050 = phi_2160_;
+                            let _e1052 = phi_2161_;
+                            phi_2300_ = _e1042;
+                            phi_902_ = _e1044;
+                            phi_905_ = _e1046;
+                            phi_907_ = _e1048;
+                            phi_909_ = _e1050;
+                            phi_911_ = _e1052;
+                            phi_2162_ = _e405;
                         } else {
-                            phi_2299_ = _e391;
-                            phi_901_ = type_45();
-                            phi_904_ = u32();
-                            phi_906_ = u32();
-                            phi_908_ = bool();
-                            phi_910_ = u32();
-                            phi_2161_ = false;
+                            phi_2300_ = _e391;
+                            phi_902_ = type_45();
+                            phi_905_ = u32();
+                            phi_907_ = u32();
+                            phi_909_ = bool();
+                            phi_911_ = u32();
+                            phi_2162_ = false;
                         }
-                        let _e1054 = phi_2299_;
-                        let _e1056 = phi_901_;
-                        let _e1058 = phi_904_;
-                        let _e1060 = phi_906_;
-                        let _e1062 = phi_908_;
-                        let _e1064 = phi_910_;
-                        let _e1066 = phi_2161_;
+                        let _e1054 = phi_2300_;
+                        let _e1056 = phi_902_;
+                        let _e1058 = phi_905_;
+                        let _e1060 = phi_907_;
+                        let _e1062 = phi_909_;
+                        let _e1064 = phi_911_;
+                        let _e1066 = phi_2162_;
                         continue;
                         continuing {
-                            phi_2197_ = _e1054;
-                            phi_900_ = _e1056;
-                            phi_903_ = _e1058;
-                            phi_905_ = _e1060;
-                            phi_907_ = _e1062;
-                            phi_909_ = _e1064;
-                            phi_2298_ = _e1054;
+                            phi_2198_ = _e1054;
+                            phi_901_ = _e1056;
+                            phi_904_ = _e1058;
+                            phi_906_ = _e1060;
+                            phi_908_ = _e1062;
+                            phi_910_ = _e1064;
+                            phi_2299_ = _e1054;
                             break if !(_e1066);
                         }
                     }
-                    let _e1069 = phi_2298_;
+                    let _e1069 = phi_2299_;
                     if _e1069 {
                         break;
                     }
                     let _e1071 = local_3;
-                    if _e75 {
+                    if _e79 {
                     } else {
                         break;
                     }

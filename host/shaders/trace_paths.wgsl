@@ -88,110 +88,111 @@ var<storage, read_write> global_5: type_51;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_275_: i32;
-    var phi_276_: i32;
-    var phi_286_: bool;
-    var phi_296_: u32;
-    var phi_297_: u32;
-    var phi_299_: bool;
-    var phi_304_: u32;
-    var phi_348_: f32;
+    var phi_176_: u32;
+    var phi_281_: i32;
+    var phi_282_: i32;
+    var phi_292_: bool;
+    var phi_302_: u32;
+    var phi_303_: u32;
+    var phi_305_: bool;
+    var phi_310_: u32;
     var phi_354_: f32;
-    var phi_365_: f32;
+    var phi_360_: f32;
     var phi_371_: f32;
-    var phi_394_: f32;
-    var phi_405_: f32;
-    var phi_414_: f32;
+    var phi_377_: f32;
+    var phi_400_: f32;
+    var phi_411_: f32;
     var phi_420_: f32;
-    var phi_431_: f32;
+    var phi_426_: f32;
     var phi_437_: f32;
-    var phi_460_: f32;
-    var phi_471_: f32;
-    var phi_480_: f32;
+    var phi_443_: f32;
+    var phi_466_: f32;
+    var phi_477_: f32;
     var phi_486_: f32;
-    var phi_497_: f32;
+    var phi_492_: f32;
     var phi_503_: f32;
-    var phi_526_: f32;
-    var phi_537_: f32;
-    var phi_637_: f32;
-    var phi_638_: f32;
-    var phi_2351_: bool;
-    var phi_912_: type_42;
-    var phi_915_: u32;
-    var phi_917_: u32;
-    var phi_919_: bool;
+    var phi_509_: f32;
+    var phi_532_: f32;
+    var phi_543_: f32;
+    var phi_643_: f32;
+    var phi_644_: f32;
+    var phi_2357_: bool;
+    var phi_918_: type_42;
     var phi_921_: u32;
-    var phi_932_: bool;
-    var phi_963_: u32;
-    var phi_964_: bool;
-    var phi_965_: u32;
-    var phi_1786_: type_46;
-    var phi_2130_: u32;
-    var phi_2157_: u32;
-    var phi_2158_: u32;
-    var phi_2159_: u32;
-    var phi_2161_: u32;
-    var phi_2162_: u32;
-    var phi_2163_: bool;
-    var phi_2172_: u32;
-    var phi_2177_: u32;
-    var phi_2178_: bool;
-    var phi_980_: type_42;
-    var phi_983_: type_7;
-    var phi_984_: type_7;
-    var phi_1006_: type_7;
-    var phi_1027_: u32;
-    var phi_1116_: array<array<f32, 3>, 3>;
-    var phi_1587_: vec3<f32>;
-    var phi_1588_: vec3<f32>;
-    var phi_1619_: bool;
-    var phi_1628_: vec3<f32>;
-    var phi_1668_: type_22;
-    var phi_1670_: type_22;
-    var phi_1671_: bool;
-    var phi_1675_: type_22;
-    var phi_1676_: type_22;
-    var phi_1677_: type_22;
-    var phi_1678_: bool;
-    var phi_1682_: type_22;
-    var phi_1683_: bool;
-    var phi_1687_: type_22;
-    var phi_1688_: bool;
-    var phi_1692_: type_22;
-    var phi_1717_: bool;
-    var phi_1718_: bool;
-    var phi_1724_: type_42;
-    var phi_1725_: type_42;
-    var phi_1726_: type_42;
-    var phi_981_: type_42;
-    var phi_2345_: bool;
-    var phi_2459_: bool;
-    var phi_2180_: type_42;
-    var phi_2181_: u32;
-    var phi_2182_: bool;
+    var phi_923_: u32;
+    var phi_925_: bool;
+    var phi_927_: u32;
+    var phi_938_: bool;
+    var phi_969_: u32;
+    var phi_970_: bool;
+    var phi_971_: u32;
+    var phi_1792_: type_46;
+    var phi_2136_: u32;
+    var phi_2163_: u32;
+    var phi_2164_: u32;
+    var phi_2165_: u32;
+    var phi_2167_: u32;
+    var phi_2168_: u32;
+    var phi_2169_: bool;
+    var phi_2178_: u32;
     var phi_2183_: u32;
-    var phi_2458_: bool;
-    var phi_2184_: type_42;
-    var phi_2185_: u32;
-    var phi_2186_: u32;
-    var phi_2187_: bool;
-    var phi_2188_: u32;
-    var phi_2457_: bool;
-    var phi_2189_: type_42;
-    var phi_2190_: u32;
+    var phi_2184_: bool;
+    var phi_986_: type_42;
+    var phi_989_: type_7;
+    var phi_990_: type_7;
+    var phi_1012_: type_7;
+    var phi_1033_: u32;
+    var phi_1122_: array<array<f32, 3>, 3>;
+    var phi_1593_: vec3<f32>;
+    var phi_1594_: vec3<f32>;
+    var phi_1625_: bool;
+    var phi_1634_: vec3<f32>;
+    var phi_1674_: type_22;
+    var phi_1676_: type_22;
+    var phi_1677_: bool;
+    var phi_1681_: type_22;
+    var phi_1682_: type_22;
+    var phi_1683_: type_22;
+    var phi_1684_: bool;
+    var phi_1688_: type_22;
+    var phi_1689_: bool;
+    var phi_1693_: type_22;
+    var phi_1694_: bool;
+    var phi_1698_: type_22;
+    var phi_1723_: bool;
+    var phi_1724_: bool;
+    var phi_1730_: type_42;
+    var phi_1731_: type_42;
+    var phi_1732_: type_42;
+    var phi_987_: type_42;
+    var phi_2351_: bool;
+    var phi_2466_: bool;
+    var phi_2186_: type_42;
+    var phi_2187_: u32;
+    var phi_2188_: bool;
+    var phi_2189_: u32;
+    var phi_2465_: bool;
+    var phi_2190_: type_42;
     var phi_2191_: u32;
-    var phi_2192_: bool;
-    var phi_2193_: u32;
-    var phi_2456_: bool;
-    var phi_913_: type_42;
-    var phi_916_: u32;
-    var phi_918_: u32;
-    var phi_920_: bool;
+    var phi_2192_: u32;
+    var phi_2193_: bool;
+    var phi_2194_: u32;
+    var phi_2464_: bool;
+    var phi_2195_: type_42;
+    var phi_2196_: u32;
+    var phi_2197_: u32;
+    var phi_2198_: bool;
+    var phi_2199_: u32;
+    var phi_2463_: bool;
+    var phi_919_: type_42;
     var phi_922_: u32;
-    var phi_2194_: bool;
-    var phi_2455_: bool;
+    var phi_924_: u32;
+    var phi_926_: bool;
+    var phi_928_: u32;
+    var phi_2200_: bool;
+    var phi_2462_: bool;
     var local_2: type_42;
-    var phi_2246_: type_22;
+    var phi_2252_: type_22;
     var local_3: type_42;
 
     switch bitcast<i32>(0u) {
@@ -203,898 +204,904 @@ fn function_() {
             let _e76 = (_e62.x + (_e62.y * 2097152u));
             let _e77 = (_e76 < arrayLength((&global_3.member)));
             if _e77 {
-                let _e78 = (_e76 < arrayLength((&global_4.member)));
-                if _e78 {
+                if _e77 {
+                } else {
+                    break;
+                }
+                let _e81 = global_3.member[_e76].member_2;
+                phi_176_ = _e81;
+            } else {
+                phi_176_ = 4294967295u;
+            }
+            let _e83 = phi_176_;
+            if _e77 {
+                let _e84 = (_e76 < arrayLength((&global_4.member)));
+                if _e84 {
                     if _e77 {
                     } else {
                         break;
                     }
-                    if _e77 {
-                    } else {
-                        break;
-                    }
-                    let _e82 = global_3.member[_e76].member_2;
-                    let _e92 = global_3.member[_e76].member.member_2[0u];
-                    let _e94 = (bitcast<u32>(_e92) & 2147483647u);
-                    let _e100 = global_3.member[_e76].member.member_2[1u];
-                    let _e102 = (bitcast<u32>(_e100) & 2147483647u);
-                    let _e108 = global_3.member[_e76].member.member_2[2u];
-                    let _e110 = (bitcast<u32>(_e108) & 2147483647u);
-                    let _e116 = global_3.member[_e76].member.member[0u];
-                    let _e118 = (bitcast<u32>(_e116) & 2147483647u);
-                    let _e124 = global_3.member[_e76].member.member[1u];
-                    let _e126 = (bitcast<u32>(_e124) & 2147483647u);
-                    let _e132 = global_3.member[_e76].member.member[2u];
-                    let _e134 = (bitcast<u32>(_e132) & 2147483647u);
-                    let _e136 = select(_e102, _e94, (_e102 < _e94));
-                    let _e138 = select(_e110, _e136, (_e110 < _e136));
-                    let _e140 = select(_e118, _e138, (_e118 < _e138));
-                    let _e142 = select(_e126, _e140, (_e126 < _e140));
-                    let _e144 = select(_e134, _e142, (_e134 < _e142));
-                    let _e149 = global_3.member[_e76].member.member_1;
-                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
-                    let _e159 = global_3.member[_e76].member.member_3;
-                    let _e165 = (((select(_e151, _e144, (_e151 < _e144)) < 2139095040u) && ((bitcast<u32>(_e159) & 2147483647u) <= 2139095040u)) && (_e138 > 0u));
-                    if _e165 {
-                        let _e168 = (bitcast<u32>(bitcast<f32>(_e138)) & 2147483647u);
-                        if (_e168 >= 8388608u) {
-                            phi_275_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
+                    let _e94 = global_3.member[_e76].member.member_2[0u];
+                    let _e96 = (bitcast<u32>(_e94) & 2147483647u);
+                    let _e102 = global_3.member[_e76].member.member_2[1u];
+                    let _e104 = (bitcast<u32>(_e102) & 2147483647u);
+                    let _e110 = global_3.member[_e76].member.member_2[2u];
+                    let _e112 = (bitcast<u32>(_e110) & 2147483647u);
+                    let _e118 = global_3.member[_e76].member.member[0u];
+                    let _e120 = (bitcast<u32>(_e118) & 2147483647u);
+                    let _e126 = global_3.member[_e76].member.member[1u];
+                    let _e128 = (bitcast<u32>(_e126) & 2147483647u);
+                    let _e134 = global_3.member[_e76].member.member[2u];
+                    let _e136 = (bitcast<u32>(_e134) & 2147483647u);
+                    let _e138 = select(_e104, _e96, (_e104 < _e96));
+                    let _e140 = select(_e112, _e138, (_e112 < _e138));
+                    let _e142 = select(_e120, _e140, (_e120 < _e140));
+                    let _e144 = select(_e128, _e142, (_e128 < _e142));
+                    let _e146 = select(_e136, _e144, (_e136 < _e144));
+                    let _e151 = global_3.member[_e76].member.member_1;
+                    let _e153 = (bitcast<u32>(_e151) & 2147483647u);
+                    let _e161 = global_3.member[_e76].member.member_3;
+                    let _e167 = (((select(_e153, _e146, (_e153 < _e146)) < 2139095040u) && ((bitcast<u32>(_e161) & 2147483647u) <= 2139095040u)) && (_e140 > 0u));
+                    if _e167 {
+                        let _e170 = (bitcast<u32>(bitcast<f32>(_e140)) & 2147483647u);
+                        if (_e170 >= 8388608u) {
+                            phi_281_ = (bitcast<i32>((_e170 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_275_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
+                            phi_281_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e170)), 32u, (_e170 == 0u))));
                         }
-                        let _e182 = phi_275_;
-                        phi_276_ = _e182;
+                        let _e184 = phi_281_;
+                        phi_282_ = _e184;
                     } else {
-                        phi_276_ = 0i;
+                        phi_282_ = 0i;
                     }
-                    let _e184 = phi_276_;
-                    let _e185 = (_e94 == _e138);
-                    if _e185 {
-                        phi_286_ = true;
+                    let _e186 = phi_282_;
+                    let _e187 = (_e96 == _e140);
+                    if _e187 {
+                        phi_292_ = true;
                     } else {
-                        phi_286_ = (_e102 == _e138);
+                        phi_292_ = (_e104 == _e140);
                     }
-                    let _e188 = phi_286_;
-                    let _e189 = select(1u, 0u, _e185);
-                    if _e188 {
-                        let _e190 = (_e189 + 1u);
-                        phi_296_ = _e190;
-                        phi_297_ = _e190;
-                        phi_299_ = select(true, false, (_e190 == 2u));
+                    let _e190 = phi_292_;
+                    let _e191 = select(1u, 0u, _e187);
+                    if _e190 {
+                        let _e192 = (_e191 + 1u);
+                        phi_302_ = _e192;
+                        phi_303_ = _e192;
+                        phi_305_ = select(true, false, (_e192 == 2u));
                     } else {
-                        phi_296_ = u32();
-                        phi_297_ = 0u;
-                        phi_299_ = true;
+                        phi_302_ = u32();
+                        phi_303_ = 0u;
+                        phi_305_ = true;
                     }
-                    let _e194 = phi_296_;
-                    let _e196 = phi_297_;
-                    let _e198 = phi_299_;
-                    if _e198 {
-                        phi_304_ = (_e196 + 1u);
+                    let _e196 = phi_302_;
+                    let _e198 = phi_303_;
+                    let _e200 = phi_305_;
+                    if _e200 {
+                        phi_310_ = (_e198 + 1u);
                     } else {
-                        phi_304_ = 0u;
+                        phi_310_ = 0u;
                     }
-                    let _e202 = phi_304_;
-                    let _e203 = select(_e194, _e196, _e198);
-                    let _e204 = select(_e189, select(2u, _e189, _e188), _e198);
-                    let _e205 = -(_e184);
-                    let _e206 = (_e205 / 2i);
-                    let _e211 = bitcast<f32>((bitcast<u32>((_e206 + 127i)) << bitcast<u32>(23i)));
-                    let _e217 = bitcast<f32>((bitcast<u32>(((_e205 - _e206) + 127i)) << bitcast<u32>(23i)));
-                    let _e222 = global_3.member[_e76].member.member;
-                    let _e223 = (_e203 == 0u);
-                    if _e223 {
-                        phi_348_ = _e222[0];
+                    let _e204 = phi_310_;
+                    let _e205 = select(_e196, _e198, _e200);
+                    let _e206 = select(_e191, select(2u, _e191, _e190), _e200);
+                    let _e207 = -(_e186);
+                    let _e208 = (_e207 / 2i);
+                    let _e213 = bitcast<f32>((bitcast<u32>((_e208 + 127i)) << bitcast<u32>(23i)));
+                    let _e219 = bitcast<f32>((bitcast<u32>(((_e207 - _e208) + 127i)) << bitcast<u32>(23i)));
+                    let _e224 = global_3.member[_e76].member.member;
+                    let _e225 = (_e205 == 0u);
+                    if _e225 {
+                        phi_354_ = _e224[0];
                     } else {
-                        phi_348_ = _e222[1];
+                        phi_354_ = _e224[1];
                     }
-                    let _e227 = phi_348_;
-                    let _e228 = (_e203 == 2u);
-                    if _e228 {
-                        phi_354_ = _e222[2];
+                    let _e229 = phi_354_;
+                    let _e230 = (_e205 == 2u);
+                    if _e230 {
+                        phi_360_ = _e224[2];
                     } else {
-                        phi_354_ = _e227;
+                        phi_360_ = _e229;
                     }
-                    let _e231 = phi_354_;
-                    let _e232 = global_3.member[_e76].member.member_2;
-                    if _e223 {
-                        phi_365_ = _e232[0];
+                    let _e233 = phi_360_;
+                    let _e234 = global_3.member[_e76].member.member_2;
+                    if _e225 {
+                        phi_371_ = _e234[0];
                     } else {
-                        phi_365_ = _e232[1];
+                        phi_371_ = _e234[1];
                     }
-                    let _e236 = phi_365_;
-                    if _e228 {
-                        phi_371_ = _e232[2];
+                    let _e238 = phi_371_;
+                    if _e230 {
+                        phi_377_ = _e234[2];
                     } else {
-                        phi_371_ = _e236;
+                        phi_377_ = _e238;
                     }
-                    let _e239 = phi_371_;
-                    let _e241 = ((_e239 * _e211) * _e217);
-                    let _e245 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e245 {
-                        let _e249 = (bitcast<f32>((bitcast<u32>(_e231) & 2147483647u)) * 0.00000011920929f);
-                        phi_394_ = select(0.00000000000011368684f, _e249, (_e249 > 0.00000000000011368684f));
+                    let _e241 = phi_377_;
+                    let _e243 = ((_e241 * _e213) * _e219);
+                    let _e247 = (bitcast<f32>((bitcast<u32>(_e243) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e247 {
+                        let _e251 = (bitcast<f32>((bitcast<u32>(_e233) & 2147483647u)) * 0.00000011920929f);
+                        phi_400_ = select(0.00000000000011368684f, _e251, (_e251 > 0.00000000000011368684f));
                     } else {
-                        phi_394_ = 0f;
+                        phi_400_ = 0f;
                     }
-                    let _e253 = phi_394_;
-                    let _e254 = (_e231 + _e253);
-                    let _e255 = (_e231 - _e253);
-                    let _e256 = select(_e241, 0f, _e245);
-                    if _e245 {
-                        phi_405_ = 38685626000000000000000000f;
+                    let _e255 = phi_400_;
+                    let _e256 = (_e233 + _e255);
+                    let _e257 = (_e233 - _e255);
+                    let _e258 = select(_e243, 0f, _e247);
+                    if _e247 {
+                        phi_411_ = 38685626000000000000000000f;
                     } else {
-                        phi_405_ = (1f / _e241);
+                        phi_411_ = (1f / _e243);
                     }
-                    let _e259 = phi_405_;
-                    let _e260 = (_e202 == 0u);
-                    if _e260 {
-                        phi_414_ = _e222[0];
+                    let _e261 = phi_411_;
+                    let _e262 = (_e204 == 0u);
+                    if _e262 {
+                        phi_420_ = _e224[0];
                     } else {
-                        phi_414_ = _e222[1];
+                        phi_420_ = _e224[1];
                     }
-                    let _e264 = phi_414_;
-                    let _e265 = (_e202 == 2u);
-                    if _e265 {
-                        phi_420_ = _e222[2];
+                    let _e266 = phi_420_;
+                    let _e267 = (_e204 == 2u);
+                    if _e267 {
+                        phi_426_ = _e224[2];
                     } else {
-                        phi_420_ = _e264;
+                        phi_426_ = _e266;
                     }
-                    let _e268 = phi_420_;
-                    if _e260 {
-                        phi_431_ = _e232[0];
+                    let _e270 = phi_426_;
+                    if _e262 {
+                        phi_437_ = _e234[0];
                     } else {
-                        phi_431_ = _e232[1];
+                        phi_437_ = _e234[1];
                     }
-                    let _e272 = phi_431_;
-                    if _e265 {
-                        phi_437_ = _e232[2];
+                    let _e274 = phi_437_;
+                    if _e267 {
+                        phi_443_ = _e234[2];
                     } else {
-                        phi_437_ = _e272;
+                        phi_443_ = _e274;
                     }
-                    let _e275 = phi_437_;
-                    let _e277 = ((_e275 * _e211) * _e217);
-                    let _e281 = (bitcast<f32>((bitcast<u32>(_e277) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e281 {
-                        let _e285 = (bitcast<f32>((bitcast<u32>(_e268) & 2147483647u)) * 0.00000011920929f);
-                        phi_460_ = select(0.00000000000011368684f, _e285, (_e285 > 0.00000000000011368684f));
+                    let _e277 = phi_443_;
+                    let _e279 = ((_e277 * _e213) * _e219);
+                    let _e283 = (bitcast<f32>((bitcast<u32>(_e279) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e283 {
+                        let _e287 = (bitcast<f32>((bitcast<u32>(_e270) & 2147483647u)) * 0.00000011920929f);
+                        phi_466_ = select(0.00000000000011368684f, _e287, (_e287 > 0.00000000000011368684f));
                     } else {
-                        phi_460_ = 0f;
+                        phi_466_ = 0f;
                     }
-                    let _e289 = phi_460_;
-                    let _e290 = (_e268 + _e289);
-                    let _e291 = (_e268 - _e289);
-                    let _e292 = select(_e277, 0f, _e281);
-                    if _e281 {
-                        phi_471_ = 38685626000000000000000000f;
+                    let _e291 = phi_466_;
+                    let _e292 = (_e270 + _e291);
+                    let _e293 = (_e270 - _e291);
+                    let _e294 = select(_e279, 0f, _e283);
+                    if _e283 {
+                        phi_477_ = 38685626000000000000000000f;
                     } else {
-                        phi_471_ = (1f / _e277);
+                        phi_477_ = (1f / _e279);
                     }
-                    let _e295 = phi_471_;
-                    let _e296 = (_e204 == 0u);
-                    if _e296 {
-                        phi_480_ = _e222[0];
+                    let _e297 = phi_477_;
+                    let _e298 = (_e206 == 0u);
+                    if _e298 {
+                        phi_486_ = _e224[0];
                     } else {
-                        phi_480_ = _e222[1];
+                        phi_486_ = _e224[1];
                     }
-                    let _e300 = phi_480_;
-                    let _e301 = (_e204 == 2u);
-                    if _e301 {
-                        phi_486_ = _e222[2];
+                    let _e302 = phi_486_;
+                    let _e303 = (_e206 == 2u);
+                    if _e303 {
+                        phi_492_ = _e224[2];
                     } else {
-                        phi_486_ = _e300;
+                        phi_492_ = _e302;
                     }
-                    let _e304 = phi_486_;
-                    if _e296 {
-                        phi_497_ = _e232[0];
+                    let _e306 = phi_492_;
+                    if _e298 {
+                        phi_503_ = _e234[0];
                     } else {
-                        phi_497_ = _e232[1];
+                        phi_503_ = _e234[1];
                     }
-                    let _e308 = phi_497_;
-                    if _e301 {
-                        phi_503_ = _e232[2];
+                    let _e310 = phi_503_;
+                    if _e303 {
+                        phi_509_ = _e234[2];
                     } else {
-                        phi_503_ = _e308;
+                        phi_509_ = _e310;
                     }
-                    let _e311 = phi_503_;
-                    let _e313 = ((_e311 * _e211) * _e217);
-                    let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e317 {
-                        let _e321 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) * 0.00000011920929f);
-                        phi_526_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
+                    let _e313 = phi_509_;
+                    let _e315 = ((_e313 * _e213) * _e219);
+                    let _e319 = (bitcast<f32>((bitcast<u32>(_e315) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e319 {
+                        let _e323 = (bitcast<f32>((bitcast<u32>(_e306) & 2147483647u)) * 0.00000011920929f);
+                        phi_532_ = select(0.00000000000011368684f, _e323, (_e323 > 0.00000000000011368684f));
                     } else {
-                        phi_526_ = 0f;
+                        phi_532_ = 0f;
                     }
-                    let _e325 = phi_526_;
-                    let _e326 = (_e304 + _e325);
-                    let _e327 = (_e304 - _e325);
-                    let _e328 = select(_e313, 0f, _e317);
-                    if _e317 {
-                        phi_537_ = 38685626000000000000000000f;
+                    let _e327 = phi_532_;
+                    let _e328 = (_e306 + _e327);
+                    let _e329 = (_e306 - _e327);
+                    let _e330 = select(_e315, 0f, _e319);
+                    if _e319 {
+                        phi_543_ = 38685626000000000000000000f;
                     } else {
-                        phi_537_ = (1f / _e313);
+                        phi_543_ = (1f / _e315);
                     }
-                    let _e331 = phi_537_;
-                    let _e334 = bitcast<f32>((bitcast<u32>(_e231) & 2147483647u));
-                    let _e337 = bitcast<f32>((bitcast<u32>(_e268) & 2147483647u));
-                    let _e339 = select(_e337, _e334, (_e334 > _e337));
-                    let _e342 = bitcast<f32>((bitcast<u32>(_e304) & 2147483647u));
-                    if (_e165 && (select(_e342, _e339, (_e339 > _e342)) <= 1099511600000f)) {
-                        let _e347 = (_e184 / 3i);
-                        let _e354 = bitcast<f32>((bitcast<u32>((_e347 + 127i)) << bitcast<u32>(23i)));
-                        let _e361 = bitcast<f32>((bitcast<u32>(((_e184 - (2i * _e347)) + 127i)) << bitcast<u32>(23i)));
-                        let _e362 = (((_e149 * _e354) * _e354) * _e361);
-                        let _e364 = select(340282350000000000000000000000000000000f, _e362, (_e362 < 340282350000000000000000000000000000000f));
-                        let _e369 = (((_e159 * _e354) * _e354) * _e361);
-                        let _e371 = select(340282350000000000000000000000000000000f, _e369, (_e369 < 340282350000000000000000000000000000000f));
-                        phi_637_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
-                        phi_638_ = select(-340282350000000000000000000000000000000f, _e364, (_e364 > -340282350000000000000000000000000000000f));
+                    let _e333 = phi_543_;
+                    let _e336 = bitcast<f32>((bitcast<u32>(_e233) & 2147483647u));
+                    let _e339 = bitcast<f32>((bitcast<u32>(_e270) & 2147483647u));
+                    let _e341 = select(_e339, _e336, (_e336 > _e339));
+                    let _e344 = bitcast<f32>((bitcast<u32>(_e306) & 2147483647u));
+                    if (_e167 && (select(_e344, _e341, (_e341 > _e344)) <= 1099511600000f)) {
+                        let _e349 = (_e186 / 3i);
+                        let _e356 = bitcast<f32>((bitcast<u32>((_e349 + 127i)) << bitcast<u32>(23i)));
+                        let _e363 = bitcast<f32>((bitcast<u32>(((_e186 - (2i * _e349)) + 127i)) << bitcast<u32>(23i)));
+                        let _e364 = (((_e151 * _e356) * _e356) * _e363);
+                        let _e366 = select(340282350000000000000000000000000000000f, _e364, (_e364 < 340282350000000000000000000000000000000f));
+                        let _e371 = (((_e161 * _e356) * _e356) * _e363);
+                        let _e373 = select(340282350000000000000000000000000000000f, _e371, (_e371 < 340282350000000000000000000000000000000f));
+                        phi_643_ = select(-340282350000000000000000000000000000000f, _e373, (_e373 > -340282350000000000000000000000000000000f));
+                        phi_644_ = select(-340282350000000000000000000000000000000f, _e366, (_e366 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_637_ = 0f;
-                        phi_638_ = 1f;
+                        phi_643_ = 0f;
+                        phi_644_ = 1f;
                     }
-                    let _e375 = phi_637_;
-                    let _e377 = phi_638_;
+                    let _e377 = phi_643_;
+                    let _e379 = phi_644_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2351_ = false;
-                    phi_912_ = type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e375);
-                    phi_915_ = select(0u, 2147483648u, (_e64 == 0u));
-                    phi_917_ = ((3u * _e64) + 1u);
-                    phi_919_ = (_e377 <= _e375);
-                    phi_921_ = 0u;
+                    phi_2357_ = false;
+                    phi_918_ = type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e377);
+                    phi_921_ = select(0u, 2147483648u, (_e64 == 0u));
+                    phi_923_ = ((3u * _e64) + 1u);
+                    phi_925_ = (_e379 <= _e377);
+                    phi_927_ = 0u;
                     loop {
-                        let _e385 = phi_2351_;
-                        let _e387 = phi_912_;
-                        let _e389 = phi_915_;
-                        let _e391 = phi_917_;
-                        let _e393 = phi_919_;
-                        let _e395 = phi_921_;
-                        local_2 = _e387;
-                        if _e393 {
-                            phi_932_ = true;
+                        let _e387 = phi_2357_;
+                        let _e389 = phi_918_;
+                        let _e391 = phi_921_;
+                        let _e393 = phi_923_;
+                        let _e395 = phi_925_;
+                        let _e397 = phi_927_;
+                        local_2 = _e389;
+                        if _e395 {
+                            phi_938_ = true;
                         } else {
-                            phi_932_ = (_e395 > 0u);
+                            phi_938_ = (_e397 > 0u);
                         }
-                        let _e398 = phi_932_;
-                        if _e398 {
-                            let _e399 = (_e391 > 0u);
-                            if _e399 {
-                                if _e393 {
-                                    phi_963_ = _e389;
-                                    phi_964_ = _e393;
-                                    phi_965_ = _e395;
+                        let _e400 = phi_938_;
+                        if _e400 {
+                            let _e401 = (_e393 > 0u);
+                            if _e401 {
+                                if _e395 {
+                                    phi_969_ = _e391;
+                                    phi_970_ = _e395;
+                                    phi_971_ = _e397;
                                 } else {
-                                    let _e400 = (_e395 - 1u);
-                                    let _e401 = (_e400 % 128u);
-                                    let _e402 = (_e401 < 128u);
-                                    if _e402 {
+                                    let _e402 = (_e397 - 1u);
+                                    let _e403 = (_e402 % 128u);
+                                    let _e404 = (_e403 < 128u);
+                                    if _e404 {
                                     } else {
-                                        phi_2455_ = true;
+                                        phi_2462_ = true;
                                         break;
                                     }
-                                    let _e404 = local_1[_e401];
-                                    if _e402 {
+                                    let _e406 = local_1[_e403];
+                                    if _e404 {
                                     } else {
-                                        phi_2455_ = true;
+                                        phi_2462_ = true;
                                         break;
                                     }
-                                    let _e406 = local[_e401];
-                                    phi_963_ = _e404;
-                                    phi_964_ = (_e406 <= _e387.member_1);
-                                    phi_965_ = _e400;
+                                    let _e408 = local[_e403];
+                                    phi_969_ = _e406;
+                                    phi_970_ = (_e408 <= _e389.member_1);
+                                    phi_971_ = _e402;
                                 }
-                                let _e410 = phi_963_;
-                                let _e412 = phi_964_;
-                                let _e414 = phi_965_;
-                                if _e412 {
-                                    if ((_e410 & 2147483648u) != 0u) {
-                                        phi_980_ = _e387;
-                                        phi_983_ = type_7(0u, ((_e410 >> bitcast<u32>(28u)) & 7u));
+                                let _e412 = phi_969_;
+                                let _e414 = phi_970_;
+                                let _e416 = phi_971_;
+                                if _e414 {
+                                    if ((_e412 & 2147483648u) != 0u) {
+                                        phi_986_ = _e389;
+                                        phi_989_ = type_7(0u, ((_e412 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e612 = phi_980_;
-                                            let _e614 = phi_983_;
-                                            local_3 = _e612;
-                                            if (_e614.member < _e614.member_1) {
-                                                phi_984_ = type_7((_e614.member + 1u), _e614.member_1);
-                                                phi_1006_ = type_7(1u, _e614.member);
+                                            let _e614 = phi_986_;
+                                            let _e616 = phi_989_;
+                                            local_3 = _e614;
+                                            if (_e616.member < _e616.member_1) {
+                                                phi_990_ = type_7((_e616.member + 1u), _e616.member_1);
+                                                phi_1012_ = type_7(1u, _e616.member);
                                             } else {
-                                                phi_984_ = _e614;
-                                                phi_1006_ = type_7(0u, type_7().member_1);
+                                                phi_990_ = _e616;
+                                                phi_1012_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e627 = phi_984_;
-                                            let _e629 = phi_1006_;
-                                            let _e633 = (bitcast<i32>(_e629.member) != 0i);
-                                            if _e633 {
-                                                let _e634 = ((_e410 & 268435455u) + _e629.member_1);
-                                                let _e635 = (_e634 < _e66);
-                                                if _e635 {
-                                                    if _e635 {
+                                            let _e629 = phi_990_;
+                                            let _e631 = phi_1012_;
+                                            let _e635 = (bitcast<i32>(_e631.member) != 0i);
+                                            if _e635 {
+                                                let _e636 = ((_e412 & 268435455u) + _e631.member_1);
+                                                let _e637 = (_e636 < _e66);
+                                                if _e637 {
+                                                    if _e637 {
                                                     } else {
-                                                        phi_2345_ = true;
+                                                        phi_2351_ = true;
                                                         break;
                                                     }
-                                                    let _e639 = global_1.member[_e634].member_1;
-                                                    phi_1027_ = _e639;
+                                                    let _e641 = global_1.member[_e636].member_1;
+                                                    phi_1033_ = _e641;
                                                 } else {
-                                                    phi_1027_ = 4294967295u;
+                                                    phi_1033_ = 4294967295u;
                                                 }
-                                                let _e641 = phi_1027_;
-                                                if (_e634 >= _e66) {
-                                                    phi_1116_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e643 = phi_1033_;
+                                                if (_e636 >= _e66) {
+                                                    phi_1122_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e635 {
+                                                    if _e637 {
                                                     } else {
-                                                        phi_2345_ = true;
+                                                        phi_2351_ = true;
                                                         break;
                                                     }
-                                                    let _e643 = (_e203 % 3u);
-                                                    let _e644 = (_e202 % 3u);
-                                                    let _e645 = (_e204 % 3u);
-                                                    if (_e643 < 9u) {
-                                                    } else {
-                                                        phi_2345_ = true;
-                                                        break;
-                                                    }
-                                                    let _e651 = global_1.member[_e634].member[_e643];
-                                                    if (_e644 < 9u) {
-                                                    } else {
-                                                        phi_2345_ = true;
-                                                        break;
-                                                    }
-                                                    let _e657 = global_1.member[_e634].member[_e644];
+                                                    let _e645 = (_e205 % 3u);
+                                                    let _e646 = (_e204 % 3u);
+                                                    let _e647 = (_e206 % 3u);
                                                     if (_e645 < 9u) {
                                                     } else {
-                                                        phi_2345_ = true;
+                                                        phi_2351_ = true;
                                                         break;
                                                     }
-                                                    let _e663 = global_1.member[_e634].member[_e645];
-                                                    let _e665 = (3u + _e643);
-                                                    if (_e665 < 9u) {
+                                                    let _e653 = global_1.member[_e636].member[_e645];
+                                                    if (_e646 < 9u) {
                                                     } else {
-                                                        phi_2345_ = true;
+                                                        phi_2351_ = true;
                                                         break;
                                                     }
-                                                    let _e671 = global_1.member[_e634].member[_e665];
-                                                    let _e672 = (3u + _e644);
-                                                    if (_e672 < 9u) {
+                                                    let _e659 = global_1.member[_e636].member[_e646];
+                                                    if (_e647 < 9u) {
                                                     } else {
-                                                        phi_2345_ = true;
+                                                        phi_2351_ = true;
                                                         break;
                                                     }
-                                                    let _e678 = global_1.member[_e634].member[_e672];
-                                                    let _e679 = (3u + _e645);
-                                                    if (_e679 < 9u) {
+                                                    let _e665 = global_1.member[_e636].member[_e647];
+                                                    let _e667 = (3u + _e645);
+                                                    if (_e667 < 9u) {
                                                     } else {
-                                                        phi_2345_ = true;
+                                                        phi_2351_ = true;
                                                         break;
                                                     }
-                                                    let _e685 = global_1.member[_e634].member[_e679];
-                                                    let _e687 = (6u + _e643);
-                                                    if (_e687 < 9u) {
+                                                    let _e673 = global_1.member[_e636].member[_e667];
+                                                    let _e674 = (3u + _e646);
+                                                    if (_e674 < 9u) {
                                                     } else {
-                                                        phi_2345_ = true;
+                                                        phi_2351_ = true;
                                                         break;
                                                     }
-                                                    let _e693 = global_1.member[_e634].member[_e687];
-                                                    let _e694 = (6u + _e644);
-                                                    if (_e694 < 9u) {
+                                                    let _e680 = global_1.member[_e636].member[_e674];
+                                                    let _e681 = (3u + _e647);
+                                                    if (_e681 < 9u) {
                                                     } else {
-                                                        phi_2345_ = true;
+                                                        phi_2351_ = true;
                                                         break;
                                                     }
-                                                    let _e700 = global_1.member[_e634].member[_e694];
-                                                    let _e701 = (6u + _e645);
-                                                    if (_e701 < 9u) {
+                                                    let _e687 = global_1.member[_e636].member[_e681];
+                                                    let _e689 = (6u + _e645);
+                                                    if (_e689 < 9u) {
                                                     } else {
-                                                        phi_2345_ = true;
+                                                        phi_2351_ = true;
                                                         break;
                                                     }
-                                                    let _e707 = global_1.member[_e634].member[_e701];
-                                                    phi_1116_ = array<array<f32, 3>, 3>(array<f32, 3>(_e651, _e657, _e663), array<f32, 3>(_e671, _e678, _e685), array<f32, 3>(_e693, _e700, _e707));
+                                                    let _e695 = global_1.member[_e636].member[_e689];
+                                                    let _e696 = (6u + _e646);
+                                                    if (_e696 < 9u) {
+                                                    } else {
+                                                        phi_2351_ = true;
+                                                        break;
+                                                    }
+                                                    let _e702 = global_1.member[_e636].member[_e696];
+                                                    let _e703 = (6u + _e647);
+                                                    if (_e703 < 9u) {
+                                                    } else {
+                                                        phi_2351_ = true;
+                                                        break;
+                                                    }
+                                                    let _e709 = global_1.member[_e636].member[_e703];
+                                                    phi_1122_ = array<array<f32, 3>, 3>(array<f32, 3>(_e653, _e659, _e665), array<f32, 3>(_e673, _e680, _e687), array<f32, 3>(_e695, _e702, _e709));
                                                 }
-                                                let _e711 = phi_1116_;
-                                                let _e719 = (_e711[0][2] - _e304);
-                                                let _e722 = (((_e711[0][0] - _e231) * _e328) - (_e719 * _e256));
-                                                let _e725 = (((_e711[0][1] - _e268) * _e328) - (_e719 * _e292));
-                                                let _e732 = (_e711[1][2] - _e304);
-                                                let _e735 = (((_e711[1][0] - _e231) * _e328) - (_e732 * _e256));
-                                                let _e738 = (((_e711[1][1] - _e268) * _e328) - (_e732 * _e292));
-                                                let _e745 = (_e711[2][2] - _e304);
-                                                let _e748 = (((_e711[2][0] - _e231) * _e328) - (_e745 * _e256));
-                                                let _e751 = (((_e711[2][1] - _e268) * _e328) - (_e745 * _e292));
-                                                let _e752 = (_e748 * _e738);
-                                                let _e753 = (_e751 * _e735);
-                                                let _e754 = (_e722 * _e751);
-                                                let _e755 = (_e725 * _e748);
-                                                let _e756 = (_e735 * _e725);
-                                                let _e757 = (_e738 * _e722);
-                                                let _e762 = (((_e752 >= _e753) && (_e754 >= _e755)) && (_e756 >= _e757));
-                                                if (_e762 || (((_e752 <= _e753) && (_e754 <= _e755)) && (_e756 <= _e757))) {
-                                                    let _e769 = select(-1f, 1f, _e762);
-                                                    let _e771 = ((_e752 - _e753) * _e769);
-                                                    let _e773 = select(0f, _e771, (_e771 > 0f));
-                                                    let _e775 = ((_e754 - _e755) * _e769);
-                                                    let _e777 = select(0f, _e775, (_e775 > 0f));
-                                                    let _e779 = ((_e756 - _e757) * _e769);
-                                                    let _e781 = select(0f, _e779, (_e779 > 0f));
-                                                    let _e783 = ((_e773 + _e777) + _e781);
-                                                    if (_e783 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1682_ = type_22();
-                                                        phi_1683_ = true;
+                                                let _e713 = phi_1122_;
+                                                let _e721 = (_e713[0][2] - _e306);
+                                                let _e724 = (((_e713[0][0] - _e233) * _e330) - (_e721 * _e258));
+                                                let _e727 = (((_e713[0][1] - _e270) * _e330) - (_e721 * _e294));
+                                                let _e734 = (_e713[1][2] - _e306);
+                                                let _e737 = (((_e713[1][0] - _e233) * _e330) - (_e734 * _e258));
+                                                let _e740 = (((_e713[1][1] - _e270) * _e330) - (_e734 * _e294));
+                                                let _e747 = (_e713[2][2] - _e306);
+                                                let _e750 = (((_e713[2][0] - _e233) * _e330) - (_e747 * _e258));
+                                                let _e753 = (((_e713[2][1] - _e270) * _e330) - (_e747 * _e294));
+                                                let _e754 = (_e750 * _e740);
+                                                let _e755 = (_e753 * _e737);
+                                                let _e756 = (_e724 * _e753);
+                                                let _e757 = (_e727 * _e750);
+                                                let _e758 = (_e737 * _e727);
+                                                let _e759 = (_e740 * _e724);
+                                                let _e764 = (((_e754 >= _e755) && (_e756 >= _e757)) && (_e758 >= _e759));
+                                                if (_e764 || (((_e754 <= _e755) && (_e756 <= _e757)) && (_e758 <= _e759))) {
+                                                    let _e771 = select(-1f, 1f, _e764);
+                                                    let _e773 = ((_e754 - _e755) * _e771);
+                                                    let _e775 = select(0f, _e773, (_e773 > 0f));
+                                                    let _e777 = ((_e756 - _e757) * _e771);
+                                                    let _e779 = select(0f, _e777, (_e777 > 0f));
+                                                    let _e781 = ((_e758 - _e759) * _e771);
+                                                    let _e783 = select(0f, _e781, (_e781 > 0f));
+                                                    let _e785 = ((_e775 + _e779) + _e783);
+                                                    if (_e785 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1688_ = type_22();
+                                                        phi_1689_ = true;
                                                     } else {
-                                                        let _e786 = select(_e711[1][0], _e711[0][0], (_e711[0][0] < _e711[1][0]));
-                                                        let _e790 = select(_e711[1][0], _e711[0][0], (_e711[0][0] > _e711[1][0]));
-                                                        let _e794 = select(_e711[1][1], _e711[0][1], (_e711[0][1] < _e711[1][1]));
-                                                        let _e798 = select(_e711[1][1], _e711[0][1], (_e711[0][1] > _e711[1][1]));
-                                                        let _e802 = select(_e711[1][2], _e711[0][2], (_e711[0][2] < _e711[1][2]));
-                                                        let _e806 = select(_e711[1][2], _e711[0][2], (_e711[0][2] > _e711[1][2]));
-                                                        let _e811 = ((select(_e711[2][0], _e786, (_e786 < _e711[2][0])) - _e254) * _e259);
-                                                        let _e812 = ((select(_e711[2][0], _e790, (_e790 > _e711[2][0])) - _e255) * _e259);
-                                                        let _e815 = ((select(_e711[2][1], _e794, (_e794 < _e711[2][1])) - _e290) * _e295);
-                                                        let _e816 = ((select(_e711[2][1], _e798, (_e798 > _e711[2][1])) - _e291) * _e295);
-                                                        let _e819 = ((select(_e711[2][2], _e802, (_e802 < _e711[2][2])) - _e326) * _e331);
-                                                        let _e820 = ((select(_e711[2][2], _e806, (_e806 > _e711[2][2])) - _e327) * _e331);
-                                                        let _e822 = select(_e820, _e819, (_e819 < _e820));
-                                                        let _e824 = select(_e820, _e819, (_e819 > _e820));
-                                                        let _e826 = select(_e812, _e811, (_e811 < _e812));
-                                                        let _e828 = select(_e816, _e815, (_e815 < _e816));
-                                                        let _e830 = select(_e828, _e826, (_e826 > _e828));
-                                                        let _e832 = select(_e822, _e830, (_e830 > _e822));
-                                                        let _e834 = select(_e812, _e811, (_e811 > _e812));
-                                                        let _e836 = select(_e816, _e815, (_e815 > _e816));
-                                                        let _e838 = select(_e836, _e834, (_e834 < _e836));
-                                                        let _e840 = select(_e824, _e838, (_e838 < _e824));
-                                                        let _e841 = -(_e822);
-                                                        let _e847 = select(_e377, _e832, (_e832 > _e377));
-                                                        if (_e847 > (_e840 + (select(_e841, _e824, (_e824 > _e841)) * 0.0000019073523f))) {
-                                                            phi_1677_ = type_22();
-                                                            phi_1678_ = true;
+                                                        let _e788 = select(_e713[1][0], _e713[0][0], (_e713[0][0] < _e713[1][0]));
+                                                        let _e792 = select(_e713[1][0], _e713[0][0], (_e713[0][0] > _e713[1][0]));
+                                                        let _e796 = select(_e713[1][1], _e713[0][1], (_e713[0][1] < _e713[1][1]));
+                                                        let _e800 = select(_e713[1][1], _e713[0][1], (_e713[0][1] > _e713[1][1]));
+                                                        let _e804 = select(_e713[1][2], _e713[0][2], (_e713[0][2] < _e713[1][2]));
+                                                        let _e808 = select(_e713[1][2], _e713[0][2], (_e713[0][2] > _e713[1][2]));
+                                                        let _e813 = ((select(_e713[2][0], _e788, (_e788 < _e713[2][0])) - _e256) * _e261);
+                                                        let _e814 = ((select(_e713[2][0], _e792, (_e792 > _e713[2][0])) - _e257) * _e261);
+                                                        let _e817 = ((select(_e713[2][1], _e796, (_e796 < _e713[2][1])) - _e292) * _e297);
+                                                        let _e818 = ((select(_e713[2][1], _e800, (_e800 > _e713[2][1])) - _e293) * _e297);
+                                                        let _e821 = ((select(_e713[2][2], _e804, (_e804 < _e713[2][2])) - _e328) * _e333);
+                                                        let _e822 = ((select(_e713[2][2], _e808, (_e808 > _e713[2][2])) - _e329) * _e333);
+                                                        let _e824 = select(_e822, _e821, (_e821 < _e822));
+                                                        let _e826 = select(_e822, _e821, (_e821 > _e822));
+                                                        let _e828 = select(_e814, _e813, (_e813 < _e814));
+                                                        let _e830 = select(_e818, _e817, (_e817 < _e818));
+                                                        let _e832 = select(_e830, _e828, (_e828 > _e830));
+                                                        let _e834 = select(_e824, _e832, (_e832 > _e824));
+                                                        let _e836 = select(_e814, _e813, (_e813 > _e814));
+                                                        let _e838 = select(_e818, _e817, (_e817 > _e818));
+                                                        let _e840 = select(_e838, _e836, (_e836 < _e838));
+                                                        let _e842 = select(_e826, _e840, (_e840 < _e826));
+                                                        let _e843 = -(_e824);
+                                                        let _e849 = select(_e379, _e834, (_e834 > _e379));
+                                                        if (_e849 > (_e842 + (select(_e843, _e826, (_e826 > _e843)) * 0.0000019073523f))) {
+                                                            phi_1683_ = type_22();
+                                                            phi_1684_ = true;
                                                         } else {
-                                                            let _e849 = (_e847 > _e612.member_1);
-                                                            if _e849 {
-                                                                phi_1676_ = type_22();
+                                                            let _e851 = (_e849 > _e614.member_1);
+                                                            if _e851 {
+                                                                phi_1682_ = type_22();
                                                             } else {
-                                                                let _e853 = (_e711[1][0] - _e711[0][0]);
-                                                                let _e854 = (_e711[1][1] - _e711[0][1]);
-                                                                let _e855 = (_e711[1][2] - _e711[0][2]);
-                                                                let _e856 = vec3<f32>(_e853, _e854, _e855);
-                                                                let _e857 = (_e711[2][0] - _e711[1][0]);
-                                                                let _e858 = (_e711[2][1] - _e711[1][1]);
-                                                                let _e859 = (_e711[2][2] - _e711[1][2]);
-                                                                let _e860 = vec3<f32>(_e857, _e858, _e859);
-                                                                let _e861 = (_e711[0][0] - _e711[2][0]);
-                                                                let _e862 = (_e711[0][1] - _e711[2][1]);
-                                                                let _e863 = (_e711[0][2] - _e711[2][2]);
-                                                                let _e864 = vec3<f32>(_e861, _e862, _e863);
-                                                                let _e867 = bitcast<f32>((bitcast<u32>(_e853) & 2147483647u));
-                                                                let _e870 = bitcast<f32>((bitcast<u32>(_e854) & 2147483647u));
-                                                                let _e872 = select(_e870, _e867, (_e867 > _e870));
-                                                                let _e875 = bitcast<f32>((bitcast<u32>(_e855) & 2147483647u));
-                                                                let _e877 = select(_e875, _e872, (_e872 > _e875));
-                                                                let _e880 = bitcast<f32>((bitcast<u32>(_e857) & 2147483647u));
-                                                                let _e883 = bitcast<f32>((bitcast<u32>(_e858) & 2147483647u));
-                                                                let _e885 = select(_e883, _e880, (_e880 > _e883));
-                                                                let _e888 = bitcast<f32>((bitcast<u32>(_e859) & 2147483647u));
-                                                                let _e890 = select(_e888, _e885, (_e885 > _e888));
-                                                                let _e893 = bitcast<f32>((bitcast<u32>(_e861) & 2147483647u));
-                                                                let _e896 = bitcast<f32>((bitcast<u32>(_e862) & 2147483647u));
-                                                                let _e898 = select(_e896, _e893, (_e893 > _e896));
-                                                                let _e901 = bitcast<f32>((bitcast<u32>(_e863) & 2147483647u));
-                                                                let _e903 = select(_e901, _e898, (_e898 > _e901));
-                                                                let _e905 = select(_e890, _e877, (_e877 > _e890));
-                                                                let _e907 = select(_e903, _e905, (_e905 > _e903));
-                                                                if (_e877 == _e907) {
-                                                                    phi_1587_ = _e860;
-                                                                    phi_1588_ = _e864;
+                                                                let _e855 = (_e713[1][0] - _e713[0][0]);
+                                                                let _e856 = (_e713[1][1] - _e713[0][1]);
+                                                                let _e857 = (_e713[1][2] - _e713[0][2]);
+                                                                let _e858 = vec3<f32>(_e855, _e856, _e857);
+                                                                let _e859 = (_e713[2][0] - _e713[1][0]);
+                                                                let _e860 = (_e713[2][1] - _e713[1][1]);
+                                                                let _e861 = (_e713[2][2] - _e713[1][2]);
+                                                                let _e862 = vec3<f32>(_e859, _e860, _e861);
+                                                                let _e863 = (_e713[0][0] - _e713[2][0]);
+                                                                let _e864 = (_e713[0][1] - _e713[2][1]);
+                                                                let _e865 = (_e713[0][2] - _e713[2][2]);
+                                                                let _e866 = vec3<f32>(_e863, _e864, _e865);
+                                                                let _e869 = bitcast<f32>((bitcast<u32>(_e855) & 2147483647u));
+                                                                let _e872 = bitcast<f32>((bitcast<u32>(_e856) & 2147483647u));
+                                                                let _e874 = select(_e872, _e869, (_e869 > _e872));
+                                                                let _e877 = bitcast<f32>((bitcast<u32>(_e857) & 2147483647u));
+                                                                let _e879 = select(_e877, _e874, (_e874 > _e877));
+                                                                let _e882 = bitcast<f32>((bitcast<u32>(_e859) & 2147483647u));
+                                                                let _e885 = bitcast<f32>((bitcast<u32>(_e860) & 2147483647u));
+                                                                let _e887 = select(_e885, _e882, (_e882 > _e885));
+                                                                let _e890 = bitcast<f32>((bitcast<u32>(_e861) & 2147483647u));
+                                                                let _e892 = select(_e890, _e887, (_e887 > _e890));
+                                                                let _e895 = bitcast<f32>((bitcast<u32>(_e863) & 2147483647u));
+                                                                let _e898 = bitcast<f32>((bitcast<u32>(_e864) & 2147483647u));
+                                                                let _e900 = select(_e898, _e895, (_e895 > _e898));
+                                                                let _e903 = bitcast<f32>((bitcast<u32>(_e865) & 2147483647u));
+                                                                let _e905 = select(_e903, _e900, (_e900 > _e903));
+                                                                let _e907 = select(_e892, _e879, (_e879 > _e892));
+                                                                let _e909 = select(_e905, _e907, (_e907 > _e905));
+                                                                if (_e879 == _e909) {
+                                                                    phi_1593_ = _e862;
+                                                                    phi_1594_ = _e866;
                                                                 } else {
-                                                                    let _e910 = vec3((_e890 == _e907));
-                                                                    phi_1587_ = select(_e856, _e864, _e910);
-                                                                    phi_1588_ = select(_e860, _e856, _e910);
+                                                                    let _e912 = vec3((_e892 == _e909));
+                                                                    phi_1593_ = select(_e858, _e866, _e912);
+                                                                    phi_1594_ = select(_e862, _e858, _e912);
                                                                 }
-                                                                let _e914 = phi_1587_;
-                                                                let _e916 = phi_1588_;
-                                                                let _e923 = ((_e914.y * _e916.z) - (_e916.y * _e914.z));
-                                                                let _e928 = ((_e914.z * _e916.x) - (_e916.z * _e914.x));
-                                                                let _e931 = ((_e914.x * _e916.y) - (_e916.x * _e914.y));
-                                                                if (_e773 >= _e777) {
-                                                                    phi_1619_ = select(true, false, (_e773 >= _e781));
+                                                                let _e916 = phi_1593_;
+                                                                let _e918 = phi_1594_;
+                                                                let _e925 = ((_e916.y * _e918.z) - (_e918.y * _e916.z));
+                                                                let _e930 = ((_e916.z * _e918.x) - (_e918.z * _e916.x));
+                                                                let _e933 = ((_e916.x * _e918.y) - (_e918.x * _e916.y));
+                                                                if (_e775 >= _e779) {
+                                                                    phi_1625_ = select(true, false, (_e775 >= _e783));
                                                                 } else {
-                                                                    phi_1619_ = true;
+                                                                    phi_1625_ = true;
                                                                 }
-                                                                let _e936 = phi_1619_;
-                                                                if _e936 {
-                                                                    phi_1628_ = select(vec3<f32>(_e711[2][0], _e711[2][1], _e711[2][2]), vec3<f32>(_e711[1][0], _e711[1][1], _e711[1][2]), vec3((_e777 >= _e781)));
+                                                                let _e938 = phi_1625_;
+                                                                if _e938 {
+                                                                    phi_1634_ = select(vec3<f32>(_e713[2][0], _e713[2][1], _e713[2][2]), vec3<f32>(_e713[1][0], _e713[1][1], _e713[1][2]), vec3((_e779 >= _e783)));
                                                                 } else {
-                                                                    phi_1628_ = vec3<f32>(_e711[0][0], _e711[0][1], _e711[0][2]);
+                                                                    phi_1634_ = vec3<f32>(_e713[0][0], _e713[0][1], _e713[0][2]);
                                                                 }
-                                                                let _e941 = phi_1628_;
-                                                                let _e958 = ((((_e923 * (_e941.x - _e231)) + (_e928 * (_e941.y - _e268))) + (_e931 * (_e941.z - _e304))) / (((_e923 * _e256) + (_e928 * _e292)) + (_e931 * _e328)));
-                                                                let _e960 = select(_e840, _e958, (_e958 < _e840));
-                                                                let _e962 = select(_e832, _e960, (_e960 > _e832));
-                                                                if (_e962 >= _e377) {
-                                                                    let _e964 = (_e962 <= _e612.member_1);
-                                                                    if _e964 {
-                                                                        let _e965 = (1f / _e783);
-                                                                        phi_1668_ = type_22(_e962, (_e777 * _e965), (_e781 * _e965), _e641);
+                                                                let _e943 = phi_1634_;
+                                                                let _e960 = ((((_e925 * (_e943.x - _e233)) + (_e930 * (_e943.y - _e270))) + (_e933 * (_e943.z - _e306))) / (((_e925 * _e258) + (_e930 * _e294)) + (_e933 * _e330)));
+                                                                let _e962 = select(_e842, _e960, (_e960 < _e842));
+                                                                let _e964 = select(_e834, _e962, (_e962 > _e834));
+                                                                if (_e964 >= _e379) {
+                                                                    let _e966 = (_e964 <= _e614.member_1);
+                                                                    if _e966 {
+                                                                        let _e967 = (1f / _e785);
+                                                                        phi_1674_ = type_22(_e964, (_e779 * _e967), (_e783 * _e967), _e643);
                                                                     } else {
-                                                                        phi_1668_ = type_22();
+                                                                        phi_1674_ = type_22();
                                                                     }
-                                                                    let _e970 = phi_1668_;
-                                                                    phi_1670_ = _e970;
-                                                                    phi_1671_ = select(true, false, _e964);
+                                                                    let _e972 = phi_1674_;
+                                                                    phi_1676_ = _e972;
+                                                                    phi_1677_ = select(true, false, _e966);
                                                                 } else {
-                                                                    phi_1670_ = type_22();
-                                                                    phi_1671_ = true;
+                                                                    phi_1676_ = type_22();
+                                                                    phi_1677_ = true;
                                                                 }
-                                                                let _e973 = phi_1670_;
-                                                                let _e975 = phi_1671_;
-                                                                if _e975 {
-                                                                    phi_1675_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e975 = phi_1676_;
+                                                                let _e977 = phi_1677_;
+                                                                if _e977 {
+                                                                    phi_1681_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1675_ = _e973;
+                                                                    phi_1681_ = _e975;
                                                                 }
-                                                                let _e977 = phi_1675_;
-                                                                phi_1676_ = _e977;
+                                                                let _e979 = phi_1681_;
+                                                                phi_1682_ = _e979;
                                                             }
-                                                            let _e979 = phi_1676_;
-                                                            phi_1677_ = _e979;
-                                                            phi_1678_ = _e849;
+                                                            let _e981 = phi_1682_;
+                                                            phi_1683_ = _e981;
+                                                            phi_1684_ = _e851;
                                                         }
-                                                        let _e981 = phi_1677_;
-                                                        let _e983 = phi_1678_;
-                                                        phi_1682_ = _e981;
-                                                        phi_1683_ = _e983;
+                                                        let _e983 = phi_1683_;
+                                                        let _e985 = phi_1684_;
+                                                        phi_1688_ = _e983;
+                                                        phi_1689_ = _e985;
                                                     }
-                                                    let _e985 = phi_1682_;
-                                                    let _e987 = phi_1683_;
-                                                    phi_1687_ = _e985;
-                                                    phi_1688_ = _e987;
+                                                    let _e987 = phi_1688_;
+                                                    let _e989 = phi_1689_;
+                                                    phi_1693_ = _e987;
+                                                    phi_1694_ = _e989;
                                                 } else {
-                                                    phi_1687_ = type_22();
-                                                    phi_1688_ = true;
+                                                    phi_1693_ = type_22();
+                                                    phi_1694_ = true;
                                                 }
-                                                let _e989 = phi_1687_;
-                                                let _e991 = phi_1688_;
-                                                if _e991 {
-                                                    phi_1692_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e991 = phi_1693_;
+                                                let _e993 = phi_1694_;
+                                                if _e993 {
+                                                    phi_1698_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1692_ = _e989;
+                                                    phi_1698_ = _e991;
                                                 }
-                                                let _e993 = phi_1692_;
-                                                if (_e993.member_3 != 4294967295u) {
-                                                    if (_e641 != _e82) {
-                                                        if (_e993.member < _e612.member.member) {
-                                                            phi_1718_ = true;
+                                                let _e995 = phi_1698_;
+                                                if (_e995.member_3 != 4294967295u) {
+                                                    if (_e643 != _e83) {
+                                                        if (_e995.member < _e614.member.member) {
+                                                            phi_1724_ = true;
                                                         } else {
-                                                            if (_e993.member == _e612.member.member) {
-                                                                phi_1717_ = (_e993.member_3 < _e612.member.member_3);
+                                                            if (_e995.member == _e614.member.member) {
+                                                                phi_1723_ = (_e995.member_3 < _e614.member.member_3);
                                                             } else {
-                                                                phi_1717_ = false;
+                                                                phi_1723_ = false;
                                                             }
-                                                            let _e1006 = phi_1717_;
-                                                            phi_1718_ = _e1006;
+                                                            let _e1008 = phi_1723_;
+                                                            phi_1724_ = _e1008;
                                                         }
-                                                        let _e1008 = phi_1718_;
-                                                        if _e1008 {
-                                                            phi_1724_ = type_42(_e993, _e993.member);
+                                                        let _e1010 = phi_1724_;
+                                                        if _e1010 {
+                                                            phi_1730_ = type_42(_e995, _e995.member);
                                                         } else {
-                                                            phi_1724_ = _e612;
+                                                            phi_1730_ = _e614;
                                                         }
-                                                        let _e1011 = phi_1724_;
-                                                        phi_1725_ = _e1011;
+                                                        let _e1013 = phi_1730_;
+                                                        phi_1731_ = _e1013;
                                                     } else {
-                                                        phi_1725_ = _e612;
+                                                        phi_1731_ = _e614;
                                                     }
-                                                    let _e1013 = phi_1725_;
-                                                    phi_1726_ = _e1013;
+                                                    let _e1015 = phi_1731_;
+                                                    phi_1732_ = _e1015;
                                                 } else {
-                                                    phi_1726_ = _e612;
+                                                    phi_1732_ = _e614;
                                                 }
-                                                let _e1015 = phi_1726_;
-                                                phi_981_ = _e1015;
+                                                let _e1017 = phi_1732_;
+                                                phi_987_ = _e1017;
                                             } else {
-                                                phi_981_ = type_42();
+                                                phi_987_ = type_42();
                                             }
-                                            let _e1017 = phi_981_;
+                                            let _e1019 = phi_987_;
                                             continue;
                                             continuing {
-                                                phi_980_ = _e1017;
-                                                phi_983_ = _e627;
-                                                phi_2345_ = _e385;
-                                                break if !(_e633);
+                                                phi_986_ = _e1019;
+                                                phi_989_ = _e629;
+                                                phi_2351_ = _e387;
+                                                break if !(_e635);
                                             }
                                         }
-                                        let _e1020 = phi_2345_;
-                                        phi_2455_ = _e1020;
-                                        if _e1020 {
+                                        let _e1022 = phi_2351_;
+                                        phi_2462_ = _e1022;
+                                        if _e1022 {
                                             break;
                                         }
-                                        phi_2459_ = _e1020;
-                                        let _e1212 = local_3;
-                                        phi_2180_ = _e1212;
-                                        phi_2181_ = _e410;
-                                        phi_2182_ = false;
-                                        phi_2183_ = _e414;
+                                        phi_2466_ = _e1022;
+                                        let _e1215 = local_3;
+                                        phi_2186_ = _e1215;
+                                        phi_2187_ = _e412;
+                                        phi_2188_ = false;
+                                        phi_2189_ = _e416;
                                     } else {
-                                        if (_e410 >= _e64) {
-                                            phi_1786_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e412 >= _e64) {
+                                            phi_1792_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e410 < _e64) {
+                                            if (_e412 < _e64) {
                                             } else {
-                                                phi_2455_ = true;
+                                                phi_2462_ = true;
                                                 break;
                                             }
-                                            let _e424 = (_e203 % 3u);
-                                            if (_e424 < 3u) {
+                                            let _e426 = (_e205 % 3u);
+                                            if (_e426 < 3u) {
                                             } else {
-                                                phi_2455_ = true;
+                                                phi_2462_ = true;
                                                 break;
                                             }
-                                            let _e430 = global_2.member[_e410].member[_e424];
-                                            let _e436 = (_e202 % 3u);
-                                            if (_e436 < 3u) {
+                                            let _e432 = global_2.member[_e412].member[_e426];
+                                            let _e438 = (_e204 % 3u);
+                                            if (_e438 < 3u) {
                                             } else {
-                                                phi_2455_ = true;
+                                                phi_2462_ = true;
                                                 break;
                                             }
-                                            let _e442 = global_2.member[_e410].member[_e436];
-                                            let _e448 = (_e204 % 3u);
-                                            if (_e448 < 3u) {
+                                            let _e444 = global_2.member[_e412].member[_e438];
+                                            let _e450 = (_e206 % 3u);
+                                            if (_e450 < 3u) {
                                             } else {
-                                                phi_2455_ = true;
+                                                phi_2462_ = true;
                                                 break;
                                             }
-                                            let _e454 = global_2.member[_e410].member[_e448];
-                                            let _e464 = global_2.member[_e410].member_1;
-                                            let _e468 = global_2.member[_e410].member_2;
-                                            phi_1786_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e430[0], _e430[1], _e430[2], _e430[3]), vec4<f32>(_e442[0], _e442[1], _e442[2], _e442[3]), vec4<f32>(_e454[0], _e454[1], _e454[2], _e454[3])), _e464, _e468);
+                                            let _e456 = global_2.member[_e412].member[_e450];
+                                            let _e466 = global_2.member[_e412].member_1;
+                                            let _e470 = global_2.member[_e412].member_2;
+                                            phi_1792_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e432[0], _e432[1], _e432[2], _e432[3]), vec4<f32>(_e444[0], _e444[1], _e444[2], _e444[3]), vec4<f32>(_e456[0], _e456[1], _e456[2], _e456[3])), _e466, _e470);
                                         }
-                                        let _e471 = phi_1786_;
-                                        let _e483 = ((_e471.member[0].x - _e254) * _e259);
-                                        let _e484 = ((_e471.member[0].y - _e254) * _e259);
-                                        let _e485 = ((_e471.member[0].z - _e255) * _e259);
-                                        let _e486 = ((_e471.member[0].w - _e255) * _e259);
-                                        let _e496 = ((_e471.member[1].x - _e290) * _e295);
-                                        let _e497 = ((_e471.member[1].y - _e290) * _e295);
-                                        let _e498 = ((_e471.member[1].z - _e291) * _e295);
-                                        let _e499 = ((_e471.member[1].w - _e291) * _e295);
-                                        let _e509 = ((_e471.member[2].x - _e326) * _e331);
-                                        let _e510 = ((_e471.member[2].y - _e326) * _e331);
-                                        let _e511 = ((_e471.member[2].z - _e327) * _e331);
-                                        let _e512 = ((_e471.member[2].w - _e327) * _e331);
-                                        let _e514 = select(_e511, _e509, (_e509 < _e511));
-                                        let _e516 = select(_e512, _e510, (_e510 < _e512));
-                                        let _e518 = select(_e511, _e509, (_e509 > _e511));
-                                        let _e520 = select(_e512, _e510, (_e510 > _e512));
-                                        let _e522 = select(_e485, _e483, (_e483 < _e485));
-                                        let _e524 = select(_e486, _e484, (_e484 < _e486));
-                                        let _e526 = select(_e498, _e496, (_e496 < _e498));
-                                        let _e528 = select(_e499, _e497, (_e497 < _e499));
-                                        let _e530 = select(_e526, _e522, (_e522 > _e526));
+                                        let _e473 = phi_1792_;
+                                        let _e485 = ((_e473.member[0].x - _e256) * _e261);
+                                        let _e486 = ((_e473.member[0].y - _e256) * _e261);
+                                        let _e487 = ((_e473.member[0].z - _e257) * _e261);
+                                        let _e488 = ((_e473.member[0].w - _e257) * _e261);
+                                        let _e498 = ((_e473.member[1].x - _e292) * _e297);
+                                        let _e499 = ((_e473.member[1].y - _e292) * _e297);
+                                        let _e500 = ((_e473.member[1].z - _e293) * _e297);
+                                        let _e501 = ((_e473.member[1].w - _e293) * _e297);
+                                        let _e511 = ((_e473.member[2].x - _e328) * _e333);
+                                        let _e512 = ((_e473.member[2].y - _e328) * _e333);
+                                        let _e513 = ((_e473.member[2].z - _e329) * _e333);
+                                        let _e514 = ((_e473.member[2].w - _e329) * _e333);
+                                        let _e516 = select(_e513, _e511, (_e511 < _e513));
+                                        let _e518 = select(_e514, _e512, (_e512 < _e514));
+                                        let _e520 = select(_e513, _e511, (_e511 > _e513));
+                                        let _e522 = select(_e514, _e512, (_e512 > _e514));
+                                        let _e524 = select(_e487, _e485, (_e485 < _e487));
+                                        let _e526 = select(_e488, _e486, (_e486 < _e488));
+                                        let _e528 = select(_e500, _e498, (_e498 < _e500));
+                                        let _e530 = select(_e501, _e499, (_e499 < _e501));
                                         let _e532 = select(_e528, _e524, (_e524 > _e528));
-                                        let _e534 = select(_e514, _e530, (_e530 > _e514));
+                                        let _e534 = select(_e530, _e526, (_e526 > _e530));
                                         let _e536 = select(_e516, _e532, (_e532 > _e516));
-                                        let _e538 = select(_e485, _e483, (_e483 > _e485));
-                                        let _e540 = select(_e486, _e484, (_e484 > _e486));
-                                        let _e542 = select(_e498, _e496, (_e496 > _e498));
-                                        let _e544 = select(_e499, _e497, (_e497 > _e499));
-                                        let _e546 = select(_e542, _e538, (_e538 < _e542));
+                                        let _e538 = select(_e518, _e534, (_e534 > _e518));
+                                        let _e540 = select(_e487, _e485, (_e485 > _e487));
+                                        let _e542 = select(_e488, _e486, (_e486 > _e488));
+                                        let _e544 = select(_e500, _e498, (_e498 > _e500));
+                                        let _e546 = select(_e501, _e499, (_e499 > _e501));
                                         let _e548 = select(_e544, _e540, (_e540 < _e544));
-                                        let _e553 = -(_e514);
-                                        let _e554 = -(_e516);
-                                        let _e561 = (select(_e518, _e546, (_e546 < _e518)) + (select(_e553, _e518, (_e518 > _e553)) * 0.0000019073523f));
-                                        let _e562 = (select(_e520, _e548, (_e548 < _e520)) + (select(_e554, _e520, (_e520 > _e554)) * 0.0000019073523f));
-                                        let _e564 = select(_e377, _e534, (_e534 > _e377));
-                                        let _e566 = select(_e377, _e536, (_e536 > _e377));
-                                        let _e571 = (_e564 <= select(_e387.member_1, _e561, (_e561 < _e387.member_1)));
-                                        let _e572 = (_e566 <= select(_e387.member_1, _e562, (_e562 < _e387.member_1)));
-                                        let _e573 = (_e564 <= _e566);
-                                        if _e571 {
-                                            if _e572 {
-                                                if _e573 {
-                                                    phi_2130_ = _e471.member_2;
+                                        let _e550 = select(_e546, _e542, (_e542 < _e546));
+                                        let _e555 = -(_e516);
+                                        let _e556 = -(_e518);
+                                        let _e563 = (select(_e520, _e548, (_e548 < _e520)) + (select(_e555, _e520, (_e520 > _e555)) * 0.0000019073523f));
+                                        let _e564 = (select(_e522, _e550, (_e550 < _e522)) + (select(_e556, _e522, (_e522 > _e556)) * 0.0000019073523f));
+                                        let _e566 = select(_e379, _e536, (_e536 > _e379));
+                                        let _e568 = select(_e379, _e538, (_e538 > _e379));
+                                        let _e573 = (_e566 <= select(_e389.member_1, _e563, (_e563 < _e389.member_1)));
+                                        let _e574 = (_e568 <= select(_e389.member_1, _e564, (_e564 < _e389.member_1)));
+                                        let _e575 = (_e566 <= _e568);
+                                        if _e573 {
+                                            if _e574 {
+                                                if _e575 {
+                                                    phi_2136_ = _e473.member_2;
                                                 } else {
-                                                    phi_2130_ = _e471.member_1;
+                                                    phi_2136_ = _e473.member_1;
                                                 }
-                                                let _e577 = phi_2130_;
-                                                let _e578 = (_e414 % 128u);
-                                                let _e579 = (_e578 < 128u);
-                                                if _e579 {
+                                                let _e579 = phi_2136_;
+                                                let _e580 = (_e416 % 128u);
+                                                let _e581 = (_e580 < 128u);
+                                                if _e581 {
                                                 } else {
-                                                    phi_2455_ = true;
+                                                    phi_2462_ = true;
                                                     break;
                                                 }
-                                                local_1[_e578] = _e577;
-                                                if _e579 {
+                                                local_1[_e580] = _e579;
+                                                if _e581 {
                                                 } else {
-                                                    phi_2455_ = true;
+                                                    phi_2462_ = true;
                                                     break;
                                                 }
-                                                local[_e578] = select(_e566, _e564, (_e564 > _e566));
-                                                if _e573 {
-                                                    phi_2157_ = _e471.member_1;
+                                                local[_e580] = select(_e568, _e566, (_e566 > _e568));
+                                                if _e575 {
+                                                    phi_2163_ = _e473.member_1;
                                                 } else {
-                                                    phi_2157_ = _e471.member_2;
+                                                    phi_2163_ = _e473.member_2;
                                                 }
-                                                let _e588 = phi_2157_;
-                                                phi_2158_ = _e588;
-                                                phi_2159_ = (_e414 + 1u);
+                                                let _e590 = phi_2163_;
+                                                phi_2164_ = _e590;
+                                                phi_2165_ = (_e416 + 1u);
                                             } else {
-                                                phi_2158_ = u32();
-                                                phi_2159_ = u32();
+                                                phi_2164_ = u32();
+                                                phi_2165_ = u32();
                                             }
-                                            let _e590 = phi_2158_;
-                                            let _e592 = phi_2159_;
-                                            phi_2161_ = _e590;
-                                            phi_2162_ = _e592;
-                                            phi_2163_ = select(true, false, _e572);
+                                            let _e592 = phi_2164_;
+                                            let _e594 = phi_2165_;
+                                            phi_2167_ = _e592;
+                                            phi_2168_ = _e594;
+                                            phi_2169_ = select(true, false, _e574);
                                         } else {
-                                            phi_2161_ = u32();
-                                            phi_2162_ = u32();
-                                            phi_2163_ = true;
+                                            phi_2167_ = u32();
+                                            phi_2168_ = u32();
+                                            phi_2169_ = true;
                                         }
-                                        let _e595 = phi_2161_;
-                                        let _e597 = phi_2162_;
-                                        let _e599 = phi_2163_;
-                                        if _e599 {
-                                            if _e571 {
-                                                phi_2172_ = _e471.member_1;
+                                        let _e597 = phi_2167_;
+                                        let _e599 = phi_2168_;
+                                        let _e601 = phi_2169_;
+                                        if _e601 {
+                                            if _e573 {
+                                                phi_2178_ = _e473.member_1;
                                             } else {
-                                                phi_2172_ = _e471.member_2;
+                                                phi_2178_ = _e473.member_2;
                                             }
-                                            let _e603 = phi_2172_;
-                                            phi_2177_ = _e603;
-                                            phi_2178_ = select(_e572, true, _e571);
+                                            let _e605 = phi_2178_;
+                                            phi_2183_ = _e605;
+                                            phi_2184_ = select(_e574, true, _e573);
                                         } else {
-                                            phi_2177_ = _e595;
-                                            phi_2178_ = _e412;
+                                            phi_2183_ = _e597;
+                                            phi_2184_ = _e414;
                                         }
-                                        let _e606 = phi_2177_;
-                                        let _e608 = phi_2178_;
-                                        phi_2459_ = _e385;
-                                        phi_2180_ = _e387;
-                                        phi_2181_ = _e606;
-                                        phi_2182_ = _e608;
-                                        phi_2183_ = select(_e597, _e414, _e599);
+                                        let _e608 = phi_2183_;
+                                        let _e610 = phi_2184_;
+                                        phi_2466_ = _e387;
+                                        phi_2186_ = _e389;
+                                        phi_2187_ = _e608;
+                                        phi_2188_ = _e610;
+                                        phi_2189_ = select(_e599, _e416, _e601);
                                     }
-                                    let _e1022 = phi_2459_;
-                                    let _e1024 = phi_2180_;
-                                    let _e1026 = phi_2181_;
-                                    let _e1028 = phi_2182_;
-                                    let _e1030 = phi_2183_;
-                                    phi_2458_ = _e1022;
-                                    phi_2184_ = _e1024;
-                                    phi_2185_ = _e1026;
-                                    phi_2186_ = (_e391 - 1u);
-                                    phi_2187_ = _e1028;
-                                    phi_2188_ = _e1030;
+                                    let _e1024 = phi_2466_;
+                                    let _e1026 = phi_2186_;
+                                    let _e1028 = phi_2187_;
+                                    let _e1030 = phi_2188_;
+                                    let _e1032 = phi_2189_;
+                                    phi_2465_ = _e1024;
+                                    phi_2190_ = _e1026;
+                                    phi_2191_ = _e1028;
+                                    phi_2192_ = (_e393 - 1u);
+                                    phi_2193_ = _e1030;
+                                    phi_2194_ = _e1032;
                                 } else {
-                                    phi_2458_ = _e385;
-                                    phi_2184_ = _e387;
-                                    phi_2185_ = _e410;
-                                    phi_2186_ = _e391;
-                                    phi_2187_ = _e412;
-                                    phi_2188_ = _e414;
+                                    phi_2465_ = _e387;
+                                    phi_2190_ = _e389;
+                                    phi_2191_ = _e412;
+                                    phi_2192_ = _e393;
+                                    phi_2193_ = _e414;
+                                    phi_2194_ = _e416;
                                 }
-                                let _e1032 = phi_2458_;
-                                let _e1034 = phi_2184_;
-                                let _e1036 = phi_2185_;
-                                let _e1038 = phi_2186_;
-                                let _e1040 = phi_2187_;
-                                let _e1042 = phi_2188_;
-                                phi_2457_ = _e1032;
-                                phi_2189_ = _e1034;
-                                phi_2190_ = _e1036;
-                                phi_2191_ = _e1038;
-                                phi_2192_ = _e1040;
-                                phi_2193_ = _e1042;
+                                let _e1034 = phi_2465_;
+                                let _e1036 = phi_2190_;
+                                let _e1038 = phi_2191_;
+                                let _e1040 = phi_2192_;
+                                let _e1042 = phi_2193_;
+                                let _e1044 = phi_2194_;
+                                phi_2464_ = _e1034;
+                                phi_2195_ = _e1036;
+                                phi_2196_ = _e1038;
+                                phi_2197_ = _e1040;
+                                phi_2198_ = _e1042;
+                                phi_2199_ = _e1044;
                             } else {
-                                phi_2457_ = _e385;
-                                phi_2189_ = type_42();
-                                phi_2190_ = u32();
-                                phi_2191_ = u32();
-                                phi_2192_ = bool();
-                                phi_2193_ = u32();
+                                phi_2464_ = _e387;
+                                phi_2195_ = type_42();
+                                phi_2196_ = u32();
+                                phi_2197_ = u32();
+                                phi_2198_ = bool();
+                                phi_2199_ = u32();
                             }
-                            let _e1044 = phi_2457_;
-                            let _e1046 = phi_2189_;
-                            let _e1048 = phi_2190_;
-                            let _e1050 = phi_2191_;
-                            let _e1052 = phi_2192_;
-                            let _e1054 = phi_2193_;
-                            phi_2456_ = _e1044;
-                            phi_913_ = _e1046;
-                            phi_916_ = _e1048;
-                            phi_918_ = _e1050;
-                            phi_920_ = _e1052;
-                            phi_922_ = _e1054;
-                            phi_2194_ = _e399;
+                            let _e1046 = phi_2464_;
+                            let _e1048 = phi_2195_;
+                            let _e1050 = phi_2196_;
+                            let _e1052 = phi_2197_;
+                            let _e1054 = phi_2198_;
+                            let _e1056 = phi_2199_;
+                            phi_2463_ = _e1046;
+                            phi_919_ = _e1048;
+                            phi_922_ = _e1050;
+                            phi_924_ = _e1052;
+                            phi_926_ = _e1054;
+                            phi_928_ = _e1056;
+                            phi_2200_ = _e401;
                         } else {
-                            phi_2456_ = _e385;
-                            phi_913_ = type_42();
-                            phi_916_ = u32();
-                            phi_918_ = u32();
-                            phi_920_ = bool();
+                            phi_2463_ = _e387;
+                            phi_919_ = type_42();
                             phi_922_ = u32();
-                            phi_2194_ = false;
+                            phi_924_ = u32();
+                            phi_926_ = bool();
+                            phi_928_ = u32();
+                            phi_2200_ = false;
                         }
-                        let _e1056 = phi_2456_;
-                        let _e1058 = phi_913_;
-                        let _e1060 = phi_916_;
-                        let _e1062 = phi_918_;
-                        let _e1064 = phi_920_;
-                        let _e1066 = phi_922_;
-                        let _e1068 = phi_2194_;
+                        let _e1058 = phi_2463_;
+                        let _e1060 = phi_919_;
+                        let _e1062 = phi_922_;
+                        let _e1064 = phi_924_;
+                        let _e1066 = phi_926_;
+                        let _e1068 = phi_928_;
+                        let _e1070 = phi_2200_;
                         continue;
                         continuing {
-                            phi_2351_ = _e1056;
-                            phi_912_ = _e1058;
-                            phi_915_ = _e1060;
-                            phi_917_ = _e1062;
-                            phi_919_ = _e1064;
-                            phi_921_ = _e1066;
-                            phi_2455_ = _e1056;
-                            break if !(_e1068);
+                            phi_2357_ = _e1058;
+                            phi_918_ = _e1060;
+                            phi_921_ = _e1062;
+                            phi_923_ = _e1064;
+                            phi_925_ = _e1066;
+                            phi_927_ = _e1068;
+                            phi_2462_ = _e1058;
+                            break if !(_e1070);
                         }
                     }
-                    let _e1071 = phi_2455_;
-                    if _e1071 {
+                    let _e1073 = phi_2462_;
+                    if _e1073 {
                         break;
                     }
-                    let _e1073 = local_2;
-                    if (_e1073.member.member_3 != 4294967295u) {
-                        let _e1078 = (_e205 / 3i);
-                        let _e1085 = bitcast<f32>((bitcast<u32>((_e1078 + 127i)) << bitcast<u32>(23i)));
-                        let _e1093 = (((_e1073.member.member * _e1085) * _e1085) * bitcast<f32>((bitcast<u32>(((_e205 - (2i * _e1078)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1095 = select(340282350000000000000000000000000000000f, _e1093, (_e1093 < 340282350000000000000000000000000000000f));
-                        phi_2246_ = type_22(select(-340282350000000000000000000000000000000f, _e1095, (_e1095 > -340282350000000000000000000000000000000f)), _e1073.member.member_1, _e1073.member.member_2, _e1073.member.member_3);
+                    let _e1075 = local_2;
+                    if (_e1075.member.member_3 != 4294967295u) {
+                        let _e1080 = (_e207 / 3i);
+                        let _e1087 = bitcast<f32>((bitcast<u32>((_e1080 + 127i)) << bitcast<u32>(23i)));
+                        let _e1095 = (((_e1075.member.member * _e1087) * _e1087) * bitcast<f32>((bitcast<u32>(((_e207 - (2i * _e1080)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1097 = select(340282350000000000000000000000000000000f, _e1095, (_e1095 < 340282350000000000000000000000000000000f));
+                        phi_2252_ = type_22(select(-340282350000000000000000000000000000000f, _e1097, (_e1097 > -340282350000000000000000000000000000000f)), _e1075.member.member_1, _e1075.member.member_2, _e1075.member.member_3);
                     } else {
-                        phi_2246_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2252_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1102 = phi_2246_;
-                    if _e78 {
+                    let _e1104 = phi_2252_;
+                    if _e84 {
                     } else {
                         break;
                     }
-                    global_4.member[_e76] = _e1102;
+                    global_4.member[_e76] = _e1104;
                     if _e77 {
                     } else {
                         break;
                     }
-                    let _e1106 = select(0u, 1u, (_e149 <= _e159));
-                    if (_e1106 > 0u) {
-                        let _e1108 = (1u < _e72);
-                        if _e1108 {
+                    let _e1108 = select(0u, 1u, (_e151 <= _e161));
+                    if (_e1108 > 0u) {
+                        let _e1110 = (1u < _e72);
+                        if _e1110 {
                             if (0u < _e72) {
                             } else {
                                 break;
                             }
-                            let _e1112 = atomicAdd((&global_5.member[0u]), _e1106);
-                            if ((_e1112 + _e1106) < _e1112) {
-                                if _e1108 {
+                            let _e1114 = atomicAdd((&global_5.member[0u]), _e1108);
+                            if ((_e1114 + _e1108) < _e1114) {
+                                if _e1110 {
                                 } else {
                                     break;
                                 }
-                                let _e1117 = atomicAdd((&global_5.member[1u]), 1u);
+                                let _e1119 = atomicAdd((&global_5.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1120 = select(0u, 1u, (_e1102.member_3 != 4294967295u));
-                    if (_e1120 > 0u) {
-                        let _e1122 = (3u < _e72);
-                        if _e1122 {
+                    let _e1122 = select(0u, 1u, (_e1104.member_3 != 4294967295u));
+                    if (_e1122 > 0u) {
+                        let _e1124 = (3u < _e72);
+                        if _e1124 {
                             if (2u < _e72) {
                             } else {
                                 break;
                             }
-                            let _e1126 = atomicAdd((&global_5.member[2u]), _e1120);
-                            if ((_e1126 + _e1120) < _e1126) {
-                                if _e1122 {
+                            let _e1128 = atomicAdd((&global_5.member[2u]), _e1122);
+                            if ((_e1128 + _e1122) < _e1128) {
+                                if _e1124 {
                                 } else {
                                     break;
                                 }
-                                let _e1131 = atomicAdd((&global_5.member[3u]), 1u);
+                                let _e1133 = atomicAdd((&global_5.member[3u]), 1u);
                             }
                         }
                     }

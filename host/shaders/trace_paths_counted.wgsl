@@ -96,110 +96,110 @@ var<storage, read_write> global_6: type_52;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_275_: i32;
     var phi_276_: i32;
-    var phi_286_: bool;
-    var phi_296_: u32;
+    var phi_277_: i32;
+    var phi_287_: bool;
     var phi_297_: u32;
-    var phi_299_: bool;
-    var phi_304_: u32;
-    var phi_348_: f32;
-    var phi_354_: f32;
-    var phi_365_: f32;
-    var phi_371_: f32;
-    var phi_394_: f32;
-    var phi_405_: f32;
-    var phi_414_: f32;
-    var phi_420_: f32;
-    var phi_431_: f32;
-    var phi_437_: f32;
-    var phi_460_: f32;
-    var phi_471_: f32;
-    var phi_480_: f32;
-    var phi_486_: f32;
-    var phi_497_: f32;
-    var phi_503_: f32;
-    var phi_526_: f32;
-    var phi_537_: f32;
-    var phi_637_: f32;
+    var phi_298_: u32;
+    var phi_300_: bool;
+    var phi_305_: u32;
+    var phi_349_: f32;
+    var phi_355_: f32;
+    var phi_366_: f32;
+    var phi_372_: f32;
+    var phi_395_: f32;
+    var phi_406_: f32;
+    var phi_415_: f32;
+    var phi_421_: f32;
+    var phi_432_: f32;
+    var phi_438_: f32;
+    var phi_461_: f32;
+    var phi_472_: f32;
+    var phi_481_: f32;
+    var phi_487_: f32;
+    var phi_498_: f32;
+    var phi_504_: f32;
+    var phi_527_: f32;
+    var phi_538_: f32;
     var phi_638_: f32;
-    var phi_2405_: bool;
-    var phi_921_: type_47;
-    var phi_924_: u32;
-    var phi_926_: u32;
-    var phi_928_: bool;
-    var phi_930_: u32;
-    var phi_941_: bool;
-    var phi_972_: u32;
-    var phi_973_: bool;
-    var phi_974_: u32;
-    var phi_1802_: type_46;
-    var phi_2146_: u32;
-    var phi_2173_: u32;
-    var phi_2174_: u32;
-    var phi_2175_: u32;
-    var phi_2177_: u32;
-    var phi_2178_: u32;
-    var phi_2179_: bool;
-    var phi_2188_: u32;
-    var phi_2193_: u32;
-    var phi_2194_: bool;
-    var phi_989_: type_47;
-    var phi_992_: type_7;
-    var phi_993_: type_7;
-    var phi_1015_: type_7;
-    var phi_1039_: u32;
-    var phi_1128_: array<array<f32, 3>, 3>;
-    var phi_1599_: vec3<f32>;
-    var phi_1600_: vec3<f32>;
-    var phi_1631_: bool;
-    var phi_1640_: vec3<f32>;
-    var phi_1680_: type_22;
-    var phi_1682_: type_22;
-    var phi_1683_: bool;
-    var phi_1687_: type_22;
-    var phi_1688_: type_22;
-    var phi_1689_: type_22;
-    var phi_1690_: bool;
-    var phi_1694_: type_22;
-    var phi_1695_: bool;
-    var phi_1699_: type_22;
-    var phi_1700_: bool;
-    var phi_1704_: type_22;
-    var phi_1729_: bool;
-    var phi_1730_: bool;
-    var phi_1737_: type_47;
-    var phi_1738_: type_47;
-    var phi_1739_: type_47;
-    var phi_990_: type_47;
-    var phi_2399_: bool;
-    var phi_2513_: bool;
-    var phi_2196_: type_47;
-    var phi_2197_: u32;
-    var phi_2198_: bool;
-    var phi_2199_: u32;
-    var phi_2512_: bool;
-    var phi_2200_: type_47;
-    var phi_2201_: u32;
-    var phi_2202_: u32;
-    var phi_2203_: bool;
-    var phi_2204_: u32;
-    var phi_2511_: bool;
-    var phi_2205_: type_47;
-    var phi_2206_: u32;
-    var phi_2207_: u32;
-    var phi_2208_: bool;
-    var phi_2209_: u32;
-    var phi_2510_: bool;
+    var phi_639_: f32;
+    var phi_2406_: bool;
     var phi_922_: type_47;
     var phi_925_: u32;
     var phi_927_: u32;
     var phi_929_: bool;
     var phi_931_: u32;
-    var phi_2210_: bool;
-    var phi_2509_: bool;
+    var phi_942_: bool;
+    var phi_973_: u32;
+    var phi_974_: bool;
+    var phi_975_: u32;
+    var phi_1803_: type_46;
+    var phi_2147_: u32;
+    var phi_2174_: u32;
+    var phi_2175_: u32;
+    var phi_2176_: u32;
+    var phi_2178_: u32;
+    var phi_2179_: u32;
+    var phi_2180_: bool;
+    var phi_2189_: u32;
+    var phi_2194_: u32;
+    var phi_2195_: bool;
+    var phi_990_: type_47;
+    var phi_993_: type_7;
+    var phi_994_: type_7;
+    var phi_1016_: type_7;
+    var phi_1040_: u32;
+    var phi_1129_: array<array<f32, 3>, 3>;
+    var phi_1600_: vec3<f32>;
+    var phi_1601_: vec3<f32>;
+    var phi_1632_: bool;
+    var phi_1641_: vec3<f32>;
+    var phi_1681_: type_22;
+    var phi_1683_: type_22;
+    var phi_1684_: bool;
+    var phi_1688_: type_22;
+    var phi_1689_: type_22;
+    var phi_1690_: type_22;
+    var phi_1691_: bool;
+    var phi_1695_: type_22;
+    var phi_1696_: bool;
+    var phi_1700_: type_22;
+    var phi_1701_: bool;
+    var phi_1705_: type_22;
+    var phi_1730_: bool;
+    var phi_1731_: bool;
+    var phi_1738_: type_47;
+    var phi_1739_: type_47;
+    var phi_1740_: type_47;
+    var phi_991_: type_47;
+    var phi_2400_: bool;
+    var phi_2514_: bool;
+    var phi_2197_: type_47;
+    var phi_2198_: u32;
+    var phi_2199_: bool;
+    var phi_2200_: u32;
+    var phi_2513_: bool;
+    var phi_2201_: type_47;
+    var phi_2202_: u32;
+    var phi_2203_: u32;
+    var phi_2204_: bool;
+    var phi_2205_: u32;
+    var phi_2512_: bool;
+    var phi_2206_: type_47;
+    var phi_2207_: u32;
+    var phi_2208_: u32;
+    var phi_2209_: bool;
+    var phi_2210_: u32;
+    var phi_2511_: bool;
+    var phi_923_: type_47;
+    var phi_926_: u32;
+    var phi_928_: u32;
+    var phi_930_: bool;
+    var phi_932_: u32;
+    var phi_2211_: bool;
+    var phi_2510_: bool;
     var local_2: type_47;
-    var phi_2262_: type_22;
+    var phi_2263_: type_22;
     var local_3: type_47;
     var local_4: type_47;
 
@@ -244,43 +244,43 @@ fn function_() {
                         if _e165 {
                             let _e168 = (bitcast<u32>(bitcast<f32>(_e138)) & 2147483647u);
                             if (_e168 >= 8388608u) {
-                                phi_275_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
+                                phi_276_ = (bitcast<i32>((_e168 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_275_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
+                                phi_276_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e168)), 32u, (_e168 == 0u))));
                             }
-                            let _e182 = phi_275_;
-                            phi_276_ = _e182;
+                            let _e182 = phi_276_;
+                            phi_277_ = _e182;
                         } else {
-                            phi_276_ = 0i;
+                            phi_277_ = 0i;
                         }
-                        let _e184 = phi_276_;
+                        let _e184 = phi_277_;
                         let _e185 = (_e94 == _e138);
                         if _e185 {
-                            phi_286_ = true;
+                            phi_287_ = true;
                         } else {
-                            phi_286_ = (_e102 == _e138);
+                            phi_287_ = (_e102 == _e138);
                         }
-                        let _e188 = phi_286_;
+                        let _e188 = phi_287_;
                         let _e189 = select(1u, 0u, _e185);
                         if _e188 {
                             let _e190 = (_e189 + 1u);
-                            phi_296_ = _e190;
                             phi_297_ = _e190;
-                            phi_299_ = select(true, false, (_e190 == 2u));
+                            phi_298_ = _e190;
+                            phi_300_ = select(true, false, (_e190 == 2u));
                         } else {
-                            phi_296_ = u32();
-                            phi_297_ = 0u;
-                            phi_299_ = true;
+                            phi_297_ = u32();
+                            phi_298_ = 0u;
+                            phi_300_ = true;
                         }
-                        let _e194 = phi_296_;
-                        let _e196 = phi_297_;
-                        let _e198 = phi_299_;
+                        let _e194 = phi_297_;
+                        let _e196 = phi_298_;
+                        let _e198 = phi_300_;
                         if _e198 {
-                            phi_304_ = (_e196 + 1u);
+                            phi_305_ = (_e196 + 1u);
                         } else {
-                            phi_304_ = 0u;
+                            phi_305_ = 0u;
                         }
-                        let _e202 = phi_304_;
+                        let _e202 = phi_305_;
                         let _e203 = select(_e194, _e196, _e198);
                         let _e204 = select(_e189, select(2u, _e189, _e188), _e198);
                         let _e205 = -(_e184);
@@ -290,137 +290,137 @@ fn function_() {
                         let _e222 = global_3.member[_e79].member.member;
                         let _e223 = (_e203 == 0u);
                         if _e223 {
-                            phi_348_ = _e222[0];
+                            phi_349_ = _e222[0];
                         } else {
-                            phi_348_ = _e222[1];
+                            phi_349_ = _e222[1];
                         }
-                        let _e227 = phi_348_;
+                        let _e227 = phi_349_;
                         let _e228 = (_e203 == 2u);
                         if _e228 {
-                            phi_354_ = _e222[2];
+                            phi_355_ = _e222[2];
                         } else {
-                            phi_354_ = _e227;
+                            phi_355_ = _e227;
                         }
-                        let _e231 = phi_354_;
+                        let _e231 = phi_355_;
                         let _e232 = global_3.member[_e79].member.member_2;
                         if _e223 {
-                            phi_365_ = _e232[0];
+                            phi_366_ = _e232[0];
                         } else {
-                            phi_365_ = _e232[1];
+                            phi_366_ = _e232[1];
                         }
-                        let _e236 = phi_365_;
+                        let _e236 = phi_366_;
                         if _e228 {
-                            phi_371_ = _e232[2];
+                            phi_372_ = _e232[2];
                         } else {
-                            phi_371_ = _e236;
+                            phi_372_ = _e236;
                         }
-                        let _e239 = phi_371_;
+                        let _e239 = phi_372_;
                         let _e241 = ((_e239 * _e211) * _e217);
                         let _e245 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e245 {
                             let _e249 = (bitcast<f32>((bitcast<u32>(_e231) & 2147483647u)) * 0.00000011920929f);
-                            phi_394_ = select(0.00000000000011368684f, _e249, (_e249 > 0.00000000000011368684f));
+                            phi_395_ = select(0.00000000000011368684f, _e249, (_e249 > 0.00000000000011368684f));
                         } else {
-                            phi_394_ = 0f;
+                            phi_395_ = 0f;
                         }
-                        let _e253 = phi_394_;
+                        let _e253 = phi_395_;
                         let _e254 = (_e231 + _e253);
                         let _e255 = (_e231 - _e253);
                         let _e256 = select(_e241, 0f, _e245);
                         if _e245 {
-                            phi_405_ = 38685626000000000000000000f;
+                            phi_406_ = 38685626000000000000000000f;
                         } else {
-                            phi_405_ = (1f / _e241);
+                            phi_406_ = (1f / _e241);
                         }
-                        let _e259 = phi_405_;
+                        let _e259 = phi_406_;
                         let _e260 = (_e202 == 0u);
                         if _e260 {
-                            phi_414_ = _e222[0];
+                            phi_415_ = _e222[0];
                         } else {
-                            phi_414_ = _e222[1];
+                            phi_415_ = _e222[1];
                         }
-                        let _e264 = phi_414_;
+                        let _e264 = phi_415_;
                         let _e265 = (_e202 == 2u);
                         if _e265 {
-                            phi_420_ = _e222[2];
+                            phi_421_ = _e222[2];
                         } else {
-                            phi_420_ = _e264;
+                            phi_421_ = _e264;
                         }
-                        let _e268 = phi_420_;
+                        let _e268 = phi_421_;
                         if _e260 {
-                            phi_431_ = _e232[0];
+                            phi_432_ = _e232[0];
                         } else {
-                            phi_431_ = _e232[1];
+                            phi_432_ = _e232[1];
                         }
-                        let _e272 = phi_431_;
+                        let _e272 = phi_432_;
                         if _e265 {
-                            phi_437_ = _e232[2];
+                            phi_438_ = _e232[2];
                         } else {
-                            phi_437_ = _e272;
+                            phi_438_ = _e272;
                         }
-                        let _e275 = phi_437_;
+                        let _e275 = phi_438_;
                         let _e277 = ((_e275 * _e211) * _e217);
                         let _e281 = (bitcast<f32>((bitcast<u32>(_e277) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e281 {
                             let _e285 = (bitcast<f32>((bitcast<u32>(_e268) & 2147483647u)) * 0.00000011920929f);
-                            phi_460_ = select(0.00000000000011368684f, _e285, (_e285 > 0.00000000000011368684f));
+                            phi_461_ = select(0.00000000000011368684f, _e285, (_e285 > 0.00000000000011368684f));
                         } else {
-                            phi_460_ = 0f;
+                            phi_461_ = 0f;
                         }
-                        let _e289 = phi_460_;
+                        let _e289 = phi_461_;
                         let _e290 = (_e268 + _e289);
                         let _e291 = (_e268 - _e289);
                         let _e292 = select(_e277, 0f, _e281);
                         if _e281 {
-                            phi_471_ = 38685626000000000000000000f;
+                            phi_472_ = 38685626000000000000000000f;
                         } else {
-                            phi_471_ = (1f / _e277);
+                            phi_472_ = (1f / _e277);
                         }
-                        let _e295 = phi_471_;
+                        let _e295 = phi_472_;
                         let _e296 = (_e204 == 0u);
                         if _e296 {
-                            phi_480_ = _e222[0];
+                            phi_481_ = _e222[0];
                         } else {
-                            phi_480_ = _e222[1];
+                            phi_481_ = _e222[1];
                         }
-                        let _e300 = phi_480_;
+                        let _e300 = phi_481_;
                         let _e301 = (_e204 == 2u);
                         if _e301 {
-                            phi_486_ = _e222[2];
+                            phi_487_ = _e222[2];
                         } else {
-                            phi_486_ = _e300;
+                            phi_487_ = _e300;
                         }
-                        let _e304 = phi_486_;
+                        let _e304 = phi_487_;
                         if _e296 {
-                            phi_497_ = _e232[0];
+                            phi_498_ = _e232[0];
                         } else {
-                            phi_497_ = _e232[1];
+                            phi_498_ = _e232[1];
                         }
-                        let _e308 = phi_497_;
+                        let _e308 = phi_498_;
                         if _e301 {
-                            phi_503_ = _e232[2];
+                            phi_504_ = _e232[2];
                         } else {
-                            phi_503_ = _e308;
+                            phi_504_ = _e308;
                         }
-                        let _e311 = phi_503_;
+                        let _e311 = phi_504_;
                         let _e313 = ((_e311 * _e211) * _e217);
                         let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e317 {
                             let _e321 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) * 0.00000011920929f);
-                            phi_526_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
+                            phi_527_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
                         } else {
-                            phi_526_ = 0f;
+                            phi_527_ = 0f;
                         }
-                        let _e325 = phi_526_;
+                        let _e325 = phi_527_;
                         let _e326 = (_e304 + _e325);
                         let _e327 = (_e304 - _e325);
                         let _e328 = select(_e313, 0f, _e317);
                         if _e317 {
-                            phi_537_ = 38685626000000000000000000f;
+                            phi_538_ = 38685626000000000000000000f;
                         } else {
-                            phi_537_ = (1f / _e313);
+                            phi_538_ = (1f / _e313);
                         }
-                        let _e331 = phi_537_;
+                        let _e331 = phi_538_;
                         let _e334 = bitcast<f32>((bitcast<u32>(_e231) & 2147483647u));
                         let _e337 = bitcast<f32>((bitcast<u32>(_e268) & 2147483647u));
                         let _e339 = select(_e337, _e334, (_e334 > _e337));
@@ -433,14 +433,14 @@ fn function_() {
                             let _e364 = select(340282350000000000000000000000000000000f, _e362, (_e362 < 340282350000000000000000000000000000000f));
                             let _e369 = (((_e159 * _e354) * _e354) * _e361);
                             let _e371 = select(340282350000000000000000000000000000000f, _e369, (_e369 < 340282350000000000000000000000000000000f));
-                            phi_637_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
-                            phi_638_ = select(-340282350000000000000000000000000000000f, _e364, (_e364 > -340282350000000000000000000000000000000f));
+                            phi_638_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
+                            phi_639_ = select(-340282350000000000000000000000000000000f, _e364, (_e364 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_637_ = 0f;
-                            phi_638_ = 1f;
+                            phi_638_ = 0f;
+                            phi_639_ = 1f;
                         }
-                        let _e375 = phi_637_;
-                        let _e377 = phi_638_;
+                        let _e375 = phi_638_;
+                        let _e377 = phi_639_;
                         if _e80 {
                         } else {
                             break;
@@ -448,74 +448,74 @@ fn function_() {
                         let _e383 = global_3.member[_e79].member_2;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2405_ = false;
-                        phi_921_ = type_47(type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e375), 0u, 0u);
-                        phi_924_ = select(0u, 2147483648u, (_e65 == 0u));
-                        phi_926_ = ((3u * _e65) + 1u);
-                        phi_928_ = (_e377 <= _e375);
-                        phi_930_ = 0u;
+                        phi_2406_ = false;
+                        phi_922_ = type_47(type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e375), 0u, 0u);
+                        phi_925_ = select(0u, 2147483648u, (_e65 == 0u));
+                        phi_927_ = ((3u * _e65) + 1u);
+                        phi_929_ = (_e377 <= _e375);
+                        phi_931_ = 0u;
                         loop {
-                            let _e390 = phi_2405_;
-                            let _e392 = phi_921_;
-                            let _e394 = phi_924_;
-                            let _e396 = phi_926_;
-                            let _e398 = phi_928_;
-                            let _e400 = phi_930_;
+                            let _e390 = phi_2406_;
+                            let _e392 = phi_922_;
+                            let _e394 = phi_925_;
+                            let _e396 = phi_927_;
+                            let _e398 = phi_929_;
+                            let _e400 = phi_931_;
                             local_2 = _e392;
                             local_3 = _e392;
                             if _e398 {
-                                phi_941_ = true;
+                                phi_942_ = true;
                             } else {
-                                phi_941_ = (_e400 > 0u);
+                                phi_942_ = (_e400 > 0u);
                             }
-                            let _e403 = phi_941_;
+                            let _e403 = phi_942_;
                             if _e403 {
                                 let _e404 = (_e396 > 0u);
                                 if _e404 {
                                     if _e398 {
-                                        phi_972_ = _e394;
-                                        phi_973_ = _e398;
-                                        phi_974_ = _e400;
+                                        phi_973_ = _e394;
+                                        phi_974_ = _e398;
+                                        phi_975_ = _e400;
                                     } else {
                                         let _e405 = (_e400 - 1u);
                                         let _e406 = (_e405 % 128u);
                                         let _e407 = (_e406 < 128u);
                                         if _e407 {
                                         } else {
-                                            phi_2509_ = true;
+                                            phi_2510_ = true;
                                             break;
                                         }
                                         let _e409 = local_1[_e406];
                                         if _e407 {
                                         } else {
-                                            phi_2509_ = true;
+                                            phi_2510_ = true;
                                             break;
                                         }
                                         let _e411 = local[_e406];
-                                        phi_972_ = _e409;
-                                        phi_973_ = (_e411 <= _e392.member.member_1);
-                                        phi_974_ = _e405;
+                                        phi_973_ = _e409;
+                                        phi_974_ = (_e411 <= _e392.member.member_1);
+                                        phi_975_ = _e405;
                                     }
-                                    let _e416 = phi_972_;
-                                    let _e418 = phi_973_;
-                                    let _e420 = phi_974_;
+                                    let _e416 = phi_973_;
+                                    let _e418 = phi_974_;
+                                    let _e420 = phi_975_;
                                     if _e418 {
                                         if ((_e416 & 2147483648u) != 0u) {
-                                            phi_989_ = _e392;
-                                            phi_992_ = type_7(0u, ((_e416 >> bitcast<u32>(28u)) & 7u));
+                                            phi_990_ = _e392;
+                                            phi_993_ = type_7(0u, ((_e416 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e625 = phi_989_;
-                                                let _e627 = phi_992_;
+                                                let _e625 = phi_990_;
+                                                let _e627 = phi_993_;
                                                 local_4 = _e625;
                                                 if (_e627.member < _e627.member_1) {
-                                                    phi_993_ = type_7((_e627.member + 1u), _e627.member_1);
-                                                    phi_1015_ = type_7(1u, _e627.member);
+                                                    phi_994_ = type_7((_e627.member + 1u), _e627.member_1);
+                                                    phi_1016_ = type_7(1u, _e627.member);
                                                 } else {
-                                                    phi_993_ = _e627;
-                                                    phi_1015_ = type_7(0u, type_7().member_1);
+                                                    phi_994_ = _e627;
+                                                    phi_1016_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e640 = phi_993_;
-                                                let _e642 = phi_1015_;
+                                                let _e640 = phi_994_;
+                                                let _e642 = phi_1016_;
                                                 let _e646 = (bitcast<i32>(_e642.member) != 0i);
                                                 if _e646 {
                                                     let _e652 = type_47(_e625.member, _e625.member_1, (_e625.member_2 + 1u));
@@ -524,21 +524,21 @@ fn function_() {
                                                     if _e654 {
                                                         if _e654 {
                                                         } else {
-                                                            phi_2399_ = true;
+                                                            phi_2400_ = true;
                                                             break;
                                                         }
                                                         let _e658 = global_1.member[_e653].member_1;
-                                                        phi_1039_ = _e658;
+                                                        phi_1040_ = _e658;
                                                     } else {
-                                                        phi_1039_ = 4294967295u;
+                                                        phi_1040_ = 4294967295u;
                                                     }
-                                                    let _e660 = phi_1039_;
+                                                    let _e660 = phi_1040_;
                                                     if (_e653 >= _e67) {
-                                                        phi_1128_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                        phi_1129_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
                                                         if _e654 {
                                                         } else {
-                                                            phi_2399_ = true;
+                                                            phi_2400_ = true;
                                                             break;
                                                         }
                                                         let _e662 = (_e203 % 3u);
@@ -546,67 +546,67 @@ fn function_() {
                                                         let _e664 = (_e204 % 3u);
                                                         if (_e662 < 9u) {
                                                         } else {
-                                                            phi_2399_ = true;
+                                                            phi_2400_ = true;
                                                             break;
                                                         }
                                                         let _e670 = global_1.member[_e653].member[_e662];
                                                         if (_e663 < 9u) {
                                                         } else {
-                                                            phi_2399_ = true;
+                                                            phi_2400_ = true;
                                                             break;
                                                         }
                                                         let _e676 = global_1.member[_e653].member[_e663];
                                                         if (_e664 < 9u) {
                                                         } else {
-                                                            phi_2399_ = true;
+                                                            phi_2400_ = true;
                                                             break;
                                                         }
                                                         let _e682 = global_1.member[_e653].member[_e664];
                                                         let _e684 = (3u + _e662);
                                                         if (_e684 < 9u) {
                                                         } else {
-                                                            phi_2399_ = true;
+                                                            phi_2400_ = true;
                                                             break;
                                                         }
                                                         let _e690 = global_1.member[_e653].member[_e684];
                                                         let _e691 = (3u + _e663);
                                                         if (_e691 < 9u) {
                                                         } else {
-                                                            phi_2399_ = true;
+                                                            phi_2400_ = true;
                                                             break;
                                                         }
                                                         let _e697 = global_1.member[_e653].member[_e691];
                                                         let _e698 = (3u + _e664);
                                                         if (_e698 < 9u) {
                                                         } else {
-                                                            phi_2399_ = true;
+                                                            phi_2400_ = true;
                                                             break;
                                                         }
                                                         let _e704 = global_1.member[_e653].member[_e698];
                                                         let _e706 = (6u + _e662);
                                                         if (_e706 < 9u) {
                                                         } else {
-                                                            phi_2399_ = true;
+                                                            phi_2400_ = true;
                                                             break;
                                                         }
                                                         let _e712 = global_1.member[_e653].member[_e706];
                                                         let _e713 = (6u + _e663);
                                                         if (_e713 < 9u) {
                                                         } else {
-                                                            phi_2399_ = true;
+                                                            phi_2400_ = true;
                                                             break;
                                                         }
                                                         let _e719 = global_1.member[_e653].member[_e713];
                                                         let _e720 = (6u + _e664);
                                                         if (_e720 < 9u) {
                                                         } else {
-                                                            phi_2399_ = true;
+                                                            phi_2400_ = true;
                                                             break;
                                                         }
                                                         let _e726 = global_1.member[_e653].member[_e720];
-                                                        phi_1128_ = array<array<f32, 3>, 3>(array<f32, 3>(_e670, _e676, _e682), array<f32, 3>(_e690, _e697, _e704), array<f32, 3>(_e712, _e719, _e726));
+                                                        phi_1129_ = array<array<f32, 3>, 3>(array<f32, 3>(_e670, _e676, _e682), array<f32, 3>(_e690, _e697, _e704), array<f32, 3>(_e712, _e719, _e726));
                                                     }
-                                                    let _e730 = phi_1128_;
+                                                    let _e730 = phi_1129_;
                                                     let _e739 = (_e730[0][2] - _e304);
                                                     let _e742 = (((_e730[0][0] - _e231) * _e328) - (_e739 * _e256));
                                                     let _e745 = (((_e730[0][1] - _e268) * _e328) - (_e739 * _e292));
@@ -633,8 +633,8 @@ fn function_() {
                                                         let _e801 = select(0f, _e799, (_e799 > 0f));
                                                         let _e803 = ((_e793 + _e797) + _e801);
                                                         if (_e803 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1694_ = type_22();
-                                                            phi_1695_ = true;
+                                                            phi_1695_ = type_22();
+                                                            phi_1696_ = true;
                                                         } else {
                                                             let _e806 = select(_e730[1][0], _e730[0][0], (_e730[0][0] < _e730[1][0]));
                                                             let _e810 = select(_e730[1][0], _e730[0][0], (_e730[0][0] > _e730[1][0]));
@@ -661,12 +661,12 @@ fn function_() {
                                                             let _e861 = -(_e842);
                                                             let _e867 = select(_e377, _e852, (_e852 > _e377));
                                                             if (_e867 > (_e860 + (select(_e861, _e844, (_e844 > _e861)) * 0.0000019073523f))) {
-                                                                phi_1689_ = type_22();
-                                                                phi_1690_ = true;
+                                                                phi_1690_ = type_22();
+                                                                phi_1691_ = true;
                                                             } else {
                                                                 let _e869 = (_e867 > _e625.member.member_1);
                                                                 if _e869 {
-                                                                    phi_1688_ = type_22();
+                                                                    phi_1689_ = type_22();
                                                                 } else {
                                                                     let _e873 = (_e730[1][0] - _e730[0][0]);
                                                                     let _e874 = (_e730[1][1] - _e730[0][1]);
@@ -698,30 +698,30 @@ fn function_() {
                                                                     let _e925 = select(_e910, _e897, (_e897 > _e910));
                                                                     let _e927 = select(_e923, _e925, (_e925 > _e923));
                                                                     if (_e897 == _e927) {
-                                                                        phi_1599_ = _e880;
-                                                                        phi_1600_ = _e884;
+                                                                        phi_1600_ = _e880;
+                                                                        phi_1601_ = _e884;
                                                                     } else {
                                                                         let _e930 = vec3((_e910 == _e927));
-                                                                        phi_1599_ = select(_e876, _e884, _e930);
-                                                                        phi_1600_ = select(_e880, _e876, _e930);
+                                                                        phi_1600_ = select(_e876, _e884, _e930);
+                                                                        phi_1601_ = select(_e880, _e876, _e930);
                                                                     }
-                                                                    let _e934 = phi_1599_;
-                                                                    let _e936 = phi_1600_;
+                                                                    let _e934 = phi_1600_;
+                                                                    let _e936 = phi_1601_;
                                                                     let _e943 = ((_e934.y * _e936.z) - (_e936.y * _e934.z));
                                                                     let _e948 = ((_e934.z * _e936.x) - (_e936.z * _e934.x));
                                                                     let _e951 = ((_e934.x * _e936.y) - (_e936.x * _e934.y));
                                                                     if (_e793 >= _e797) {
-                                                                        phi_1631_ = select(true, false, (_e793 >= _e801));
+                                                                        phi_1632_ = select(true, false, (_e793 >= _e801));
                                                                     } else {
-                                                                        phi_1631_ = true;
+                                                                        phi_1632_ = true;
                                                                     }
-                                                                    let _e956 = phi_1631_;
+                                                                    let _e956 = phi_1632_;
                                                                     if _e956 {
-                                                                        phi_1640_ = select(vec3<f32>(_e730[2][0], _e730[2][1], _e730[2][2]), vec3<f32>(_e730[1][0], _e730[1][1], _e730[1][2]), vec3((_e797 >= _e801)));
+                                                                        phi_1641_ = select(vec3<f32>(_e730[2][0], _e730[2][1], _e730[2][2]), vec3<f32>(_e730[1][0], _e730[1][1], _e730[1][2]), vec3((_e797 >= _e801)));
                                                                     } else {
-                                                                        phi_1640_ = vec3<f32>(_e730[0][0], _e730[0][1], _e730[0][2]);
+                                                                        phi_1641_ = vec3<f32>(_e730[0][0], _e730[0][1], _e730[0][2]);
                                                                     }
-                                                                    let _e961 = phi_1640_;
+                                                                    let _e961 = phi_1641_;
                                                                     let _e978 = ((((_e943 * (_e961.x - _e231)) + (_e948 * (_e961.y - _e268))) + (_e951 * (_e961.z - _e304))) / (((_e943 * _e256) + (_e948 * _e292)) + (_e951 * _e328)));
                                                                     let _e980 = select(_e860, _e978, (_e978 < _e860));
                                                                     let _e982 = select(_e852, _e980, (_e980 > _e852));
@@ -729,141 +729,141 @@ fn function_() {
                                                                         let _e984 = (_e982 <= _e625.member.member_1);
                                                                         if _e984 {
                                                                             let _e985 = (1f / _e803);
-                                                                            phi_1680_ = type_22(_e982, (_e797 * _e985), (_e801 * _e985), _e660);
+                                                                            phi_1681_ = type_22(_e982, (_e797 * _e985), (_e801 * _e985), _e660);
                                                                         } else {
-                                                                            phi_1680_ = type_22();
+                                                                            phi_1681_ = type_22();
                                                                         }
-                                                                        let _e990 = phi_1680_;
-                                                                        phi_1682_ = _e990;
-                                                                        phi_1683_ = select(true, false, _e984);
+                                                                        let _e990 = phi_1681_;
+                                                                        phi_1683_ = _e990;
+                                                                        phi_1684_ = select(true, false, _e984);
                                                                     } else {
-                                                                        phi_1682_ = type_22();
-                                                                        phi_1683_ = true;
+                                                                        phi_1683_ = type_22();
+                                                                        phi_1684_ = true;
                                                                     }
-                                                                    let _e993 = phi_1682_;
-                                                                    let _e995 = phi_1683_;
+                                                                    let _e993 = phi_1683_;
+                                                                    let _e995 = phi_1684_;
                                                                     if _e995 {
-                                                                        phi_1687_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        phi_1688_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_1687_ = _e993;
+                                                                        phi_1688_ = _e993;
                                                                     }
-                                                                    let _e997 = phi_1687_;
-                                                                    phi_1688_ = _e997;
+                                                                    let _e997 = phi_1688_;
+                                                                    phi_1689_ = _e997;
                                                                 }
-                                                                let _e999 = phi_1688_;
-                                                                phi_1689_ = _e999;
-                                                                phi_1690_ = _e869;
+                                                                let _e999 = phi_1689_;
+                                                                phi_1690_ = _e999;
+                                                                phi_1691_ = _e869;
                                                             }
-                                                            let _e1001 = phi_1689_;
-                                                            let _e1003 = phi_1690_;
-                                                            phi_1694_ = _e1001;
-                                                            phi_1695_ = _e1003;
+                                                            let _e1001 = phi_1690_;
+                                                            let _e1003 = phi_1691_;
+                                                            phi_1695_ = _e1001;
+                                                            phi_1696_ = _e1003;
                                                         }
-                                                        let _e1005 = phi_1694_;
-                                                        let _e1007 = phi_1695_;
-                                                        phi_1699_ = _e1005;
-                                                        phi_1700_ = _e1007;
+                                                        let _e1005 = phi_1695_;
+                                                        let _e1007 = phi_1696_;
+                                                        phi_1700_ = _e1005;
+                                                        phi_1701_ = _e1007;
                                                     } else {
-                                                        phi_1699_ = type_22();
-                                                        phi_1700_ = true;
+                                                        phi_1700_ = type_22();
+                                                        phi_1701_ = true;
                                                     }
-                                                    let _e1009 = phi_1699_;
-                                                    let _e1011 = phi_1700_;
+                                                    let _e1009 = phi_1700_;
+                                                    let _e1011 = phi_1701_;
                                                     if _e1011 {
-                                                        phi_1704_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                        phi_1705_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1704_ = _e1009;
+                                                        phi_1705_ = _e1009;
                                                     }
-                                                    let _e1013 = phi_1704_;
+                                                    let _e1013 = phi_1705_;
                                                     if (_e1013.member_3 != 4294967295u) {
                                                         if (_e660 != _e383) {
                                                             if (_e1013.member < _e625.member.member.member) {
-                                                                phi_1730_ = true;
+                                                                phi_1731_ = true;
                                                             } else {
                                                                 if (_e1013.member == _e625.member.member.member) {
-                                                                    phi_1729_ = (_e1013.member_3 < _e625.member.member.member_3);
+                                                                    phi_1730_ = (_e1013.member_3 < _e625.member.member.member_3);
                                                                 } else {
-                                                                    phi_1729_ = false;
+                                                                    phi_1730_ = false;
                                                                 }
-                                                                let _e1028 = phi_1729_;
-                                                                phi_1730_ = _e1028;
+                                                                let _e1028 = phi_1730_;
+                                                                phi_1731_ = _e1028;
                                                             }
-                                                            let _e1030 = phi_1730_;
+                                                            let _e1030 = phi_1731_;
                                                             if _e1030 {
-                                                                phi_1737_ = type_47(type_42(_e1013, _e1013.member), _e652.member_1, _e652.member_2);
+                                                                phi_1738_ = type_47(type_42(_e1013, _e1013.member), _e652.member_1, _e652.member_2);
                                                             } else {
-                                                                phi_1737_ = _e652;
+                                                                phi_1738_ = _e652;
                                                             }
-                                                            let _e1037 = phi_1737_;
-                                                            phi_1738_ = _e1037;
+                                                            let _e1037 = phi_1738_;
+                                                            phi_1739_ = _e1037;
                                                         } else {
-                                                            phi_1738_ = _e652;
+                                                            phi_1739_ = _e652;
                                                         }
-                                                        let _e1039 = phi_1738_;
-                                                        phi_1739_ = _e1039;
+                                                        let _e1039 = phi_1739_;
+                                                        phi_1740_ = _e1039;
                                                     } else {
-                                                        phi_1739_ = _e652;
+                                                        phi_1740_ = _e652;
                                                     }
-                                                    let _e1041 = phi_1739_;
-                                                    phi_990_ = _e1041;
+                                                    let _e1041 = phi_1740_;
+                                                    phi_991_ = _e1041;
                                                 } else {
-                                                    phi_990_ = type_47();
+                                                    phi_991_ = type_47();
                                                 }
-                                                let _e1043 = phi_990_;
+                                                let _e1043 = phi_991_;
                                                 continue;
                                                 continuing {
-                                                    phi_989_ = _e1043;
-                                                    phi_992_ = _e640;
-                                                    phi_2399_ = _e390;
+                                                    phi_990_ = _e1043;
+                                                    phi_993_ = _e640;
+                                                    phi_2400_ = _e390;
                                                     break if !(_e646);
                                                 }
                                             }
-                                            let _e1046 = phi_2399_;
-                                            phi_2509_ = _e1046;
+                                            let _e1046 = phi_2400_;
+                                            phi_2510_ = _e1046;
                                             if _e1046 {
                                                 break;
                                             }
-                                            phi_2513_ = _e1046;
+                                            phi_2514_ = _e1046;
                                             let _e1255 = local_4;
-                                            phi_2196_ = _e1255;
-                                            phi_2197_ = _e416;
-                                            phi_2198_ = false;
-                                            phi_2199_ = _e420;
+                                            phi_2197_ = _e1255;
+                                            phi_2198_ = _e416;
+                                            phi_2199_ = false;
+                                            phi_2200_ = _e420;
                                         } else {
                                             if (_e416 >= _e65) {
-                                                phi_1802_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                                phi_1803_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
                                                 if (_e416 < _e65) {
                                                 } else {
-                                                    phi_2509_ = true;
+                                                    phi_2510_ = true;
                                                     break;
                                                 }
                                                 let _e436 = (_e203 % 3u);
                                                 if (_e436 < 3u) {
                                                 } else {
-                                                    phi_2509_ = true;
+                                                    phi_2510_ = true;
                                                     break;
                                                 }
                                                 let _e442 = global_2.member[_e416].member[_e436];
                                                 let _e448 = (_e202 % 3u);
                                                 if (_e448 < 3u) {
                                                 } else {
-                                                    phi_2509_ = true;
+                                                    phi_2510_ = true;
                                                     break;
                                                 }
                                                 let _e454 = global_2.member[_e416].member[_e448];
                                                 let _e460 = (_e204 % 3u);
                                                 if (_e460 < 3u) {
                                                 } else {
-                                                    phi_2509_ = true;
+                                                    phi_2510_ = true;
                                                     break;
                                                 }
                                                 let _e466 = global_2.member[_e416].member[_e460];
                                                 let _e476 = global_2.member[_e416].member_1;
                                                 let _e480 = global_2.member[_e416].member_2;
-                                                phi_1802_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e442[0], _e442[1], _e442[2], _e442[3]), vec4<f32>(_e454[0], _e454[1], _e454[2], _e454[3]), vec4<f32>(_e466[0], _e466[1], _e466[2], _e466[3])), _e476, _e480);
+                                                phi_1803_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e442[0], _e442[1], _e442[2], _e442[3]), vec4<f32>(_e454[0], _e454[1], _e454[2], _e454[3]), vec4<f32>(_e466[0], _e466[1], _e466[2], _e466[3])), _e476, _e480);
                                             }
-                                            let _e483 = phi_1802_;
+                                            let _e483 = phi_1803_;
                                             let _e496 = ((_e483.member[0].x - _e254) * _e259);
                                             let _e497 = ((_e483.member[0].y - _e254) * _e259);
                                             let _e498 = ((_e483.member[0].z - _e255) * _e259);
@@ -906,152 +906,152 @@ fn function_() {
                                             if _e584 {
                                                 if _e585 {
                                                     if _e586 {
-                                                        phi_2146_ = _e483.member_2;
+                                                        phi_2147_ = _e483.member_2;
                                                     } else {
-                                                        phi_2146_ = _e483.member_1;
+                                                        phi_2147_ = _e483.member_1;
                                                     }
-                                                    let _e590 = phi_2146_;
+                                                    let _e590 = phi_2147_;
                                                     let _e591 = (_e420 % 128u);
                                                     let _e592 = (_e591 < 128u);
                                                     if _e592 {
                                                     } else {
-                                                        phi_2509_ = true;
+                                                        phi_2510_ = true;
                                                         break;
                                                     }
                                                     local_1[_e591] = _e590;
                                                     if _e592 {
                                                     } else {
-                                                        phi_2509_ = true;
+                                                        phi_2510_ = true;
                                                         break;
                                                     }
                                                     local[_e591] = select(_e579, _e577, (_e577 > _e579));
                                                     if _e586 {
-                                                        phi_2173_ = _e483.member_1;
+                                                        phi_2174_ = _e483.member_1;
                                                     } else {
-                                                        phi_2173_ = _e483.member_2;
+                                                        phi_2174_ = _e483.member_2;
                                                     }
-                                                    let _e601 = phi_2173_;
-                                                    phi_2174_ = _e601;
-                                                    phi_2175_ = (_e420 + 1u);
+                                                    let _e601 = phi_2174_;
+                                                    phi_2175_ = _e601;
+                                                    phi_2176_ = (_e420 + 1u);
                                                 } else {
-                                                    phi_2174_ = u32();
                                                     phi_2175_ = u32();
+                                                    phi_2176_ = u32();
                                                 }
-                                                let _e603 = phi_2174_;
-                                                let _e605 = phi_2175_;
-                                                phi_2177_ = _e603;
-                                                phi_2178_ = _e605;
-                                                phi_2179_ = select(true, false, _e585);
+                                                let _e603 = phi_2175_;
+                                                let _e605 = phi_2176_;
+                                                phi_2178_ = _e603;
+                                                phi_2179_ = _e605;
+                                                phi_2180_ = select(true, false, _e585);
                                             } else {
-                                                phi_2177_ = u32();
                                                 phi_2178_ = u32();
-                                                phi_2179_ = true;
+                                                phi_2179_ = u32();
+                                                phi_2180_ = true;
                                             }
-                                            let _e608 = phi_2177_;
-                                            let _e610 = phi_2178_;
-                                            let _e612 = phi_2179_;
+                                            let _e608 = phi_2178_;
+                                            let _e610 = phi_2179_;
+                                            let _e612 = phi_2180_;
                                             if _e612 {
                                                 if _e584 {
-                                                    phi_2188_ = _e483.member_1;
+                                                    phi_2189_ = _e483.member_1;
                                                 } else {
-                                                    phi_2188_ = _e483.member_2;
+                                                    phi_2189_ = _e483.member_2;
                                                 }
-                                                let _e616 = phi_2188_;
-                                                phi_2193_ = _e616;
-                                                phi_2194_ = select(_e585, true, _e584);
+                                                let _e616 = phi_2189_;
+                                                phi_2194_ = _e616;
+                                                phi_2195_ = select(_e585, true, _e584);
                                             } else {
-                                                phi_2193_ = _e608;
-                                                phi_2194_ = _e418;
+                                                phi_2194_ = _e608;
+                                                phi_2195_ = _e418;
                                             }
-                                            let _e619 = phi_2193_;
-                                            let _e621 = phi_2194_;
-                                            phi_2513_ = _e390;
-                                            phi_2196_ = type_47(_e392.member, (_e392.member_1 + 1u), _e392.member_2);
-                                            phi_2197_ = _e619;
-                                            phi_2198_ = _e621;
-                                            phi_2199_ = select(_e610, _e420, _e612);
+                                            let _e619 = phi_2194_;
+                                            let _e621 = phi_2195_;
+                                            phi_2514_ = _e390;
+                                            phi_2197_ = type_47(_e392.member, (_e392.member_1 + 1u), _e392.member_2);
+                                            phi_2198_ = _e619;
+                                            phi_2199_ = _e621;
+                                            phi_2200_ = select(_e610, _e420, _e612);
                                         }
-                                        let _e1048 = phi_2513_;
-                                        let _e1050 = phi_2196_;
-                                        let _e1052 = phi_2197_;
-                                        let _e1054 = phi_2198_;
-                                        let _e1056 = phi_2199_;
-                                        phi_2512_ = _e1048;
-                                        phi_2200_ = _e1050;
-                                        phi_2201_ = _e1052;
-                                        phi_2202_ = (_e396 - 1u);
-                                        phi_2203_ = _e1054;
-                                        phi_2204_ = _e1056;
+                                        let _e1048 = phi_2514_;
+                                        let _e1050 = phi_2197_;
+                                        let _e1052 = phi_2198_;
+                                        let _e1054 = phi_2199_;
+                                        let _e1056 = phi_2200_;
+                                        phi_2513_ = _e1048;
+                                        phi_2201_ = _e1050;
+                                        phi_2202_ = _e1052;
+                                        phi_2203_ = (_e396 - 1u);
+                                        phi_2204_ = _e1054;
+                                        phi_2205_ = _e1056;
                                     } else {
-                                        phi_2512_ = _e390;
-                                        phi_2200_ = _e392;
-                                        phi_2201_ = _e416;
-                                        phi_2202_ = _e396;
-                                        phi_2203_ = _e418;
-                                        phi_2204_ = _e420;
+                                        phi_2513_ = _e390;
+                                        phi_2201_ = _e392;
+                                        phi_2202_ = _e416;
+                                        phi_2203_ = _e396;
+                                        phi_2204_ = _e418;
+                                        phi_2205_ = _e420;
                                     }
-                                    let _e1058 = phi_2512_;
-                                    let _e1060 = phi_2200_;
-                                    let _e1062 = phi_2201_;
-                                    let _e1064 = phi_2202_;
-                                    let _e1066 = phi_2203_;
-                                    let _e1068 = phi_2204_;
-                                    phi_2511_ = _e1058;
-                                    phi_2205_ = _e1060;
-                                    phi_2206_ = _e1062;
-                                    phi_2207_ = _e1064;
-                                    phi_2208_ = _e1066;
-                                    phi_2209_ = _e1068;
+                                    let _e1058 = phi_2513_;
+                                    let _e1060 = phi_2201_;
+                                    let _e1062 = phi_2202_;
+                                    let _e1064 = phi_2203_;
+                                    let _e1066 = phi_2204_;
+                                    let _e1068 = phi_2205_;
+                                    phi_2512_ = _e1058;
+                                    phi_2206_ = _e1060;
+                                    phi_2207_ = _e1062;
+                                    phi_2208_ = _e1064;
+                                    phi_2209_ = _e1066;
+                                    phi_2210_ = _e1068;
                                 } else {
-                                    phi_2511_ = _e390;
-                                    phi_2205_ = type_47();
-                                    phi_2206_ = u32();
+                                    phi_2512_ = _e390;
+                                    phi_2206_ = type_47();
                                     phi_2207_ = u32();
-                                    phi_2208_ = bool();
-                                    phi_2209_ = u32();
+                                    phi_2208_ = u32();
+                                    phi_2209_ = bool();
+                                    phi_2210_ = u32();
                                 }
-                                let _e1070 = phi_2511_;
-                                let _e1072 = phi_2205_;
-                                let _e1074 = phi_2206_;
-                                let _e1076 = phi_2207_;
-                                let _e1078 = phi_2208_;
-                                let _e1080 = phi_2209_;
-                                phi_2510_ = _e1070;
-                                phi_922_ = _e1072;
-                                phi_925_ = _e1074;
-                                phi_927_ = _e1076;
-                                phi_929_ = _e1078;
-                                phi_931_ = _e1080;
-                                phi_2210_ = _e404;
+                                let _e1070 = phi_2512_;
+                                let _e1072 = phi_2206_;
+                                let _e1074 = phi_2207_;
+                                let _e1076 = phi_2208_;
+                                let _e1078 = phi_2209_;
+                                let _e1080 = phi_2210_;
+                                phi_2511_ = _e1070;
+                                phi_923_ = _e1072;
+                                phi_926_ = _e1074;
+                                phi_928_ = _e1076;
+                                phi_930_ = _e1078;
+                                phi_932_ = _e1080;
+                                phi_2211_ = _e404;
                             } else {
-                                phi_2510_ = _e390;
-                                phi_922_ = type_47();
-                                phi_925_ = u32();
-                                phi_927_ = u32();
-                                phi_929_ = bool();
-                                phi_931_ = u32();
-                                phi_2210_ = false;
+                                phi_2511_ = _e390;
+                                phi_923_ = type_47();
+                                phi_926_ = u32();
+                                phi_928_ = u32();
+                                phi_930_ = bool();
+                                phi_932_ = u32();
+                                phi_2211_ = false;
                             }
-                            let _e1082 = phi_2510_;
-                            let _e1084 = phi_922_;
-                            let _e1086 = phi_925_;
-                            let _e1088 = phi_927_;
-                            let _e1090 = phi_929_;
-                            let _e1092 = phi_931_;
-                            let _e1094 = phi_2210_;
+                            let _e1082 = phi_2511_;
+                            let _e1084 = phi_923_;
+                            let _e1086 = phi_926_;
+                            let _e1088 = phi_928_;
+                            let _e1090 = phi_930_;
+                            let _e1092 = phi_932_;
+                            let _e1094 = phi_2211_;
                             continue;
                             continuing {
-                                phi_2405_ = _e1082;
-                                phi_921_ = _e1084;
-                                phi_924_ = _e1086;
-                                phi_926_ = _e1088;
-                                phi_928_ = _e1090;
-                                phi_930_ = _e1092;
-                                phi_2509_ = _e1082;
+                                phi_2406_ = _e1082;
+                                phi_922_ = _e1084;
+                                phi_925_ = _e1086;
+                                phi_927_ = _e1088;
+                                phi_929_ = _e1090;
+                                phi_931_ = _e1092;
+                                phi_2510_ = _e1082;
                                 break if !(_e1094);
                             }
                         }
-                        let _e1097 = phi_2509_;
+                        let _e1097 = phi_2510_;
                         if _e1097 {
                             break;
                         }
@@ -1061,11 +1061,11 @@ fn function_() {
                             let _e1112 = bitcast<f32>((bitcast<u32>((_e1105 + 127i)) << bitcast<u32>(23i)));
                             let _e1120 = (((_e1099.member.member.member * _e1112) * _e1112) * bitcast<f32>((bitcast<u32>(((_e205 - (2i * _e1105)) + 127i)) << bitcast<u32>(23i))));
                             let _e1122 = select(340282350000000000000000000000000000000f, _e1120, (_e1120 < 340282350000000000000000000000000000000f));
-                            phi_2262_ = type_22(select(-340282350000000000000000000000000000000f, _e1122, (_e1122 > -340282350000000000000000000000000000000f)), _e1099.member.member.member_1, _e1099.member.member.member_2, _e1099.member.member.member_3);
+                            phi_2263_ = type_22(select(-340282350000000000000000000000000000000f, _e1122, (_e1122 > -340282350000000000000000000000000000000f)), _e1099.member.member.member_1, _e1099.member.member.member_2, _e1099.member.member.member_3);
                         } else {
-                            phi_2262_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_2263_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1129 = phi_2262_;
+                        let _e1129 = phi_2263_;
                         if _e81 {
                         } else {
                             break;

@@ -267,14 +267,17 @@ impl LatticeFrame {
     }
 }
 
-/// A node or a leaf, and its box.
+/// A node or a leaf, and its box. 48 bytes, also where vectors need not be aligned: shaders align them.
 #[derive(Clone, Copy, Debug)]
+#[repr(C, align(16))]
 pub struct LatticeCursor {
-    /// Which.
-    pub node: NodeRef,
     /// Its box, decoded.
     pub bounds: LatticeFrame,
+    /// Which.
+    pub node: NodeRef,
 }
+
+const _: () = assert!(size_of::<LatticeCursor>() == 48);
 
 /// Nodes of the lattice codec, the root first. `MIXED` where leaves hold triangles of the lattice codec, whose size follows
 /// from their box.
@@ -422,13 +425,12 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
             PlanePair::new(left.min.y, right.min.y, left.max.y, right.max.y),
             PlanePair::new(left.min.z, right.min.z, left.max.z, right.max.z),
         ];
-        let [left_node, right_node] = links_of::<BITS, WORDS>(words).children(|| {
-            if MIXED {
-                LeafWidth::of_frame(&left, self.step).words()
-            } else {
-                1
-            }
-        });
+        let stride = if MIXED {
+            LeafWidth::of_frame(&left, self.step).words()
+        } else {
+            1
+        };
+        let [left_node, right_node] = links_of::<BITS, WORDS>(words).children(stride);
         Children {
             planes,
             left: LatticeCursor {

@@ -67,7 +67,7 @@ fn decode_lattice<const BITS: u32, const WORDS: usize>(
             let words = &nodes[node as usize];
             let boxes = decode_node::<BITS, WORDS>(words, bounds);
             let links = links_of::<BITS, WORDS>(words);
-            let stride = || source.map_or(1, |_| LeafWidth::of(&boxes[0]).words());
+            let stride = source.map_or(1, |_| LeafWidth::of(&boxes[0]).words());
             (links.children(stride), boxes)
         },
         &|bounds| box_of_lattice(bounds, step),

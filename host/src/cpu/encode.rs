@@ -7,15 +7,13 @@ use crate::Bvh;
 use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
 use crate::coded::{Coded, CodedNodes, CodedTriangles};
 use slimbvh_core::encode::{
-    LeafWidth, Links, PrintedBox, PrintedNode, PrintedTriangle, decode_node, encode_node,
-    encode_printed_node, encode_printed_triangle, encode_triangle, with_links,
+    FINEST_STEP, LatticeCodec, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode,
+    PrintedTriangle, decode_node, encode_printed_triangle, encode_triangle, in_steps, root_bounds,
+    scaled_step, with_links,
 };
-use slimbvh_core::lattice::{LatticeBox, to_lattice};
+use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::scan::run_scan;
-use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef};
-
-/// The finest lattice that holds all of a scene of magnitude 1 in floats, as a power of two.
-const FINEST_STEP: i32 = -24;
+use slimbvh_core::{LeafTriangle, Node, NodeRef};
 
 /// Codes hierarchies, and keeps what was plain of them for the next.
 #[derive(Debug, Default)]
@@ -67,8 +65,7 @@ impl Encoder {
                     CodedTriangles::Lattice(words) => words,
                     CodedTriangles::F32 | CodedTriangles::Leaf10(_) => Vec::new(),
                 };
-                // Where all vertices are the origin, any step will do.
-                let step_exponent = (step_exponent + bvh.scene_exponent).clamp(-126, 127);
+                let step_exponent = scaled_step(step_exponent, bvh.scene_exponent);
                 let to = (&mut coded.nodes, &mut words);
                 encode_lattice_mesh(plain, leaves, bits, step_exponent, &mut self.sizes, to);
                 coded.triangles = CodedTriangles::Lattice(words);
@@ -95,30 +92,6 @@ impl Encoder {
 
 /// Nodes with fewer triangles are not divided among threads.
 const TASK: u32 = 8192;
-
-/// A plain node's children, a box for the one that is not there as well.
-fn child_boxes(node: &Node) -> [Aabb; 2] {
-    let left = node.left_box();
-    if node.right == NodeRef::NOTHING {
-        [left, left]
-    } else {
-        [left, node.right_box()]
-    }
-}
-
-/// The box of a plain tree.
-fn root_box(nodes: &[Node]) -> Aabb {
-    match nodes.first() {
-        Some(node) => {
-            let [left, right] = child_boxes(node);
-            left.union(right)
-        }
-        None => Aabb {
-            min: glam::Vec3::ZERO,
-            max: glam::Vec3::ZERO,
-        },
-    }
-}
 
 /// Where a node's right child's descendants begin, and its right child's triangles.
 fn split(nodes: &[Node], node: &Node, nodes_end: usize) -> (usize, u32) {
@@ -206,39 +179,37 @@ fn both<P: Send>(triangle_count: u32, [left, right]: [P; 2], code: impl Fn(P) + 
 
 /// Codes a plain tree's nodes on the lattice, with links to triangles that are stored in full.
 fn encode_lattice(plain: &[Node], bits: LatticeBits, to: &mut CodedNodes) {
-    let root = LatticeBox::around(&root_box(plain), FINEST_STEP);
-    let words = lattice_words(plain, bits, root, FINEST_STEP, to);
-    by_bits!(bits, fill_nodes(plain, root, words));
+    let words = by_bits!(bits, lattice_words(plain, bits, FINEST_STEP, to));
+    by_bits!(bits, fill_nodes(plain, words));
 
-    fn fill_nodes<const BITS: u32, const WORDS: usize>(
-        plain: &[Node],
-        root: LatticeBox,
-        words: &mut [u32],
-    ) {
+    fn fill_nodes<const BITS: u32, const WORDS: usize>(plain: &[Node], words: &mut [u32]) {
+        let codec = LatticeCodec::<BITS, WORDS> {
+            step_exponent: FINEST_STEP,
+        };
         let part = Part {
             node: 0,
-            bounds: root,
+            bounds: root_bounds(plain, &codec),
             nodes: bytemuck::cast_slice_mut::<u32, [u32; WORDS]>(words),
             first_node: 0,
             triangles: &mut [] as &mut [()],
             first_triangle: 0,
         };
         let link = |node: &Node, words| {
-            let links = Links::new(node.left, node.right, |triangle| triangle);
-            with_links::<BITS, WORDS>(words, links)
+            let triangle = Links::first_triangle(node.left, node.right);
+            with_links::<BITS, WORDS>(words, Links::new(node.left, node.right, triangle))
         };
-        encode_nodes::<BITS, WORDS, ()>(plain, FINEST_STEP, part, &link, &|_, _| {});
+        encode_nodes::<BITS, WORDS, ()>(plain, &codec, part, &link, &|_, _| {});
     }
 }
 
 /// Room for the words of as many nodes as there are.
-fn lattice_words<'a>(
+fn lattice_words<'a, const BITS: u32, const WORDS: usize>(
     plain: &[Node],
     bits: LatticeBits,
-    root: LatticeBox,
     step_exponent: i32,
     to: &'a mut CodedNodes,
 ) -> &'a mut [u32] {
+    let root = root_bounds(plain, &LatticeCodec::<BITS, WORDS> { step_exponent });
     let old = std::mem::replace(
         to,
         CodedNodes::Printed {
@@ -250,7 +221,7 @@ fn lattice_words<'a>(
         CodedNodes::Lattice { words, .. } => words,
         CodedNodes::Printed { .. } => Vec::new(),
     };
-    words.resize(plain.len() * bits.words(), 0);
+    words.resize(plain.len() * WORDS, 0);
     *to = CodedNodes::Lattice {
         bits,
         root,
@@ -266,7 +237,7 @@ fn lattice_words<'a>(
 /// Codes a node and all below it, and shows each leaf's box with its part of the triangles.
 fn encode_nodes<const BITS: u32, const WORDS: usize, T: Send>(
     plain: &[Node],
-    step_exponent: i32,
+    codec: &LatticeCodec<BITS, WORDS>,
     part: Part<[u32; WORDS], T, LatticeBox>,
     link: &(impl Fn(&Node, [u32; WORDS]) -> [u32; WORDS] + Sync),
     leaf: &(impl Fn(&LatticeBox, &mut [T]) + Sync),
@@ -277,14 +248,13 @@ fn encode_nodes<const BITS: u32, const WORDS: usize, T: Send>(
         return;
     }
     let node = &plain[part.node as usize];
-    let [left, right] = child_boxes(node).map(|bounds| LatticeBox::around(&bounds, step_exponent));
-    let coded = encode_node::<BITS, WORDS>(&part.bounds, &left, &right);
+    let coded = codec.encode(&part.bounds, node);
     part.nodes[part.node as usize - part.first_node] = link(node, coded.words);
     let triangle_count = node.last - node.first;
     let place_of = |triangle: u32| triangle as usize;
     let parts = part.split(plain, [coded.left, coded.right], place_of);
     both(triangle_count, parts, |part| {
-        encode_nodes::<BITS, WORDS, T>(plain, step_exponent, part, link, leaf);
+        encode_nodes::<BITS, WORDS, T>(plain, codec, part, link, leaf);
     });
 }
 
@@ -297,24 +267,23 @@ fn encode_lattice_mesh(
     sizes: &mut Vec<u32>,
     (nodes, triangles): (&mut CodedNodes, &mut Vec<u32>),
 ) {
-    let root = LatticeBox::around(&root_box(plain), step_exponent);
-    let words = lattice_words(plain, bits, root, step_exponent, nodes);
+    let words = by_bits!(bits, lattice_words(plain, bits, step_exponent, nodes));
     by_bits!(
         bits,
-        fill(plain, leaves, root, step_exponent, sizes, words, triangles)
+        fill(plain, leaves, step_exponent, sizes, words, triangles)
     );
 
-    #[allow(clippy::too_many_arguments)]
     fn fill<const BITS: u32, const WORDS: usize>(
         plain: &[Node],
         leaves: &[LeafTriangle],
-        root: LatticeBox,
         step_exponent: i32,
         sizes: &mut Vec<u32>,
         words: &mut [u32],
         triangles: &mut Vec<u32>,
     ) {
         // How many words each triangle takes follows from its leaf's box; where it begins, from all before it.
+        let codec = LatticeCodec::<BITS, WORDS> { step_exponent };
+        let root = root_bounds(plain, &codec);
         sizes.clear();
         sizes.resize(leaves.len(), 0);
         let part = Part {
@@ -329,7 +298,7 @@ fn encode_lattice_mesh(
         let size = |bounds: &LatticeBox, sizes: &mut [u32]| {
             sizes.fill(LeafWidth::of(bounds).words());
         };
-        encode_nodes::<BITS, WORDS, u32>(plain, step_exponent, part, &unlinked, &size);
+        encode_nodes::<BITS, WORDS, u32>(plain, &codec, part, &unlinked, &size);
         let count = sizes.len() as u32;
         let total = run_scan(sizes, 0, count, 0);
         triangles.resize(total as usize, 0);
@@ -360,8 +329,7 @@ fn place_triangles<const BITS: u32, const WORDS: usize>(
         let size = LeafWidth::of(&part.bounds).words() as usize;
         let leaves = leaves.iter().skip(reference.first() as usize);
         for (to, leaf) in part.triangles.chunks_exact_mut(size).zip(leaves) {
-            let [a, b, c, d, e, f, g, h, i] = leaf.vertices.map(|x| to_lattice(x, step_exponent));
-            let vertices = [[a, b, c], [d, e, f], [g, h, i]];
+            let vertices = in_steps(leaf, step_exponent);
             let words = encode_triangle(&vertices, leaf.primitive, &part.bounds);
             to.copy_from_slice(&words[..size]);
         }
@@ -370,7 +338,8 @@ fn place_triangles<const BITS: u32, const WORDS: usize>(
     let node = &plain[part.node as usize];
     let words = &mut part.nodes[part.node as usize - part.first_node];
     let boxes = decode_node::<BITS, WORDS>(words, &part.bounds);
-    let links = Links::new(node.left, node.right, begin_of);
+    let place = begin_of(Links::first_triangle(node.left, node.right));
+    let links = Links::new(node.left, node.right, place);
     *words = with_links::<BITS, WORDS>(*words, links);
     let triangle_count = node.last - node.first;
     let parts = part.split(plain, boxes, |triangle| begin_of(triangle) as usize);
@@ -387,7 +356,7 @@ fn encode_printed(
     triangles: &mut [PrintedTriangle],
 ) -> PrintedBox {
     nodes.resize(plain.len(), PrintedNode::default());
-    let root = printed_box(&root_box(plain));
+    let root = root_bounds(plain, &PrintedCodec { zero: 0 });
     let part = Part {
         node: 0,
         bounds: root,
@@ -398,13 +367,6 @@ fn encode_printed(
     };
     printed(plain, leaves, part);
     root
-}
-
-fn printed_box(bounds: &Aabb) -> PrintedBox {
-    PrintedBox {
-        min: bounds.min.to_array(),
-        max: bounds.max.to_array(),
-    }
 }
 
 fn printed(
@@ -421,11 +383,11 @@ fn printed(
         return;
     }
     let node = &plain[part.node as usize];
-    let [left, right] = child_boxes(node).map(|bounds| printed_box(&bounds));
-    let children = [(left, node.left), (right, node.right)];
-    let (coded, boxes) = encode_printed_node(&part.bounds, children, 0);
-    part.nodes[part.node as usize - part.first_node] = coded;
+    let coded = PrintedCodec { zero: 0 }.encode(&part.bounds, node);
+    part.nodes[part.node as usize - part.first_node] = coded.node;
     let triangle_count = node.last - node.first;
-    let parts = part.split(plain, boxes, |triangle| triangle as usize);
+    let parts = part.split(plain, [coded.left, coded.right], |triangle| {
+        triangle as usize
+    });
     both(triangle_count, parts, |part| printed(plain, leaves, part));
 }
