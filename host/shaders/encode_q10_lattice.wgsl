@@ -87,7 +87,6 @@ fn function_() {
     var phi_247_: type_8;
     var phi_248_: type_8;
     var phi_271_: type_8;
-    var phi_383_: u32;
     var phi_1600_: bool;
     var phi_501_: u32;
     var phi_503_: u32;
@@ -146,23 +145,23 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e60 = global;
-            let _e72 = arrayLength((&global_6.member));
-            let _e80 = global_4.member[0u][3u];
-            let _e85 = (_e60.x + (_e60.y * 2097152u));
-            let _e88 = global_1.member[0u];
-            if (_e85 < _e88) {
-                let _e90 = (_e85 < arrayLength((&global_3.member)));
-                if _e90 {
-                    let _e91 = (_e85 < arrayLength((&global_5.member)));
-                    if _e91 {
-                        let _e92 = (_e85 < arrayLength((&global_7.member)));
-                        if _e92 {
-                            if _e92 {
+            let _e59 = global;
+            let _e71 = arrayLength((&global_6.member));
+            let _e79 = global_4.member[0u][3u];
+            let _e84 = (_e59.x + (_e59.y * 2097152u));
+            let _e87 = global_1.member[0u];
+            if (_e84 < _e87) {
+                let _e89 = (_e84 < arrayLength((&global_3.member)));
+                if _e89 {
+                    let _e90 = (_e84 < arrayLength((&global_5.member)));
+                    if _e90 {
+                        let _e91 = (_e84 < arrayLength((&global_7.member)));
+                        if _e91 {
+                            if _e91 {
                             } else {
                                 break;
                             }
-                            if _e91 {
+                            if _e90 {
                             } else {
                                 break;
                             }
@@ -172,272 +171,266 @@ fn function_() {
                             local = array<i32, 3>(0i, 0i, 0i);
                             phi_247_ = type_8(0u, 3u);
                             loop {
-                                let _e96 = phi_247_;
-                                if (_e96.member < _e96.member_1) {
-                                    phi_248_ = type_8((_e96.member + 1u), _e96.member_1);
-                                    phi_271_ = type_8(1u, _e96.member);
+                                let _e95 = phi_247_;
+                                if (_e95.member < _e95.member_1) {
+                                    phi_248_ = type_8((_e95.member + 1u), _e95.member_1);
+                                    phi_271_ = type_8(1u, _e95.member);
                                 } else {
-                                    phi_248_ = _e96;
+                                    phi_248_ = _e95;
                                     phi_271_ = type_8(0u, type_8().member_1);
                                 }
-                                let _e109 = phi_248_;
-                                let _e111 = phi_271_;
-                                let _e115 = (bitcast<i32>(_e111.member) != 0i);
-                                if _e115 {
-                                    let _e117 = ((1u + _e111.member_1) % 4u);
-                                    if (_e117 < 4u) {
+                                let _e108 = phi_248_;
+                                let _e110 = phi_271_;
+                                let _e114 = (bitcast<i32>(_e110.member) != 0i);
+                                if _e114 {
+                                    let _e116 = ((1u + _e110.member_1) % 4u);
+                                    if (_e116 < 4u) {
                                     } else {
                                         phi_1600_ = true;
                                         break;
                                     }
-                                    let _e122 = global_7.member[_e85][_e117];
-                                    let _e124 = ((_e111.member_1 + 1u) % 4u);
-                                    if (_e124 < 4u) {
+                                    let _e121 = global_7.member[_e84][_e116];
+                                    let _e123 = ((_e110.member_1 + 1u) % 4u);
+                                    if (_e123 < 4u) {
                                     } else {
                                         phi_1600_ = true;
                                         break;
                                     }
-                                    let _e129 = global_7.member[_e85][_e124];
-                                    let _e130 = (_e111.member_1 < 3u);
-                                    if _e130 {
+                                    let _e128 = global_7.member[_e84][_e123];
+                                    let _e129 = (_e110.member_1 < 3u);
+                                    if _e129 {
                                     } else {
                                         phi_1600_ = true;
                                         break;
                                     }
-                                    let _e134 = global_5.member[_e85].member[_e111.member_1];
-                                    if _e130 {
+                                    let _e133 = global_5.member[_e84].member[_e110.member_1];
+                                    if _e129 {
                                     } else {
                                         phi_1600_ = true;
                                         break;
                                     }
-                                    let _e138 = global_5.member[_e85].member_1[_e111.member_1];
-                                    let _e140 = (_e129 >> bitcast<u32>(11u));
-                                    let _e142 = bitcast<u32>((_e138 - _e134));
-                                    let _e147 = select((bitcast<u32>(31i) - firstLeadingBit(_e142)), 32u, (_e142 == 0u));
-                                    if ((32u - _e147) > 10u) {
-                                        phi_383_ = (22u - _e147);
-                                    } else {
-                                        phi_383_ = 0u;
-                                    }
-                                    let _e152 = phi_383_;
-                                    let _e154 = (_e152 & 31u);
-                                    let _e158 = (_e134 + bitcast<i32>(((_e122 & 1023u) << bitcast<u32>(_e154))));
-                                    let _e163 = (_e138 - bitcast<i32>(((_e140 & 1023u) << bitcast<u32>(_e154))));
-                                    let _e167 = (((_e122 >> bitcast<u32>(10u)) & 1u) == 1u);
-                                    let _e171 = (((_e140 >> bitcast<u32>(10u)) & 1u) == 1u);
-                                    if _e130 {
+                                    let _e137 = global_5.member[_e84].member_1[_e110.member_1];
+                                    let _e139 = (_e128 >> bitcast<u32>(11u));
+                                    let _e141 = bitcast<u32>((_e137 - _e133));
+                                    let _e147 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e141)), 32u, (_e141 == 0u)));
+                                    let _e152 = ((select(10u, _e147, (_e147 > 10u)) - 10u) & 31u);
+                                    let _e156 = (_e133 + bitcast<i32>(((_e121 & 1023u) << bitcast<u32>(_e152))));
+                                    let _e161 = (_e137 - bitcast<i32>(((_e139 & 1023u) << bitcast<u32>(_e152))));
+                                    let _e165 = (((_e121 >> bitcast<u32>(10u)) & 1u) == 1u);
+                                    let _e169 = (((_e139 >> bitcast<u32>(10u)) & 1u) == 1u);
+                                    if _e129 {
                                     } else {
                                         phi_1600_ = true;
                                         break;
                                     }
-                                    local_3[_e111.member_1] = select(_e134, _e158, _e167);
-                                    if _e130 {
+                                    local_3[_e110.member_1] = select(_e133, _e156, _e165);
+                                    if _e129 {
                                     } else {
                                         phi_1600_ = true;
                                         break;
                                     }
-                                    local_1[_e111.member_1] = select(_e158, _e134, _e167);
-                                    if _e130 {
+                                    local_1[_e110.member_1] = select(_e156, _e133, _e165);
+                                    if _e129 {
                                     } else {
                                         phi_1600_ = true;
                                         break;
                                     }
-                                    local_2[_e111.member_1] = select(_e138, _e163, _e171);
-                                    if _e130 {
+                                    local_2[_e110.member_1] = select(_e137, _e161, _e169);
+                                    if _e129 {
                                     } else {
                                         phi_1600_ = true;
                                         break;
                                     }
-                                    local[_e111.member_1] = select(_e163, _e138, _e171);
+                                    local[_e110.member_1] = select(_e161, _e137, _e169);
                                 }
                                 continue;
                                 continuing {
-                                    phi_247_ = _e109;
+                                    phi_247_ = _e108;
                                     phi_1600_ = false;
-                                    break if !(_e115);
+                                    break if !(_e114);
                                 }
                             }
-                            let _e182 = phi_1600_;
-                            if _e182 {
+                            let _e180 = phi_1600_;
+                            if _e180 {
                                 break;
                             }
-                            let _e183 = local;
-                            let _e184 = local_1;
-                            let _e185 = local_2;
-                            let _e186 = local_3;
-                            if _e92 {
+                            let _e181 = local;
+                            let _e182 = local_1;
+                            let _e183 = local_2;
+                            let _e184 = local_3;
+                            if _e91 {
                             } else {
                                 break;
                             }
-                            let _e187 = global_7.member[_e85];
-                            if _e90 {
+                            let _e185 = global_7.member[_e84];
+                            if _e89 {
                             } else {
                                 break;
                             }
-                            let _e190 = global_3.member[_e85].member_1;
-                            let _e193 = global_3.member[_e85].member_2;
-                            let _e195 = ((_e190 & 2147483648u) != 0u);
-                            if _e195 {
-                                let _e199 = (((_e190 >> bitcast<u32>(28u)) & 7u) > 0u);
-                                if _e199 {
-                                    phi_501_ = (_e190 & 268435455u);
+                            let _e188 = global_3.member[_e84].member_1;
+                            let _e191 = global_3.member[_e84].member_2;
+                            let _e193 = ((_e188 & 2147483648u) != 0u);
+                            if _e193 {
+                                let _e197 = (((_e188 >> bitcast<u32>(28u)) & 7u) > 0u);
+                                if _e197 {
+                                    phi_501_ = (_e188 & 268435455u);
                                 } else {
                                     phi_501_ = u32();
                                 }
-                                let _e202 = phi_501_;
-                                phi_503_ = _e202;
-                                phi_504_ = select(true, false, _e199);
+                                let _e200 = phi_501_;
+                                phi_503_ = _e200;
+                                phi_504_ = select(true, false, _e197);
                             } else {
                                 phi_503_ = u32();
                                 phi_504_ = true;
                             }
-                            let _e205 = phi_503_;
-                            let _e207 = phi_504_;
-                            if _e207 {
-                                if ((_e193 & 2147483648u) != 0u) {
-                                    let _e213 = (((_e193 >> bitcast<u32>(28u)) & 7u) > 0u);
-                                    if _e213 {
-                                        phi_520_ = (_e193 & 268435455u);
+                            let _e203 = phi_503_;
+                            let _e205 = phi_504_;
+                            if _e205 {
+                                if ((_e191 & 2147483648u) != 0u) {
+                                    let _e211 = (((_e191 >> bitcast<u32>(28u)) & 7u) > 0u);
+                                    if _e211 {
+                                        phi_520_ = (_e191 & 268435455u);
                                     } else {
                                         phi_520_ = u32();
                                     }
-                                    let _e216 = phi_520_;
-                                    phi_522_ = _e216;
-                                    phi_523_ = select(true, false, _e213);
+                                    let _e214 = phi_520_;
+                                    phi_522_ = _e214;
+                                    phi_523_ = select(true, false, _e211);
                                 } else {
                                     phi_522_ = u32();
                                     phi_523_ = true;
                                 }
-                                let _e219 = phi_522_;
-                                let _e221 = phi_523_;
-                                phi_528_ = select(_e219, 0u, _e221);
+                                let _e217 = phi_522_;
+                                let _e219 = phi_523_;
+                                phi_528_ = select(_e217, 0u, _e219);
                             } else {
-                                phi_528_ = _e205;
+                                phi_528_ = _e203;
                             }
-                            let _e224 = phi_528_;
-                            let _e225 = (_e224 < _e72);
-                            if _e225 {
-                                if _e225 {
+                            let _e222 = phi_528_;
+                            let _e223 = (_e222 < _e71);
+                            if _e223 {
+                                if _e223 {
                                 } else {
                                     break;
                                 }
-                                let _e227 = global_6.member[_e224];
-                                phi_540_ = _e227;
+                                let _e225 = global_6.member[_e222];
+                                phi_540_ = _e225;
                             } else {
                                 phi_540_ = 0u;
                             }
-                            let _e229 = phi_540_;
-                            if _e195 {
-                                phi_556_ = select(_e193, 0u, ((_e193 & 2147483648u) != 0u));
+                            let _e227 = phi_540_;
+                            if _e193 {
+                                phi_556_ = select(_e191, 0u, ((_e191 & 2147483648u) != 0u));
                             } else {
-                                phi_556_ = _e190;
+                                phi_556_ = _e188;
                             }
-                            let _e234 = phi_556_;
-                            if _e195 {
-                                let _e237 = ((_e190 >> bitcast<u32>(28u)) & 7u);
-                                phi_571_ = select(_e237, 7u, (_e237 == 0u));
+                            let _e232 = phi_556_;
+                            if _e193 {
+                                let _e235 = ((_e188 >> bitcast<u32>(28u)) & 7u);
+                                phi_571_ = select(_e235, 7u, (_e235 == 0u));
                             } else {
                                 phi_571_ = 0u;
                             }
-                            let _e241 = phi_571_;
-                            if ((_e193 & 2147483648u) != 0u) {
-                                let _e246 = ((_e193 >> bitcast<u32>(28u)) & 7u);
-                                phi_586_ = select(_e246, 7u, (_e246 == 0u));
+                            let _e239 = phi_571_;
+                            if ((_e191 & 2147483648u) != 0u) {
+                                let _e244 = ((_e191 >> bitcast<u32>(28u)) & 7u);
+                                phi_586_ = select(_e244, 7u, (_e244 == 0u));
                             } else {
                                 phi_586_ = 0u;
                             }
-                            let _e250 = phi_586_;
-                            local_8 = array<u32, 4>(_e187[0], _e187[1], _e187[2], _e187[3]);
-                            local_8[0u] = (((_e234 & 268435455u) | (_e241 << bitcast<u32>(28u))) | (_e250 << bitcast<u32>(31i)));
+                            let _e248 = phi_586_;
+                            local_8 = array<u32, 4>(_e185[0], _e185[1], _e185[2], _e185[3]);
+                            local_8[0u] = (((_e232 & 268435455u) | (_e239 << bitcast<u32>(28u))) | (_e248 << bitcast<u32>(31i)));
                             phi_685_ = type_8(0u, 3u);
                             loop {
-                                let _e271 = phi_685_;
-                                if (_e271.member < _e271.member_1) {
-                                    phi_686_ = type_8((_e271.member + 1u), _e271.member_1);
-                                    phi_709_ = type_8(1u, _e271.member);
+                                let _e269 = phi_685_;
+                                if (_e269.member < _e269.member_1) {
+                                    phi_686_ = type_8((_e269.member + 1u), _e269.member_1);
+                                    phi_709_ = type_8(1u, _e269.member);
                                 } else {
-                                    phi_686_ = _e271;
+                                    phi_686_ = _e269;
                                     phi_709_ = type_8(0u, type_8().member_1);
                                 }
-                                let _e284 = phi_686_;
-                                let _e286 = phi_709_;
-                                let _e290 = (bitcast<i32>(_e286.member) != 0i);
-                                if _e290 {
-                                    let _e298 = ((_e286.member_1 + 1u) % 4u);
-                                    if (_e298 < 4u) {
+                                let _e282 = phi_686_;
+                                let _e284 = phi_709_;
+                                let _e288 = (bitcast<i32>(_e284.member) != 0i);
+                                if _e288 {
+                                    let _e296 = ((_e284.member_1 + 1u) % 4u);
+                                    if (_e296 < 4u) {
                                     } else {
                                         phi_1617_ = true;
                                         break;
                                     }
-                                    let _e301 = local_8[_e298];
-                                    local_8[_e298] = (_e301 | ((((_e229 & 268435455u) | ((_e250 >> bitcast<u32>(1i)) << bitcast<u32>(28u))) >> bitcast<u32>(((10u * _e286.member_1) & 31u))) << bitcast<u32>(22i)));
+                                    let _e299 = local_8[_e296];
+                                    local_8[_e296] = (_e299 | ((((_e227 & 268435455u) | ((_e248 >> bitcast<u32>(1i)) << bitcast<u32>(28u))) >> bitcast<u32>(((10u * _e284.member_1) & 31u))) << bitcast<u32>(22i)));
                                 }
                                 continue;
                                 continuing {
-                                    phi_685_ = _e284;
-                                    phi_1617_ = _e182;
-                                    break if !(_e290);
+                                    phi_685_ = _e282;
+                                    phi_1617_ = _e180;
+                                    break if !(_e288);
                                 }
                             }
-                            let _e305 = phi_1617_;
-                            if _e305 {
+                            let _e303 = phi_1617_;
+                            if _e303 {
                                 break;
                             }
-                            let _e306 = local_8;
-                            if _e92 {
+                            let _e304 = local_8;
+                            if _e91 {
                             } else {
                                 break;
                             }
-                            global_7.member[_e85] = array<u32, 4>(_e306[0], _e306[1], _e306[2], _e306[3]);
-                            if _e90 {
+                            global_7.member[_e84] = array<u32, 4>(_e304[0], _e304[1], _e304[2], _e304[3]);
+                            if _e89 {
                             } else {
                                 break;
                             }
-                            if _e90 {
+                            if _e89 {
                             } else {
                                 break;
                             }
-                            local_9[0u] = type_54(_e190, type_41(_e186, _e185));
-                            local_9[1u] = type_54(_e193, type_41(_e184, _e183));
-                            phi_1667_ = _e305;
+                            local_9[0u] = type_54(_e188, type_41(_e184, _e183));
+                            local_9[1u] = type_54(_e191, type_41(_e182, _e181));
+                            phi_1667_ = _e303;
                             phi_890_ = type_8(0u, 2u);
                             loop {
-                                let _e319 = phi_1667_;
-                                let _e321 = phi_890_;
-                                if (_e321.member < _e321.member_1) {
-                                    phi_891_ = type_8((_e321.member + 1u), _e321.member_1);
-                                    phi_916_ = type_8(1u, _e321.member);
+                                let _e317 = phi_1667_;
+                                let _e319 = phi_890_;
+                                if (_e319.member < _e319.member_1) {
+                                    phi_891_ = type_8((_e319.member + 1u), _e319.member_1);
+                                    phi_916_ = type_8(1u, _e319.member);
                                 } else {
-                                    phi_891_ = _e321;
+                                    phi_891_ = _e319;
                                     phi_916_ = type_8(0u, type_8().member_1);
                                 }
-                                let _e334 = phi_891_;
-                                let _e336 = phi_916_;
-                                let _e340 = (bitcast<i32>(_e336.member) != 0i);
-                                if _e340 {
-                                    if (_e336.member_1 < 2u) {
+                                let _e332 = phi_891_;
+                                let _e334 = phi_916_;
+                                let _e338 = (bitcast<i32>(_e334.member) != 0i);
+                                if _e338 {
+                                    if (_e334.member_1 < 2u) {
                                     } else {
                                         phi_1691_ = true;
                                         break;
                                     }
-                                    let _e344 = local_9[_e336.member_1].member;
-                                    let _e347 = local_9[_e336.member_1].member_1;
-                                    local_10 = _e347;
-                                    if ((_e344 & 2147483648u) != 0u) {
-                                        let _e352 = local_10.member_1[0u];
-                                        let _e355 = local_10.member[0u];
-                                        let _e360 = local_10.member_1[1u];
-                                        let _e363 = local_10.member[1u];
-                                        let _e369 = local_10.member_1[2u];
-                                        let _e372 = local_10.member[2u];
-                                        let _e375 = ((bitcast<u32>((_e352 - _e355)) | bitcast<u32>((_e360 - _e363))) | bitcast<u32>((_e369 - _e372)));
-                                        if (_e375 < 1024u) {
+                                    let _e342 = local_9[_e334.member_1].member;
+                                    let _e345 = local_9[_e334.member_1].member_1;
+                                    local_10 = _e345;
+                                    if ((_e342 & 2147483648u) != 0u) {
+                                        let _e350 = local_10.member_1[0u];
+                                        let _e353 = local_10.member[0u];
+                                        let _e358 = local_10.member_1[1u];
+                                        let _e361 = local_10.member[1u];
+                                        let _e367 = local_10.member_1[2u];
+                                        let _e370 = local_10.member[2u];
+                                        let _e373 = ((bitcast<u32>((_e350 - _e353)) | bitcast<u32>((_e358 - _e361))) | bitcast<u32>((_e367 - _e370)));
+                                        if (_e373 < 1024u) {
                                             phi_1010_ = 0u;
                                         } else {
-                                            phi_1010_ = select(2u, 1u, (_e375 < 2097152u));
+                                            phi_1010_ = select(2u, 1u, (_e373 < 2097152u));
                                         }
-                                        let _e380 = phi_1010_;
-                                        switch bitcast<i32>(_e380) {
+                                        let _e378 = phi_1010_;
+                                        switch bitcast<i32>(_e378) {
                                             case 0: {
                                                 phi_1016_ = 1u;
                                                 break;
@@ -455,29 +448,29 @@ fn function_() {
                                                 break;
                                             }
                                         }
-                                        let _e383 = phi_1016_;
-                                        phi_1662_ = _e319;
-                                        phi_1023_ = type_8(0u, ((_e344 >> bitcast<u32>(28u)) & 7u));
+                                        let _e381 = phi_1016_;
+                                        phi_1662_ = _e317;
+                                        phi_1023_ = type_8(0u, ((_e342 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e391 = phi_1662_;
-                                            let _e393 = phi_1023_;
-                                            if (_e393.member < _e393.member_1) {
-                                                phi_1024_ = type_8((_e393.member + 1u), _e393.member_1);
-                                                phi_1047_ = type_8(1u, _e393.member);
+                                            let _e389 = phi_1662_;
+                                            let _e391 = phi_1023_;
+                                            if (_e391.member < _e391.member_1) {
+                                                phi_1024_ = type_8((_e391.member + 1u), _e391.member_1);
+                                                phi_1047_ = type_8(1u, _e391.member);
                                             } else {
-                                                phi_1024_ = _e393;
+                                                phi_1024_ = _e391;
                                                 phi_1047_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e406 = phi_1024_;
-                                            let _e408 = phi_1047_;
-                                            let _e412 = (bitcast<i32>(_e408.member) != 0i);
-                                            if _e412 {
-                                                let _e414 = ((_e344 & 268435455u) + _e408.member_1);
-                                                let _e415 = (_e414 < arrayLength((&global_2.member)));
-                                                if _e415 {
-                                                    let _e416 = (_e414 < _e72);
-                                                    if _e416 {
-                                                        if _e415 {
+                                            let _e404 = phi_1024_;
+                                            let _e406 = phi_1047_;
+                                            let _e410 = (bitcast<i32>(_e406.member) != 0i);
+                                            if _e410 {
+                                                let _e412 = ((_e342 & 268435455u) + _e406.member_1);
+                                                let _e413 = (_e412 < arrayLength((&global_2.member)));
+                                                if _e413 {
+                                                    let _e414 = (_e412 < _e71);
+                                                    if _e414 {
+                                                        if _e413 {
                                                         } else {
                                                             phi_1687_ = true;
                                                             break;
@@ -485,126 +478,126 @@ fn function_() {
                                                         local_5[0u] = array<i32, 3>(0i, 0i, 0i);
                                                         local_5[1u] = array<i32, 3>(0i, 0i, 0i);
                                                         local_5[2u] = array<i32, 3>(0i, 0i, 0i);
-                                                        phi_1660_ = _e391;
+                                                        phi_1660_ = _e389;
                                                         phi_1076_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e421 = phi_1660_;
-                                                            let _e423 = phi_1076_;
-                                                            if (_e423.member < _e423.member_1) {
-                                                                phi_1077_ = type_8((_e423.member + 1u), _e423.member_1);
-                                                                phi_1100_ = type_8(1u, _e423.member);
+                                                            let _e419 = phi_1660_;
+                                                            let _e421 = phi_1076_;
+                                                            if (_e421.member < _e421.member_1) {
+                                                                phi_1077_ = type_8((_e421.member + 1u), _e421.member_1);
+                                                                phi_1100_ = type_8(1u, _e421.member);
                                                             } else {
-                                                                phi_1077_ = _e423;
+                                                                phi_1077_ = _e421;
                                                                 phi_1100_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e436 = phi_1077_;
-                                                            let _e438 = phi_1100_;
-                                                            let _e442 = (bitcast<i32>(_e438.member) != 0i);
-                                                            if _e442 {
+                                                            let _e434 = phi_1077_;
+                                                            let _e436 = phi_1100_;
+                                                            let _e440 = (bitcast<i32>(_e436.member) != 0i);
+                                                            if _e440 {
                                                                 phi_1110_ = type_8(0u, 3u);
                                                                 loop {
-                                                                    let _e444 = phi_1110_;
-                                                                    if (_e444.member < _e444.member_1) {
-                                                                        phi_1111_ = type_8((_e444.member + 1u), _e444.member_1);
-                                                                        phi_1134_ = type_8(1u, _e444.member);
+                                                                    let _e442 = phi_1110_;
+                                                                    if (_e442.member < _e442.member_1) {
+                                                                        phi_1111_ = type_8((_e442.member + 1u), _e442.member_1);
+                                                                        phi_1134_ = type_8(1u, _e442.member);
                                                                     } else {
-                                                                        phi_1111_ = _e444;
+                                                                        phi_1111_ = _e442;
                                                                         phi_1134_ = type_8(0u, type_8().member_1);
                                                                     }
-                                                                    let _e457 = phi_1111_;
-                                                                    let _e459 = phi_1134_;
-                                                                    let _e463 = (bitcast<i32>(_e459.member) != 0i);
-                                                                    if _e463 {
-                                                                        let _e465 = ((3u * _e438.member_1) + _e459.member_1);
-                                                                        if (_e465 < 9u) {
+                                                                    let _e455 = phi_1111_;
+                                                                    let _e457 = phi_1134_;
+                                                                    let _e461 = (bitcast<i32>(_e457.member) != 0i);
+                                                                    if _e461 {
+                                                                        let _e463 = ((3u * _e436.member_1) + _e457.member_1);
+                                                                        if (_e463 < 9u) {
                                                                         } else {
                                                                             phi_1655_ = true;
                                                                             break;
                                                                         }
-                                                                        let _e470 = global_2.member[_e414].member[_e465];
-                                                                        let _e471 = bitcast<u32>(_e470);
-                                                                        let _e474 = ((_e471 >> bitcast<u32>(23i)) & 255u);
-                                                                        let _e476 = select(0u, 1u, (_e474 != 0u));
-                                                                        let _e485 = (bitcast<i32>(_e80) - ((bitcast<i32>(_e474) - bitcast<i32>(_e476)) + -149i));
-                                                                        let _e486 = (_e485 < 0i);
-                                                                        if _e486 {
-                                                                            phi_1170_ = -(_e485);
+                                                                        let _e468 = global_2.member[_e412].member[_e463];
+                                                                        let _e469 = bitcast<u32>(_e468);
+                                                                        let _e472 = ((_e469 >> bitcast<u32>(23i)) & 255u);
+                                                                        let _e474 = select(0u, 1u, (_e472 != 0u));
+                                                                        let _e483 = (bitcast<i32>(_e79) - ((bitcast<i32>(_e472) - bitcast<i32>(_e474)) + -149i));
+                                                                        let _e484 = (_e483 < 0i);
+                                                                        if _e484 {
+                                                                            phi_1170_ = -(_e483);
                                                                         } else {
                                                                             phi_1170_ = 0i;
                                                                         }
-                                                                        let _e489 = phi_1170_;
-                                                                        if _e486 {
+                                                                        let _e487 = phi_1170_;
+                                                                        if _e484 {
                                                                             phi_1180_ = 0i;
                                                                         } else {
-                                                                            phi_1180_ = select(_e485, 31i, (_e485 > 31i));
+                                                                            phi_1180_ = select(_e483, 31i, (_e483 > 31i));
                                                                         }
-                                                                        let _e493 = phi_1180_;
-                                                                        let _e494 = (_e493 & 31i);
-                                                                        let _e508 = (bitcast<i32>(_e471) >> bitcast<u32>(31i));
-                                                                        if (_e438.member_1 < 3u) {
+                                                                        let _e491 = phi_1180_;
+                                                                        let _e492 = (_e491 & 31i);
+                                                                        let _e506 = (bitcast<i32>(_e469) >> bitcast<u32>(31i));
+                                                                        if (_e436.member_1 < 3u) {
                                                                         } else {
                                                                             phi_1655_ = true;
                                                                             break;
                                                                         }
-                                                                        if (_e459.member_1 < 3u) {
+                                                                        if (_e457.member_1 < 3u) {
                                                                         } else {
                                                                             phi_1655_ = true;
                                                                             break;
                                                                         }
-                                                                        local_5[_e438.member_1][_e459.member_1] = ((bitcast<i32>((((((_e471 & 8388607u) | (_e476 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e489) & 31u))) + ((1u << bitcast<u32>(_e494)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e494))) ^ _e508) - _e508);
+                                                                        local_5[_e436.member_1][_e457.member_1] = ((bitcast<i32>((((((_e469 & 8388607u) | (_e474 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e487) & 31u))) + ((1u << bitcast<u32>(_e492)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e492))) ^ _e506) - _e506);
                                                                     }
                                                                     continue;
                                                                     continuing {
-                                                                        phi_1110_ = _e457;
-                                                                        phi_1655_ = _e421;
-                                                                        break if !(_e463);
+                                                                        phi_1110_ = _e455;
+                                                                        phi_1655_ = _e419;
+                                                                        break if !(_e461);
                                                                     }
                                                                 }
-                                                                let _e518 = phi_1655_;
-                                                                phi_1671_ = _e518;
-                                                                if _e518 {
+                                                                let _e516 = phi_1655_;
+                                                                phi_1671_ = _e516;
+                                                                if _e516 {
                                                                     break;
                                                                 }
-                                                                phi_1672_ = _e518;
+                                                                phi_1672_ = _e516;
                                                             } else {
-                                                                phi_1672_ = _e421;
+                                                                phi_1672_ = _e419;
                                                             }
-                                                            let _e520 = phi_1672_;
+                                                            let _e518 = phi_1672_;
                                                             continue;
                                                             continuing {
-                                                                phi_1660_ = _e520;
-                                                                phi_1076_ = _e436;
-                                                                phi_1671_ = _e520;
-                                                                break if !(_e442);
+                                                                phi_1660_ = _e518;
+                                                                phi_1076_ = _e434;
+                                                                phi_1671_ = _e518;
+                                                                break if !(_e440);
                                                             }
                                                         }
-                                                        let _e523 = phi_1671_;
-                                                        phi_1687_ = _e523;
-                                                        if _e523 {
+                                                        let _e521 = phi_1671_;
+                                                        phi_1687_ = _e521;
+                                                        if _e521 {
                                                             break;
                                                         }
-                                                        let _e524 = local_5;
-                                                        local_6 = _e524;
-                                                        if _e415 {
+                                                        let _e522 = local_5;
+                                                        local_6 = _e522;
+                                                        if _e413 {
                                                         } else {
                                                             phi_1687_ = true;
                                                             break;
                                                         }
-                                                        let _e527 = global_2.member[_e414].member_1;
-                                                        let _e528 = local_10.member_1[0u];
-                                                        let _e529 = local_10.member[0u];
-                                                        let _e532 = local_10.member_1[1u];
-                                                        let _e533 = local_10.member[1u];
-                                                        let _e537 = local_10.member_1[2u];
-                                                        let _e538 = local_10.member[2u];
-                                                        let _e541 = ((bitcast<u32>((_e528 - _e529)) | bitcast<u32>((_e532 - _e533))) | bitcast<u32>((_e537 - _e538)));
-                                                        if (_e541 < 1024u) {
+                                                        let _e525 = global_2.member[_e412].member_1;
+                                                        let _e526 = local_10.member_1[0u];
+                                                        let _e527 = local_10.member[0u];
+                                                        let _e530 = local_10.member_1[1u];
+                                                        let _e531 = local_10.member[1u];
+                                                        let _e535 = local_10.member_1[2u];
+                                                        let _e536 = local_10.member[2u];
+                                                        let _e539 = ((bitcast<u32>((_e526 - _e527)) | bitcast<u32>((_e530 - _e531))) | bitcast<u32>((_e535 - _e536)));
+                                                        if (_e539 < 1024u) {
                                                             phi_1317_ = 0u;
                                                         } else {
-                                                            phi_1317_ = select(2u, 1u, (_e541 < 2097152u));
+                                                            phi_1317_ = select(2u, 1u, (_e539 < 2097152u));
                                                         }
-                                                        let _e546 = phi_1317_;
-                                                        switch bitcast<i32>(_e546) {
+                                                        let _e544 = phi_1317_;
+                                                        switch bitcast<i32>(_e544) {
                                                             case 0: {
                                                                 phi_1323_ = 1u;
                                                                 break;
@@ -622,87 +615,87 @@ fn function_() {
                                                                 break;
                                                             }
                                                         }
-                                                        let _e549 = phi_1323_;
+                                                        let _e547 = phi_1323_;
                                                         local_4 = array<u32, 10>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                                                         phi_1326_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e551 = phi_1326_;
-                                                            if (_e551.member < _e551.member_1) {
-                                                                phi_1327_ = type_8((_e551.member + 1u), _e551.member_1);
-                                                                phi_1350_ = type_8(1u, _e551.member);
+                                                            let _e549 = phi_1326_;
+                                                            if (_e549.member < _e549.member_1) {
+                                                                phi_1327_ = type_8((_e549.member + 1u), _e549.member_1);
+                                                                phi_1350_ = type_8(1u, _e549.member);
                                                             } else {
-                                                                phi_1327_ = _e551;
+                                                                phi_1327_ = _e549;
                                                                 phi_1350_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e564 = phi_1327_;
-                                                            let _e566 = phi_1350_;
-                                                            let _e570 = (bitcast<i32>(_e566.member) != 0i);
-                                                            if _e570 {
-                                                                if (_e566.member_1 < 3u) {
+                                                            let _e562 = phi_1327_;
+                                                            let _e564 = phi_1350_;
+                                                            let _e568 = (bitcast<i32>(_e564.member) != 0i);
+                                                            if _e568 {
+                                                                if (_e564.member_1 < 3u) {
                                                                 } else {
                                                                     phi_1673_ = true;
                                                                     break;
                                                                 }
-                                                                let _e574 = local_6[_e566.member_1][0u];
-                                                                let _e577 = local_6[_e566.member_1][1u];
-                                                                let _e580 = local_6[_e566.member_1][2u];
-                                                                let _e581 = local_10.member[0u];
-                                                                let _e583 = bitcast<u32>((_e574 - _e581));
-                                                                let _e584 = local_10.member[1u];
-                                                                let _e586 = bitcast<u32>((_e577 - _e584));
-                                                                let _e587 = local_10.member[2u];
-                                                                let _e589 = bitcast<u32>((_e580 - _e587));
-                                                                let _e590 = (_e566.member_1 * _e549);
-                                                                switch bitcast<i32>(_e546) {
+                                                                let _e572 = local_6[_e564.member_1][0u];
+                                                                let _e575 = local_6[_e564.member_1][1u];
+                                                                let _e578 = local_6[_e564.member_1][2u];
+                                                                let _e579 = local_10.member[0u];
+                                                                let _e581 = bitcast<u32>((_e572 - _e579));
+                                                                let _e582 = local_10.member[1u];
+                                                                let _e584 = bitcast<u32>((_e575 - _e582));
+                                                                let _e585 = local_10.member[2u];
+                                                                let _e587 = bitcast<u32>((_e578 - _e585));
+                                                                let _e588 = (_e564.member_1 * _e547);
+                                                                switch bitcast<i32>(_e544) {
                                                                     case 0: {
-                                                                        let _e626 = (_e590 % 10u);
-                                                                        if (_e626 < 10u) {
+                                                                        let _e624 = (_e588 % 10u);
+                                                                        if (_e624 < 10u) {
                                                                         } else {
                                                                             phi_1673_ = true;
                                                                             break;
                                                                         }
-                                                                        local_4[_e626] = ((_e583 | (_e586 << bitcast<u32>(10i))) | (_e589 << bitcast<u32>(20i)));
+                                                                        local_4[_e624] = ((_e581 | (_e584 << bitcast<u32>(10i))) | (_e587 << bitcast<u32>(20i)));
                                                                         break;
                                                                     }
                                                                     case 1: {
-                                                                        let _e608 = (_e590 % 10u);
-                                                                        if (_e608 < 10u) {
+                                                                        let _e606 = (_e588 % 10u);
+                                                                        if (_e606 < 10u) {
                                                                         } else {
                                                                             phi_1673_ = true;
                                                                             break;
                                                                         }
-                                                                        local_4[_e608] = (_e583 | (_e586 << bitcast<u32>(21i)));
-                                                                        let _e617 = ((_e590 + 1u) % 10u);
-                                                                        if (_e617 < 10u) {
+                                                                        local_4[_e606] = (_e581 | (_e584 << bitcast<u32>(21i)));
+                                                                        let _e615 = ((_e588 + 1u) % 10u);
+                                                                        if (_e615 < 10u) {
                                                                         } else {
                                                                             phi_1673_ = true;
                                                                             break;
                                                                         }
-                                                                        local_4[_e617] = ((_e586 >> bitcast<u32>(11i)) | (_e589 << bitcast<u32>(10i)));
+                                                                        local_4[_e615] = ((_e584 >> bitcast<u32>(11i)) | (_e587 << bitcast<u32>(10i)));
                                                                         break;
                                                                     }
                                                                     case 2: {
-                                                                        let _e592 = (_e590 % 10u);
-                                                                        if (_e592 < 10u) {
+                                                                        let _e590 = (_e588 % 10u);
+                                                                        if (_e590 < 10u) {
                                                                         } else {
                                                                             phi_1673_ = true;
                                                                             break;
                                                                         }
-                                                                        local_4[_e592] = bitcast<u32>(_e574);
-                                                                        let _e597 = ((_e590 + 1u) % 10u);
-                                                                        if (_e597 < 10u) {
+                                                                        local_4[_e590] = bitcast<u32>(_e572);
+                                                                        let _e595 = ((_e588 + 1u) % 10u);
+                                                                        if (_e595 < 10u) {
                                                                         } else {
                                                                             phi_1673_ = true;
                                                                             break;
                                                                         }
-                                                                        local_4[_e597] = bitcast<u32>(_e577);
-                                                                        let _e602 = ((_e590 + 2u) % 10u);
-                                                                        if (_e602 < 10u) {
+                                                                        local_4[_e595] = bitcast<u32>(_e575);
+                                                                        let _e600 = ((_e588 + 2u) % 10u);
+                                                                        if (_e600 < 10u) {
                                                                         } else {
                                                                             phi_1673_ = true;
                                                                             break;
                                                                         }
-                                                                        local_4[_e602] = bitcast<u32>(_e580);
+                                                                        local_4[_e600] = bitcast<u32>(_e578);
                                                                         break;
                                                                     }
                                                                     default: {
@@ -712,124 +705,124 @@ fn function_() {
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_1326_ = _e564;
-                                                                phi_1673_ = _e523;
-                                                                break if !(_e570);
+                                                                phi_1326_ = _e562;
+                                                                phi_1673_ = _e521;
+                                                                break if !(_e568);
                                                             }
                                                         }
-                                                        let _e632 = phi_1673_;
-                                                        phi_1687_ = _e632;
-                                                        if _e632 {
+                                                        let _e630 = phi_1673_;
+                                                        phi_1687_ = _e630;
+                                                        if _e630 {
                                                             break;
                                                         }
-                                                        let _e634 = ((3u * _e549) % 10u);
-                                                        if (_e634 < 10u) {
+                                                        let _e632 = ((3u * _e547) % 10u);
+                                                        if (_e632 < 10u) {
                                                         } else {
                                                             phi_1687_ = true;
                                                             break;
                                                         }
-                                                        local_4[_e634] = _e527;
-                                                        let _e637 = local_4;
-                                                        local_7 = _e637;
+                                                        local_4[_e632] = _e525;
+                                                        let _e635 = local_4;
+                                                        local_7 = _e635;
                                                         phi_1479_ = type_8(0u, 10u);
                                                         loop {
-                                                            let _e639 = phi_1479_;
-                                                            if (_e639.member < _e639.member_1) {
-                                                                phi_1480_ = type_8((_e639.member + 1u), _e639.member_1);
-                                                                phi_1503_ = type_8(1u, _e639.member);
+                                                            let _e637 = phi_1479_;
+                                                            if (_e637.member < _e637.member_1) {
+                                                                phi_1480_ = type_8((_e637.member + 1u), _e637.member_1);
+                                                                phi_1503_ = type_8(1u, _e637.member);
                                                             } else {
-                                                                phi_1480_ = _e639;
+                                                                phi_1480_ = _e637;
                                                                 phi_1503_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e652 = phi_1480_;
-                                                            let _e654 = phi_1503_;
-                                                            let _e658 = (bitcast<i32>(_e654.member) != 0i);
-                                                            if _e658 {
-                                                                if _e416 {
+                                                            let _e650 = phi_1480_;
+                                                            let _e652 = phi_1503_;
+                                                            let _e656 = (bitcast<i32>(_e652.member) != 0i);
+                                                            if _e656 {
+                                                                if _e414 {
                                                                 } else {
                                                                     phi_1681_ = true;
                                                                     break;
                                                                 }
-                                                                let _e660 = global_6.member[_e414];
-                                                                let _e661 = (_e660 + _e654.member_1);
-                                                                if (_e654.member_1 < ((3u * _e383) + 1u)) {
-                                                                    let _e663 = (_e661 < arrayLength((&global_8.member)));
-                                                                    if _e663 {
-                                                                        if (_e654.member_1 < 10u) {
+                                                                let _e658 = global_6.member[_e412];
+                                                                let _e659 = (_e658 + _e652.member_1);
+                                                                if (_e652.member_1 < ((3u * _e381) + 1u)) {
+                                                                    let _e661 = (_e659 < arrayLength((&global_8.member)));
+                                                                    if _e661 {
+                                                                        if (_e652.member_1 < 10u) {
                                                                         } else {
                                                                             phi_1681_ = true;
                                                                             break;
                                                                         }
-                                                                        let _e666 = local_7[_e654.member_1];
-                                                                        if _e663 {
+                                                                        let _e664 = local_7[_e652.member_1];
+                                                                        if _e661 {
                                                                         } else {
                                                                             phi_1681_ = true;
                                                                             break;
                                                                         }
-                                                                        global_8.member[_e661] = _e666;
+                                                                        global_8.member[_e659] = _e664;
                                                                     }
                                                                 }
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_1479_ = _e652;
-                                                                phi_1681_ = _e632;
-                                                                break if !(_e658);
+                                                                phi_1479_ = _e650;
+                                                                phi_1681_ = _e630;
+                                                                break if !(_e656);
                                                             }
                                                         }
-                                                        let _e671 = phi_1681_;
-                                                        phi_1687_ = _e671;
-                                                        if _e671 {
+                                                        let _e669 = phi_1681_;
+                                                        phi_1687_ = _e669;
+                                                        if _e669 {
                                                             break;
                                                         }
-                                                        phi_1690_ = _e671;
+                                                        phi_1690_ = _e669;
                                                     } else {
-                                                        phi_1690_ = _e391;
+                                                        phi_1690_ = _e389;
                                                     }
-                                                    let _e673 = phi_1690_;
-                                                    phi_1689_ = _e673;
+                                                    let _e671 = phi_1690_;
+                                                    phi_1689_ = _e671;
                                                 } else {
-                                                    phi_1689_ = _e391;
+                                                    phi_1689_ = _e389;
                                                 }
-                                                let _e675 = phi_1689_;
-                                                phi_1688_ = _e675;
+                                                let _e673 = phi_1689_;
+                                                phi_1688_ = _e673;
                                             } else {
-                                                phi_1688_ = _e391;
+                                                phi_1688_ = _e389;
                                             }
-                                            let _e677 = phi_1688_;
+                                            let _e675 = phi_1688_;
                                             continue;
                                             continuing {
-                                                phi_1662_ = _e677;
-                                                phi_1023_ = _e406;
-                                                phi_1687_ = _e677;
-                                                break if !(_e412);
+                                                phi_1662_ = _e675;
+                                                phi_1023_ = _e404;
+                                                phi_1687_ = _e675;
+                                                break if !(_e410);
                                             }
                                         }
-                                        let _e680 = phi_1687_;
-                                        phi_1691_ = _e680;
-                                        if _e680 {
+                                        let _e678 = phi_1687_;
+                                        phi_1691_ = _e678;
+                                        if _e678 {
                                             break;
                                         }
-                                        phi_1693_ = _e680;
+                                        phi_1693_ = _e678;
                                     } else {
-                                        phi_1693_ = _e319;
+                                        phi_1693_ = _e317;
                                     }
-                                    let _e682 = phi_1693_;
-                                    phi_1692_ = _e682;
+                                    let _e680 = phi_1693_;
+                                    phi_1692_ = _e680;
                                 } else {
-                                    phi_1692_ = _e319;
+                                    phi_1692_ = _e317;
                                 }
-                                let _e684 = phi_1692_;
+                                let _e682 = phi_1692_;
                                 continue;
                                 continuing {
-                                    phi_1667_ = _e684;
-                                    phi_890_ = _e334;
-                                    phi_1691_ = _e684;
-                                    break if !(_e340);
+                                    phi_1667_ = _e682;
+                                    phi_890_ = _e332;
+                                    phi_1691_ = _e682;
+                                    break if !(_e338);
                                 }
                             }
-                            let _e687 = phi_1691_;
-                            if _e687 {
+                            let _e685 = phi_1691_;
+                            if _e685 {
                                 break;
                             }
                         }

@@ -87,7 +87,6 @@ fn function_() {
     var phi_252_: type_8;
     var phi_253_: type_8;
     var phi_276_: type_8;
-    var phi_388_: u32;
     var phi_1606_: bool;
     var phi_506_: u32;
     var phi_508_: u32;
@@ -146,23 +145,23 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e60 = global;
-            let _e72 = arrayLength((&global_6.member));
-            let _e80 = global_4.member[0u][3u];
-            let _e85 = (_e60.x + (_e60.y * 2097152u));
-            let _e88 = global_1.member[0u];
-            if (_e85 < _e88) {
-                let _e90 = (_e85 < arrayLength((&global_3.member)));
-                if _e90 {
-                    let _e91 = (_e85 < arrayLength((&global_5.member)));
-                    if _e91 {
-                        let _e92 = (_e85 < arrayLength((&global_8.member)));
-                        if _e92 {
-                            if _e92 {
+            let _e59 = global;
+            let _e71 = arrayLength((&global_6.member));
+            let _e79 = global_4.member[0u][3u];
+            let _e84 = (_e59.x + (_e59.y * 2097152u));
+            let _e87 = global_1.member[0u];
+            if (_e84 < _e87) {
+                let _e89 = (_e84 < arrayLength((&global_3.member)));
+                if _e89 {
+                    let _e90 = (_e84 < arrayLength((&global_5.member)));
+                    if _e90 {
+                        let _e91 = (_e84 < arrayLength((&global_8.member)));
+                        if _e91 {
+                            if _e91 {
                             } else {
                                 break;
                             }
-                            if _e91 {
+                            if _e90 {
                             } else {
                                 break;
                             }
@@ -172,272 +171,266 @@ fn function_() {
                             local = array<i32, 3>(0i, 0i, 0i);
                             phi_252_ = type_8(0u, 3u);
                             loop {
-                                let _e96 = phi_252_;
-                                if (_e96.member < _e96.member_1) {
-                                    phi_253_ = type_8((_e96.member + 1u), _e96.member_1);
-                                    phi_276_ = type_8(1u, _e96.member);
+                                let _e95 = phi_252_;
+                                if (_e95.member < _e95.member_1) {
+                                    phi_253_ = type_8((_e95.member + 1u), _e95.member_1);
+                                    phi_276_ = type_8(1u, _e95.member);
                                 } else {
-                                    phi_253_ = _e96;
+                                    phi_253_ = _e95;
                                     phi_276_ = type_8(0u, type_8().member_1);
                                 }
-                                let _e109 = phi_253_;
-                                let _e111 = phi_276_;
-                                let _e115 = (bitcast<i32>(_e111.member) != 0i);
-                                if _e115 {
-                                    let _e116 = (_e111.member_1 * 2u);
-                                    let _e118 = ((1u + _e116) % 7u);
-                                    if (_e118 < 7u) {
+                                let _e108 = phi_253_;
+                                let _e110 = phi_276_;
+                                let _e114 = (bitcast<i32>(_e110.member) != 0i);
+                                if _e114 {
+                                    let _e115 = (_e110.member_1 * 2u);
+                                    let _e117 = ((1u + _e115) % 7u);
+                                    if (_e117 < 7u) {
                                     } else {
                                         phi_1606_ = true;
                                         break;
                                     }
-                                    let _e123 = global_8.member[_e85][_e118];
-                                    let _e125 = ((_e116 + 2u) % 7u);
-                                    if (_e125 < 7u) {
+                                    let _e122 = global_8.member[_e84][_e117];
+                                    let _e124 = ((_e115 + 2u) % 7u);
+                                    if (_e124 < 7u) {
                                     } else {
                                         phi_1606_ = true;
                                         break;
                                     }
-                                    let _e130 = global_8.member[_e85][_e125];
-                                    let _e131 = (_e111.member_1 < 3u);
-                                    if _e131 {
+                                    let _e129 = global_8.member[_e84][_e124];
+                                    let _e130 = (_e110.member_1 < 3u);
+                                    if _e130 {
                                     } else {
                                         phi_1606_ = true;
                                         break;
                                     }
-                                    let _e135 = global_5.member[_e85].member[_e111.member_1];
-                                    if _e131 {
+                                    let _e134 = global_5.member[_e84].member[_e110.member_1];
+                                    if _e130 {
                                     } else {
                                         phi_1606_ = true;
                                         break;
                                     }
-                                    let _e139 = global_5.member[_e85].member_1[_e111.member_1];
-                                    let _e141 = bitcast<u32>((_e139 - _e135));
-                                    let _e146 = select((bitcast<u32>(31i) - firstLeadingBit(_e141)), 32u, (_e141 == 0u));
-                                    if ((32u - _e146) > 21u) {
-                                        phi_388_ = (11u - _e146);
-                                    } else {
-                                        phi_388_ = 0u;
-                                    }
-                                    let _e151 = phi_388_;
-                                    let _e153 = (_e151 & 31u);
-                                    let _e157 = (_e135 + bitcast<i32>(((_e123 & 2097151u) << bitcast<u32>(_e153))));
-                                    let _e162 = (_e139 - bitcast<i32>(((_e130 & 2097151u) << bitcast<u32>(_e153))));
-                                    let _e166 = (((_e123 >> bitcast<u32>(21u)) & 1u) == 1u);
-                                    let _e170 = (((_e130 >> bitcast<u32>(21u)) & 1u) == 1u);
-                                    if _e131 {
+                                    let _e138 = global_5.member[_e84].member_1[_e110.member_1];
+                                    let _e140 = bitcast<u32>((_e138 - _e134));
+                                    let _e146 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e140)), 32u, (_e140 == 0u)));
+                                    let _e151 = ((select(21u, _e146, (_e146 > 21u)) - 21u) & 31u);
+                                    let _e155 = (_e134 + bitcast<i32>(((_e122 & 2097151u) << bitcast<u32>(_e151))));
+                                    let _e160 = (_e138 - bitcast<i32>(((_e129 & 2097151u) << bitcast<u32>(_e151))));
+                                    let _e164 = (((_e122 >> bitcast<u32>(21u)) & 1u) == 1u);
+                                    let _e168 = (((_e129 >> bitcast<u32>(21u)) & 1u) == 1u);
+                                    if _e130 {
                                     } else {
                                         phi_1606_ = true;
                                         break;
                                     }
-                                    local_3[_e111.member_1] = select(_e135, _e157, _e166);
-                                    if _e131 {
+                                    local_3[_e110.member_1] = select(_e134, _e155, _e164);
+                                    if _e130 {
                                     } else {
                                         phi_1606_ = true;
                                         break;
                                     }
-                                    local_1[_e111.member_1] = select(_e157, _e135, _e166);
-                                    if _e131 {
+                                    local_1[_e110.member_1] = select(_e155, _e134, _e164);
+                                    if _e130 {
                                     } else {
                                         phi_1606_ = true;
                                         break;
                                     }
-                                    local_2[_e111.member_1] = select(_e139, _e162, _e170);
-                                    if _e131 {
+                                    local_2[_e110.member_1] = select(_e138, _e160, _e168);
+                                    if _e130 {
                                     } else {
                                         phi_1606_ = true;
                                         break;
                                     }
-                                    local[_e111.member_1] = select(_e162, _e139, _e170);
+                                    local[_e110.member_1] = select(_e160, _e138, _e168);
                                 }
                                 continue;
                                 continuing {
-                                    phi_252_ = _e109;
+                                    phi_252_ = _e108;
                                     phi_1606_ = false;
-                                    break if !(_e115);
+                                    break if !(_e114);
                                 }
                             }
-                            let _e181 = phi_1606_;
-                            if _e181 {
+                            let _e179 = phi_1606_;
+                            if _e179 {
                                 break;
                             }
-                            let _e182 = local;
-                            let _e183 = local_1;
-                            let _e184 = local_2;
-                            let _e185 = local_3;
-                            if _e92 {
+                            let _e180 = local;
+                            let _e181 = local_1;
+                            let _e182 = local_2;
+                            let _e183 = local_3;
+                            if _e91 {
                             } else {
                                 break;
                             }
-                            let _e186 = global_8.member[_e85];
-                            if _e90 {
+                            let _e184 = global_8.member[_e84];
+                            if _e89 {
                             } else {
                                 break;
                             }
-                            let _e189 = global_3.member[_e85].member_1;
-                            let _e192 = global_3.member[_e85].member_2;
-                            let _e194 = ((_e189 & 2147483648u) != 0u);
-                            if _e194 {
-                                let _e198 = (((_e189 >> bitcast<u32>(28u)) & 7u) > 0u);
-                                if _e198 {
-                                    phi_506_ = (_e189 & 268435455u);
+                            let _e187 = global_3.member[_e84].member_1;
+                            let _e190 = global_3.member[_e84].member_2;
+                            let _e192 = ((_e187 & 2147483648u) != 0u);
+                            if _e192 {
+                                let _e196 = (((_e187 >> bitcast<u32>(28u)) & 7u) > 0u);
+                                if _e196 {
+                                    phi_506_ = (_e187 & 268435455u);
                                 } else {
                                     phi_506_ = u32();
                                 }
-                                let _e201 = phi_506_;
-                                phi_508_ = _e201;
-                                phi_509_ = select(true, false, _e198);
+                                let _e199 = phi_506_;
+                                phi_508_ = _e199;
+                                phi_509_ = select(true, false, _e196);
                             } else {
                                 phi_508_ = u32();
                                 phi_509_ = true;
                             }
-                            let _e204 = phi_508_;
-                            let _e206 = phi_509_;
-                            if _e206 {
-                                if ((_e192 & 2147483648u) != 0u) {
-                                    let _e212 = (((_e192 >> bitcast<u32>(28u)) & 7u) > 0u);
-                                    if _e212 {
-                                        phi_525_ = (_e192 & 268435455u);
+                            let _e202 = phi_508_;
+                            let _e204 = phi_509_;
+                            if _e204 {
+                                if ((_e190 & 2147483648u) != 0u) {
+                                    let _e210 = (((_e190 >> bitcast<u32>(28u)) & 7u) > 0u);
+                                    if _e210 {
+                                        phi_525_ = (_e190 & 268435455u);
                                     } else {
                                         phi_525_ = u32();
                                     }
-                                    let _e215 = phi_525_;
-                                    phi_527_ = _e215;
-                                    phi_528_ = select(true, false, _e212);
+                                    let _e213 = phi_525_;
+                                    phi_527_ = _e213;
+                                    phi_528_ = select(true, false, _e210);
                                 } else {
                                     phi_527_ = u32();
                                     phi_528_ = true;
                                 }
-                                let _e218 = phi_527_;
-                                let _e220 = phi_528_;
-                                phi_533_ = select(_e218, 0u, _e220);
+                                let _e216 = phi_527_;
+                                let _e218 = phi_528_;
+                                phi_533_ = select(_e216, 0u, _e218);
                             } else {
-                                phi_533_ = _e204;
+                                phi_533_ = _e202;
                             }
-                            let _e223 = phi_533_;
-                            let _e224 = (_e223 < _e72);
-                            if _e224 {
-                                if _e224 {
+                            let _e221 = phi_533_;
+                            let _e222 = (_e221 < _e71);
+                            if _e222 {
+                                if _e222 {
                                 } else {
                                     break;
                                 }
-                                let _e226 = global_6.member[_e223];
-                                phi_545_ = _e226;
+                                let _e224 = global_6.member[_e221];
+                                phi_545_ = _e224;
                             } else {
                                 phi_545_ = 0u;
                             }
-                            let _e228 = phi_545_;
-                            if _e194 {
-                                phi_561_ = select(_e192, 0u, ((_e192 & 2147483648u) != 0u));
+                            let _e226 = phi_545_;
+                            if _e192 {
+                                phi_561_ = select(_e190, 0u, ((_e190 & 2147483648u) != 0u));
                             } else {
-                                phi_561_ = _e189;
+                                phi_561_ = _e187;
                             }
-                            let _e233 = phi_561_;
-                            if _e194 {
-                                let _e236 = ((_e189 >> bitcast<u32>(28u)) & 7u);
-                                phi_576_ = select(_e236, 7u, (_e236 == 0u));
+                            let _e231 = phi_561_;
+                            if _e192 {
+                                let _e234 = ((_e187 >> bitcast<u32>(28u)) & 7u);
+                                phi_576_ = select(_e234, 7u, (_e234 == 0u));
                             } else {
                                 phi_576_ = 0u;
                             }
-                            let _e240 = phi_576_;
-                            if ((_e192 & 2147483648u) != 0u) {
-                                let _e245 = ((_e192 >> bitcast<u32>(28u)) & 7u);
-                                phi_591_ = select(_e245, 7u, (_e245 == 0u));
+                            let _e238 = phi_576_;
+                            if ((_e190 & 2147483648u) != 0u) {
+                                let _e243 = ((_e190 >> bitcast<u32>(28u)) & 7u);
+                                phi_591_ = select(_e243, 7u, (_e243 == 0u));
                             } else {
                                 phi_591_ = 0u;
                             }
-                            let _e249 = phi_591_;
-                            local_8 = array<u32, 7>(_e186[0], _e186[1], _e186[2], _e186[3], _e186[4], _e186[5], _e186[6]);
-                            local_8[0u] = (((_e233 & 268435455u) | (_e240 << bitcast<u32>(28u))) | (_e249 << bitcast<u32>(31i)));
+                            let _e247 = phi_591_;
+                            local_8 = array<u32, 7>(_e184[0], _e184[1], _e184[2], _e184[3], _e184[4], _e184[5], _e184[6]);
+                            local_8[0u] = (((_e231 & 268435455u) | (_e238 << bitcast<u32>(28u))) | (_e247 << bitcast<u32>(31i)));
                             phi_693_ = type_8(0u, 3u);
                             loop {
-                                let _e273 = phi_693_;
-                                if (_e273.member < _e273.member_1) {
-                                    phi_694_ = type_8((_e273.member + 1u), _e273.member_1);
-                                    phi_717_ = type_8(1u, _e273.member);
+                                let _e271 = phi_693_;
+                                if (_e271.member < _e271.member_1) {
+                                    phi_694_ = type_8((_e271.member + 1u), _e271.member_1);
+                                    phi_717_ = type_8(1u, _e271.member);
                                 } else {
-                                    phi_694_ = _e273;
+                                    phi_694_ = _e271;
                                     phi_717_ = type_8(0u, type_8().member_1);
                                 }
-                                let _e286 = phi_694_;
-                                let _e288 = phi_717_;
-                                let _e292 = (bitcast<i32>(_e288.member) != 0i);
-                                if _e292 {
-                                    let _e301 = (((_e288.member_1 + 1u) * 2u) % 7u);
-                                    if (_e301 < 7u) {
+                                let _e284 = phi_694_;
+                                let _e286 = phi_717_;
+                                let _e290 = (bitcast<i32>(_e286.member) != 0i);
+                                if _e290 {
+                                    let _e299 = (((_e286.member_1 + 1u) * 2u) % 7u);
+                                    if (_e299 < 7u) {
                                     } else {
                                         phi_1623_ = true;
                                         break;
                                     }
-                                    let _e304 = local_8[_e301];
-                                    local_8[_e301] = (_e304 | ((((_e228 & 268435455u) | ((_e249 >> bitcast<u32>(1i)) << bitcast<u32>(28u))) >> bitcast<u32>(((10u * _e288.member_1) & 31u))) << bitcast<u32>(22i)));
+                                    let _e302 = local_8[_e299];
+                                    local_8[_e299] = (_e302 | ((((_e226 & 268435455u) | ((_e247 >> bitcast<u32>(1i)) << bitcast<u32>(28u))) >> bitcast<u32>(((10u * _e286.member_1) & 31u))) << bitcast<u32>(22i)));
                                 }
                                 continue;
                                 continuing {
-                                    phi_693_ = _e286;
-                                    phi_1623_ = _e181;
-                                    break if !(_e292);
+                                    phi_693_ = _e284;
+                                    phi_1623_ = _e179;
+                                    break if !(_e290);
                                 }
                             }
-                            let _e308 = phi_1623_;
-                            if _e308 {
+                            let _e306 = phi_1623_;
+                            if _e306 {
                                 break;
                             }
-                            let _e309 = local_8;
-                            if _e92 {
+                            let _e307 = local_8;
+                            if _e91 {
                             } else {
                                 break;
                             }
-                            global_8.member[_e85] = array<u32, 7>(_e309[0], _e309[1], _e309[2], _e309[3], _e309[4], _e309[5], _e309[6]);
-                            if _e90 {
+                            global_8.member[_e84] = array<u32, 7>(_e307[0], _e307[1], _e307[2], _e307[3], _e307[4], _e307[5], _e307[6]);
+                            if _e89 {
                             } else {
                                 break;
                             }
-                            if _e90 {
+                            if _e89 {
                             } else {
                                 break;
                             }
-                            local_9[0u] = type_54(_e189, type_36(_e185, _e184));
-                            local_9[1u] = type_54(_e192, type_36(_e183, _e182));
-                            phi_1673_ = _e308;
+                            local_9[0u] = type_54(_e187, type_36(_e183, _e182));
+                            local_9[1u] = type_54(_e190, type_36(_e181, _e180));
+                            phi_1673_ = _e306;
                             phi_901_ = type_8(0u, 2u);
                             loop {
-                                let _e325 = phi_1673_;
-                                let _e327 = phi_901_;
-                                if (_e327.member < _e327.member_1) {
-                                    phi_902_ = type_8((_e327.member + 1u), _e327.member_1);
-                                    phi_927_ = type_8(1u, _e327.member);
+                                let _e323 = phi_1673_;
+                                let _e325 = phi_901_;
+                                if (_e325.member < _e325.member_1) {
+                                    phi_902_ = type_8((_e325.member + 1u), _e325.member_1);
+                                    phi_927_ = type_8(1u, _e325.member);
                                 } else {
-                                    phi_902_ = _e327;
+                                    phi_902_ = _e325;
                                     phi_927_ = type_8(0u, type_8().member_1);
                                 }
-                                let _e340 = phi_902_;
-                                let _e342 = phi_927_;
-                                let _e346 = (bitcast<i32>(_e342.member) != 0i);
-                                if _e346 {
-                                    if (_e342.member_1 < 2u) {
+                                let _e338 = phi_902_;
+                                let _e340 = phi_927_;
+                                let _e344 = (bitcast<i32>(_e340.member) != 0i);
+                                if _e344 {
+                                    if (_e340.member_1 < 2u) {
                                     } else {
                                         phi_1697_ = true;
                                         break;
                                     }
-                                    let _e350 = local_9[_e342.member_1].member;
-                                    let _e353 = local_9[_e342.member_1].member_1;
-                                    local_10 = _e353;
-                                    if ((_e350 & 2147483648u) != 0u) {
-                                        let _e358 = local_10.member_1[0u];
-                                        let _e361 = local_10.member[0u];
-                                        let _e366 = local_10.member_1[1u];
-                                        let _e369 = local_10.member[1u];
-                                        let _e375 = local_10.member_1[2u];
-                                        let _e378 = local_10.member[2u];
-                                        let _e381 = ((bitcast<u32>((_e358 - _e361)) | bitcast<u32>((_e366 - _e369))) | bitcast<u32>((_e375 - _e378)));
-                                        if (_e381 < 1024u) {
+                                    let _e348 = local_9[_e340.member_1].member;
+                                    let _e351 = local_9[_e340.member_1].member_1;
+                                    local_10 = _e351;
+                                    if ((_e348 & 2147483648u) != 0u) {
+                                        let _e356 = local_10.member_1[0u];
+                                        let _e359 = local_10.member[0u];
+                                        let _e364 = local_10.member_1[1u];
+                                        let _e367 = local_10.member[1u];
+                                        let _e373 = local_10.member_1[2u];
+                                        let _e376 = local_10.member[2u];
+                                        let _e379 = ((bitcast<u32>((_e356 - _e359)) | bitcast<u32>((_e364 - _e367))) | bitcast<u32>((_e373 - _e376)));
+                                        if (_e379 < 1024u) {
                                             phi_1021_ = 0u;
                                         } else {
-                                            phi_1021_ = select(2u, 1u, (_e381 < 2097152u));
+                                            phi_1021_ = select(2u, 1u, (_e379 < 2097152u));
                                         }
-                                        let _e386 = phi_1021_;
-                                        switch bitcast<i32>(_e386) {
+                                        let _e384 = phi_1021_;
+                                        switch bitcast<i32>(_e384) {
                                             case 0: {
                                                 phi_1027_ = 1u;
                                                 break;
@@ -455,29 +448,29 @@ fn function_() {
                                                 break;
                                             }
                                         }
-                                        let _e389 = phi_1027_;
-                                        phi_1668_ = _e325;
-                                        phi_1034_ = type_8(0u, ((_e350 >> bitcast<u32>(28u)) & 7u));
+                                        let _e387 = phi_1027_;
+                                        phi_1668_ = _e323;
+                                        phi_1034_ = type_8(0u, ((_e348 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e397 = phi_1668_;
-                                            let _e399 = phi_1034_;
-                                            if (_e399.member < _e399.member_1) {
-                                                phi_1035_ = type_8((_e399.member + 1u), _e399.member_1);
-                                                phi_1058_ = type_8(1u, _e399.member);
+                                            let _e395 = phi_1668_;
+                                            let _e397 = phi_1034_;
+                                            if (_e397.member < _e397.member_1) {
+                                                phi_1035_ = type_8((_e397.member + 1u), _e397.member_1);
+                                                phi_1058_ = type_8(1u, _e397.member);
                                             } else {
-                                                phi_1035_ = _e399;
+                                                phi_1035_ = _e397;
                                                 phi_1058_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e412 = phi_1035_;
-                                            let _e414 = phi_1058_;
-                                            let _e418 = (bitcast<i32>(_e414.member) != 0i);
-                                            if _e418 {
-                                                let _e420 = ((_e350 & 268435455u) + _e414.member_1);
-                                                let _e421 = (_e420 < arrayLength((&global_2.member)));
-                                                if _e421 {
-                                                    let _e422 = (_e420 < _e72);
-                                                    if _e422 {
-                                                        if _e421 {
+                                            let _e410 = phi_1035_;
+                                            let _e412 = phi_1058_;
+                                            let _e416 = (bitcast<i32>(_e412.member) != 0i);
+                                            if _e416 {
+                                                let _e418 = ((_e348 & 268435455u) + _e412.member_1);
+                                                let _e419 = (_e418 < arrayLength((&global_2.member)));
+                                                if _e419 {
+                                                    let _e420 = (_e418 < _e71);
+                                                    if _e420 {
+                                                        if _e419 {
                                                         } else {
                                                             phi_1693_ = true;
                                                             break;
@@ -485,126 +478,126 @@ fn function_() {
                                                         local_5[0u] = array<i32, 3>(0i, 0i, 0i);
                                                         local_5[1u] = array<i32, 3>(0i, 0i, 0i);
                                                         local_5[2u] = array<i32, 3>(0i, 0i, 0i);
-                                                        phi_1666_ = _e397;
+                                                        phi_1666_ = _e395;
                                                         phi_1087_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e427 = phi_1666_;
-                                                            let _e429 = phi_1087_;
-                                                            if (_e429.member < _e429.member_1) {
-                                                                phi_1088_ = type_8((_e429.member + 1u), _e429.member_1);
-                                                                phi_1111_ = type_8(1u, _e429.member);
+                                                            let _e425 = phi_1666_;
+                                                            let _e427 = phi_1087_;
+                                                            if (_e427.member < _e427.member_1) {
+                                                                phi_1088_ = type_8((_e427.member + 1u), _e427.member_1);
+                                                                phi_1111_ = type_8(1u, _e427.member);
                                                             } else {
-                                                                phi_1088_ = _e429;
+                                                                phi_1088_ = _e427;
                                                                 phi_1111_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e442 = phi_1088_;
-                                                            let _e444 = phi_1111_;
-                                                            let _e448 = (bitcast<i32>(_e444.member) != 0i);
-                                                            if _e448 {
+                                                            let _e440 = phi_1088_;
+                                                            let _e442 = phi_1111_;
+                                                            let _e446 = (bitcast<i32>(_e442.member) != 0i);
+                                                            if _e446 {
                                                                 phi_1121_ = type_8(0u, 3u);
                                                                 loop {
-                                                                    let _e450 = phi_1121_;
-                                                                    if (_e450.member < _e450.member_1) {
-                                                                        phi_1122_ = type_8((_e450.member + 1u), _e450.member_1);
-                                                                        phi_1145_ = type_8(1u, _e450.member);
+                                                                    let _e448 = phi_1121_;
+                                                                    if (_e448.member < _e448.member_1) {
+                                                                        phi_1122_ = type_8((_e448.member + 1u), _e448.member_1);
+                                                                        phi_1145_ = type_8(1u, _e448.member);
                                                                     } else {
-                                                                        phi_1122_ = _e450;
+                                                                        phi_1122_ = _e448;
                                                                         phi_1145_ = type_8(0u, type_8().member_1);
                                                                     }
-                                                                    let _e463 = phi_1122_;
-                                                                    let _e465 = phi_1145_;
-                                                                    let _e469 = (bitcast<i32>(_e465.member) != 0i);
-                                                                    if _e469 {
-                                                                        let _e471 = ((3u * _e444.member_1) + _e465.member_1);
-                                                                        if (_e471 < 9u) {
+                                                                    let _e461 = phi_1122_;
+                                                                    let _e463 = phi_1145_;
+                                                                    let _e467 = (bitcast<i32>(_e463.member) != 0i);
+                                                                    if _e467 {
+                                                                        let _e469 = ((3u * _e442.member_1) + _e463.member_1);
+                                                                        if (_e469 < 9u) {
                                                                         } else {
                                                                             phi_1661_ = true;
                                                                             break;
                                                                         }
-                                                                        let _e476 = global_2.member[_e420].member[_e471];
-                                                                        let _e477 = bitcast<u32>(_e476);
-                                                                        let _e480 = ((_e477 >> bitcast<u32>(23i)) & 255u);
-                                                                        let _e482 = select(0u, 1u, (_e480 != 0u));
-                                                                        let _e491 = (bitcast<i32>(_e80) - ((bitcast<i32>(_e480) - bitcast<i32>(_e482)) + -149i));
-                                                                        let _e492 = (_e491 < 0i);
-                                                                        if _e492 {
-                                                                            phi_1181_ = -(_e491);
+                                                                        let _e474 = global_2.member[_e418].member[_e469];
+                                                                        let _e475 = bitcast<u32>(_e474);
+                                                                        let _e478 = ((_e475 >> bitcast<u32>(23i)) & 255u);
+                                                                        let _e480 = select(0u, 1u, (_e478 != 0u));
+                                                                        let _e489 = (bitcast<i32>(_e79) - ((bitcast<i32>(_e478) - bitcast<i32>(_e480)) + -149i));
+                                                                        let _e490 = (_e489 < 0i);
+                                                                        if _e490 {
+                                                                            phi_1181_ = -(_e489);
                                                                         } else {
                                                                             phi_1181_ = 0i;
                                                                         }
-                                                                        let _e495 = phi_1181_;
-                                                                        if _e492 {
+                                                                        let _e493 = phi_1181_;
+                                                                        if _e490 {
                                                                             phi_1191_ = 0i;
                                                                         } else {
-                                                                            phi_1191_ = select(_e491, 31i, (_e491 > 31i));
+                                                                            phi_1191_ = select(_e489, 31i, (_e489 > 31i));
                                                                         }
-                                                                        let _e499 = phi_1191_;
-                                                                        let _e500 = (_e499 & 31i);
-                                                                        let _e514 = (bitcast<i32>(_e477) >> bitcast<u32>(31i));
-                                                                        if (_e444.member_1 < 3u) {
+                                                                        let _e497 = phi_1191_;
+                                                                        let _e498 = (_e497 & 31i);
+                                                                        let _e512 = (bitcast<i32>(_e475) >> bitcast<u32>(31i));
+                                                                        if (_e442.member_1 < 3u) {
                                                                         } else {
                                                                             phi_1661_ = true;
                                                                             break;
                                                                         }
-                                                                        if (_e465.member_1 < 3u) {
+                                                                        if (_e463.member_1 < 3u) {
                                                                         } else {
                                                                             phi_1661_ = true;
                                                                             break;
                                                                         }
-                                                                        local_5[_e444.member_1][_e465.member_1] = ((bitcast<i32>((((((_e477 & 8388607u) | (_e482 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e495) & 31u))) + ((1u << bitcast<u32>(_e500)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e500))) ^ _e514) - _e514);
+                                                                        local_5[_e442.member_1][_e463.member_1] = ((bitcast<i32>((((((_e475 & 8388607u) | (_e480 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e493) & 31u))) + ((1u << bitcast<u32>(_e498)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e498))) ^ _e512) - _e512);
                                                                     }
                                                                     continue;
                                                                     continuing {
-                                                                        phi_1121_ = _e463;
-                                                                        phi_1661_ = _e427;
-                                                                        break if !(_e469);
+                                                                        phi_1121_ = _e461;
+                                                                        phi_1661_ = _e425;
+                                                                        break if !(_e467);
                                                                     }
                                                                 }
-                                                                let _e524 = phi_1661_;
-                                                                phi_1677_ = _e524;
-                                                                if _e524 {
+                                                                let _e522 = phi_1661_;
+                                                                phi_1677_ = _e522;
+                                                                if _e522 {
                                                                     break;
                                                                 }
-                                                                phi_1678_ = _e524;
+                                                                phi_1678_ = _e522;
                                                             } else {
-                                                                phi_1678_ = _e427;
+                                                                phi_1678_ = _e425;
                                                             }
-                                                            let _e526 = phi_1678_;
+                                                            let _e524 = phi_1678_;
                                                             continue;
                                                             continuing {
-                                                                phi_1666_ = _e526;
-                                                                phi_1087_ = _e442;
-                                                                phi_1677_ = _e526;
-                                                                break if !(_e448);
+                                                                phi_1666_ = _e524;
+                                                                phi_1087_ = _e440;
+                                                                phi_1677_ = _e524;
+                                                                break if !(_e446);
                                                             }
                                                         }
-                                                        let _e529 = phi_1677_;
-                                                        phi_1693_ = _e529;
-                                                        if _e529 {
+                                                        let _e527 = phi_1677_;
+                                                        phi_1693_ = _e527;
+                                                        if _e527 {
                                                             break;
                                                         }
-                                                        let _e530 = local_5;
-                                                        local_6 = _e530;
-                                                        if _e421 {
+                                                        let _e528 = local_5;
+                                                        local_6 = _e528;
+                                                        if _e419 {
                                                         } else {
                                                             phi_1693_ = true;
                                                             break;
                                                         }
-                                                        let _e533 = global_2.member[_e420].member_1;
-                                                        let _e534 = local_10.member_1[0u];
-                                                        let _e535 = local_10.member[0u];
-                                                        let _e538 = local_10.member_1[1u];
-                                                        let _e539 = local_10.member[1u];
-                                                        let _e543 = local_10.member_1[2u];
-                                                        let _e544 = local_10.member[2u];
-                                                        let _e547 = ((bitcast<u32>((_e534 - _e535)) | bitcast<u32>((_e538 - _e539))) | bitcast<u32>((_e543 - _e544)));
-                                                        if (_e547 < 1024u) {
+                                                        let _e531 = global_2.member[_e418].member_1;
+                                                        let _e532 = local_10.member_1[0u];
+                                                        let _e533 = local_10.member[0u];
+                                                        let _e536 = local_10.member_1[1u];
+                                                        let _e537 = local_10.member[1u];
+                                                        let _e541 = local_10.member_1[2u];
+                                                        let _e542 = local_10.member[2u];
+                                                        let _e545 = ((bitcast<u32>((_e532 - _e533)) | bitcast<u32>((_e536 - _e537))) | bitcast<u32>((_e541 - _e542)));
+                                                        if (_e545 < 1024u) {
                                                             phi_1328_ = 0u;
                                                         } else {
-                                                            phi_1328_ = select(2u, 1u, (_e547 < 2097152u));
+                                                            phi_1328_ = select(2u, 1u, (_e545 < 2097152u));
                                                         }
-                                                        let _e552 = phi_1328_;
-                                                        switch bitcast<i32>(_e552) {
+                                                        let _e550 = phi_1328_;
+                                                        switch bitcast<i32>(_e550) {
                                                             case 0: {
                                                                 phi_1334_ = 1u;
                                                                 break;
@@ -622,87 +615,87 @@ fn function_() {
                                                                 break;
                                                             }
                                                         }
-                                                        let _e555 = phi_1334_;
+                                                        let _e553 = phi_1334_;
                                                         local_4 = array<u32, 10>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                                                         phi_1337_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e557 = phi_1337_;
-                                                            if (_e557.member < _e557.member_1) {
-                                                                phi_1338_ = type_8((_e557.member + 1u), _e557.member_1);
-                                                                phi_1361_ = type_8(1u, _e557.member);
+                                                            let _e555 = phi_1337_;
+                                                            if (_e555.member < _e555.member_1) {
+                                                                phi_1338_ = type_8((_e555.member + 1u), _e555.member_1);
+                                                                phi_1361_ = type_8(1u, _e555.member);
                                                             } else {
-                                                                phi_1338_ = _e557;
+                                                                phi_1338_ = _e555;
                                                                 phi_1361_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e570 = phi_1338_;
-                                                            let _e572 = phi_1361_;
-                                                            let _e576 = (bitcast<i32>(_e572.member) != 0i);
-                                                            if _e576 {
-                                                                if (_e572.member_1 < 3u) {
+                                                            let _e568 = phi_1338_;
+                                                            let _e570 = phi_1361_;
+                                                            let _e574 = (bitcast<i32>(_e570.member) != 0i);
+                                                            if _e574 {
+                                                                if (_e570.member_1 < 3u) {
                                                                 } else {
                                                                     phi_1679_ = true;
                                                                     break;
                                                                 }
-                                                                let _e580 = local_6[_e572.member_1][0u];
-                                                                let _e583 = local_6[_e572.member_1][1u];
-                                                                let _e586 = local_6[_e572.member_1][2u];
-                                                                let _e587 = local_10.member[0u];
-                                                                let _e589 = bitcast<u32>((_e580 - _e587));
-                                                                let _e590 = local_10.member[1u];
-                                                                let _e592 = bitcast<u32>((_e583 - _e590));
-                                                                let _e593 = local_10.member[2u];
-                                                                let _e595 = bitcast<u32>((_e586 - _e593));
-                                                                let _e596 = (_e572.member_1 * _e555);
-                                                                switch bitcast<i32>(_e552) {
+                                                                let _e578 = local_6[_e570.member_1][0u];
+                                                                let _e581 = local_6[_e570.member_1][1u];
+                                                                let _e584 = local_6[_e570.member_1][2u];
+                                                                let _e585 = local_10.member[0u];
+                                                                let _e587 = bitcast<u32>((_e578 - _e585));
+                                                                let _e588 = local_10.member[1u];
+                                                                let _e590 = bitcast<u32>((_e581 - _e588));
+                                                                let _e591 = local_10.member[2u];
+                                                                let _e593 = bitcast<u32>((_e584 - _e591));
+                                                                let _e594 = (_e570.member_1 * _e553);
+                                                                switch bitcast<i32>(_e550) {
                                                                     case 0: {
-                                                                        let _e632 = (_e596 % 10u);
-                                                                        if (_e632 < 10u) {
+                                                                        let _e630 = (_e594 % 10u);
+                                                                        if (_e630 < 10u) {
                                                                         } else {
                                                                             phi_1679_ = true;
                                                                             break;
                                                                         }
-                                                                        local_4[_e632] = ((_e589 | (_e592 << bitcast<u32>(10i))) | (_e595 << bitcast<u32>(20i)));
+                                                                        local_4[_e630] = ((_e587 | (_e590 << bitcast<u32>(10i))) | (_e593 << bitcast<u32>(20i)));
                                                                         break;
                                                                     }
                                                                     case 1: {
-                                                                        let _e614 = (_e596 % 10u);
-                                                                        if (_e614 < 10u) {
+                                                                        let _e612 = (_e594 % 10u);
+                                                                        if (_e612 < 10u) {
                                                                         } else {
                                                                             phi_1679_ = true;
                                                                             break;
                                                                         }
-                                                                        local_4[_e614] = (_e589 | (_e592 << bitcast<u32>(21i)));
-                                                                        let _e623 = ((_e596 + 1u) % 10u);
-                                                                        if (_e623 < 10u) {
+                                                                        local_4[_e612] = (_e587 | (_e590 << bitcast<u32>(21i)));
+                                                                        let _e621 = ((_e594 + 1u) % 10u);
+                                                                        if (_e621 < 10u) {
                                                                         } else {
                                                                             phi_1679_ = true;
                                                                             break;
                                                                         }
-                                                                        local_4[_e623] = ((_e592 >> bitcast<u32>(11i)) | (_e595 << bitcast<u32>(10i)));
+                                                                        local_4[_e621] = ((_e590 >> bitcast<u32>(11i)) | (_e593 << bitcast<u32>(10i)));
                                                                         break;
                                                                     }
                                                                     case 2: {
-                                                                        let _e598 = (_e596 % 10u);
-                                                                        if (_e598 < 10u) {
+                                                                        let _e596 = (_e594 % 10u);
+                                                                        if (_e596 < 10u) {
                                                                         } else {
                                                                             phi_1679_ = true;
                                                                             break;
                                                                         }
-                                                                        local_4[_e598] = bitcast<u32>(_e580);
-                                                                        let _e603 = ((_e596 + 1u) % 10u);
-                                                                        if (_e603 < 10u) {
+                                                                        local_4[_e596] = bitcast<u32>(_e578);
+                                                                        let _e601 = ((_e594 + 1u) % 10u);
+                                                                        if (_e601 < 10u) {
                                                                         } else {
                                                                             phi_1679_ = true;
                                                                             break;
                                                                         }
-                                                                        local_4[_e603] = bitcast<u32>(_e583);
-                                                                        let _e608 = ((_e596 + 2u) % 10u);
-                                                                        if (_e608 < 10u) {
+                                                                        local_4[_e601] = bitcast<u32>(_e581);
+                                                                        let _e606 = ((_e594 + 2u) % 10u);
+                                                                        if (_e606 < 10u) {
                                                                         } else {
                                                                             phi_1679_ = true;
                                                                             break;
                                                                         }
-                                                                        local_4[_e608] = bitcast<u32>(_e586);
+                                                                        local_4[_e606] = bitcast<u32>(_e584);
                                                                         break;
                                                                     }
                                                                     default: {
@@ -712,124 +705,124 @@ fn function_() {
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_1337_ = _e570;
-                                                                phi_1679_ = _e529;
-                                                                break if !(_e576);
+                                                                phi_1337_ = _e568;
+                                                                phi_1679_ = _e527;
+                                                                break if !(_e574);
                                                             }
                                                         }
-                                                        let _e638 = phi_1679_;
-                                                        phi_1693_ = _e638;
-                                                        if _e638 {
+                                                        let _e636 = phi_1679_;
+                                                        phi_1693_ = _e636;
+                                                        if _e636 {
                                                             break;
                                                         }
-                                                        let _e640 = ((3u * _e555) % 10u);
-                                                        if (_e640 < 10u) {
+                                                        let _e638 = ((3u * _e553) % 10u);
+                                                        if (_e638 < 10u) {
                                                         } else {
                                                             phi_1693_ = true;
                                                             break;
                                                         }
-                                                        local_4[_e640] = _e533;
-                                                        let _e643 = local_4;
-                                                        local_7 = _e643;
+                                                        local_4[_e638] = _e531;
+                                                        let _e641 = local_4;
+                                                        local_7 = _e641;
                                                         phi_1490_ = type_8(0u, 10u);
                                                         loop {
-                                                            let _e645 = phi_1490_;
-                                                            if (_e645.member < _e645.member_1) {
-                                                                phi_1491_ = type_8((_e645.member + 1u), _e645.member_1);
-                                                                phi_1514_ = type_8(1u, _e645.member);
+                                                            let _e643 = phi_1490_;
+                                                            if (_e643.member < _e643.member_1) {
+                                                                phi_1491_ = type_8((_e643.member + 1u), _e643.member_1);
+                                                                phi_1514_ = type_8(1u, _e643.member);
                                                             } else {
-                                                                phi_1491_ = _e645;
+                                                                phi_1491_ = _e643;
                                                                 phi_1514_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e658 = phi_1491_;
-                                                            let _e660 = phi_1514_;
-                                                            let _e664 = (bitcast<i32>(_e660.member) != 0i);
-                                                            if _e664 {
-                                                                if _e422 {
+                                                            let _e656 = phi_1491_;
+                                                            let _e658 = phi_1514_;
+                                                            let _e662 = (bitcast<i32>(_e658.member) != 0i);
+                                                            if _e662 {
+                                                                if _e420 {
                                                                 } else {
                                                                     phi_1687_ = true;
                                                                     break;
                                                                 }
-                                                                let _e666 = global_6.member[_e420];
-                                                                let _e667 = (_e666 + _e660.member_1);
-                                                                if (_e660.member_1 < ((3u * _e389) + 1u)) {
-                                                                    let _e669 = (_e667 < arrayLength((&global_7.member)));
-                                                                    if _e669 {
-                                                                        if (_e660.member_1 < 10u) {
+                                                                let _e664 = global_6.member[_e418];
+                                                                let _e665 = (_e664 + _e658.member_1);
+                                                                if (_e658.member_1 < ((3u * _e387) + 1u)) {
+                                                                    let _e667 = (_e665 < arrayLength((&global_7.member)));
+                                                                    if _e667 {
+                                                                        if (_e658.member_1 < 10u) {
                                                                         } else {
                                                                             phi_1687_ = true;
                                                                             break;
                                                                         }
-                                                                        let _e672 = local_7[_e660.member_1];
-                                                                        if _e669 {
+                                                                        let _e670 = local_7[_e658.member_1];
+                                                                        if _e667 {
                                                                         } else {
                                                                             phi_1687_ = true;
                                                                             break;
                                                                         }
-                                                                        global_7.member[_e667] = _e672;
+                                                                        global_7.member[_e665] = _e670;
                                                                     }
                                                                 }
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_1490_ = _e658;
-                                                                phi_1687_ = _e638;
-                                                                break if !(_e664);
+                                                                phi_1490_ = _e656;
+                                                                phi_1687_ = _e636;
+                                                                break if !(_e662);
                                                             }
                                                         }
-                                                        let _e677 = phi_1687_;
-                                                        phi_1693_ = _e677;
-                                                        if _e677 {
+                                                        let _e675 = phi_1687_;
+                                                        phi_1693_ = _e675;
+                                                        if _e675 {
                                                             break;
                                                         }
-                                                        phi_1696_ = _e677;
+                                                        phi_1696_ = _e675;
                                                     } else {
-                                                        phi_1696_ = _e397;
+                                                        phi_1696_ = _e395;
                                                     }
-                                                    let _e679 = phi_1696_;
-                                                    phi_1695_ = _e679;
+                                                    let _e677 = phi_1696_;
+                                                    phi_1695_ = _e677;
                                                 } else {
-                                                    phi_1695_ = _e397;
+                                                    phi_1695_ = _e395;
                                                 }
-                                                let _e681 = phi_1695_;
-                                                phi_1694_ = _e681;
+                                                let _e679 = phi_1695_;
+                                                phi_1694_ = _e679;
                                             } else {
-                                                phi_1694_ = _e397;
+                                                phi_1694_ = _e395;
                                             }
-                                            let _e683 = phi_1694_;
+                                            let _e681 = phi_1694_;
                                             continue;
                                             continuing {
-                                                phi_1668_ = _e683;
-                                                phi_1034_ = _e412;
-                                                phi_1693_ = _e683;
-                                                break if !(_e418);
+                                                phi_1668_ = _e681;
+                                                phi_1034_ = _e410;
+                                                phi_1693_ = _e681;
+                                                break if !(_e416);
                                             }
                                         }
-                                        let _e686 = phi_1693_;
-                                        phi_1697_ = _e686;
-                                        if _e686 {
+                                        let _e684 = phi_1693_;
+                                        phi_1697_ = _e684;
+                                        if _e684 {
                                             break;
                                         }
-                                        phi_1699_ = _e686;
+                                        phi_1699_ = _e684;
                                     } else {
-                                        phi_1699_ = _e325;
+                                        phi_1699_ = _e323;
                                     }
-                                    let _e688 = phi_1699_;
-                                    phi_1698_ = _e688;
+                                    let _e686 = phi_1699_;
+                                    phi_1698_ = _e686;
                                 } else {
-                                    phi_1698_ = _e325;
+                                    phi_1698_ = _e323;
                                 }
-                                let _e690 = phi_1698_;
+                                let _e688 = phi_1698_;
                                 continue;
                                 continuing {
-                                    phi_1673_ = _e690;
-                                    phi_901_ = _e340;
-                                    phi_1697_ = _e690;
-                                    break if !(_e346);
+                                    phi_1673_ = _e688;
+                                    phi_901_ = _e338;
+                                    phi_1697_ = _e688;
+                                    break if !(_e344);
                                 }
                             }
-                            let _e693 = phi_1697_;
-                            if _e693 {
+                            let _e691 = phi_1697_;
+                            if _e691 {
                                 break;
                             }
                         }

@@ -143,12 +143,10 @@ fn function_() {
     var phi_1508_: type_8;
     var phi_1509_: type_8;
     var phi_1532_: type_8;
-    var phi_1567_: u32;
     var phi_3719_: bool;
     var phi_1706_: type_8;
     var phi_1707_: type_8;
     var phi_1730_: type_8;
-    var phi_1842_: u32;
     var phi_3804_: bool;
     var phi_1935_: type_34;
     var phi_3823_: bool;
@@ -186,12 +184,10 @@ fn function_() {
     var phi_2768_: type_8;
     var phi_2769_: type_8;
     var phi_2792_: type_8;
-    var phi_2827_: u32;
     var phi_3826_: bool;
     var phi_2966_: type_8;
     var phi_2967_: type_8;
     var phi_2990_: type_8;
-    var phi_3102_: u32;
     var phi_3878_: bool;
     var phi_3345_: u32;
     var phi_3351_: u32;
@@ -209,564 +205,558 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e72 = global;
-            let _e74 = arrayLength((&global_4.member));
-            let _e82 = arrayLength((&global_6.member));
-            let _e85 = arrayLength((&global_7.member));
-            let _e88 = global_3.member[0u];
-            let _e92 = global_2.member[0u];
-            let _e94 = (bitcast<i32>(_e88) + bitcast<i32>(_e92));
-            if (_e94 < -126i) {
+            let _e71 = global;
+            let _e73 = arrayLength((&global_4.member));
+            let _e81 = arrayLength((&global_6.member));
+            let _e84 = arrayLength((&global_7.member));
+            let _e87 = global_3.member[0u];
+            let _e91 = global_2.member[0u];
+            let _e93 = (bitcast<i32>(_e87) + bitcast<i32>(_e91));
+            if (_e93 < -126i) {
                 phi_183_ = -126i;
             } else {
-                phi_183_ = select(_e94, 127i, (_e94 > 127i));
+                phi_183_ = select(_e93, 127i, (_e93 > 127i));
             }
-            let _e99 = phi_183_;
-            let _e103 = (_e72.x + (_e72.y * 2097152u));
-            let _e106 = global_1.member[0u];
-            if (_e103 < _e106) {
-                let _e108 = (_e103 < _e74);
-                if _e108 {
-                    let _e109 = (_e103 < arrayLength((&global_8.member)));
-                    if _e109 {
-                        let _e110 = (_e103 < arrayLength((&global_5.member)));
-                        if _e110 {
-                            let _e111 = (0u < _e74);
-                            if _e111 {
-                                if _e111 {
+            let _e98 = phi_183_;
+            let _e102 = (_e71.x + (_e71.y * 2097152u));
+            let _e105 = global_1.member[0u];
+            if (_e102 < _e105) {
+                let _e107 = (_e102 < _e73);
+                if _e107 {
+                    let _e108 = (_e102 < arrayLength((&global_8.member)));
+                    if _e108 {
+                        let _e109 = (_e102 < arrayLength((&global_5.member)));
+                        if _e109 {
+                            let _e110 = (0u < _e73);
+                            if _e110 {
+                                if _e110 {
                                 } else {
                                     break;
                                 }
-                                let _e114 = global_4.member[0u];
-                                phi_229_ = _e114;
+                                let _e113 = global_4.member[0u];
+                                phi_229_ = _e113;
                             } else {
                                 phi_229_ = type_22(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u, 0u, 0u);
                             }
-                            let _e116 = phi_229_;
-                            if (_e116.member_1 == 2147483648u) {
+                            let _e115 = phi_229_;
+                            if (_e115.member_1 == 2147483648u) {
                                 phi_247_ = type_27(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                             } else {
-                                phi_247_ = type_27(vec3<f32>(_e116.member[0][0], _e116.member[1][0], _e116.member[2][0]), vec3<f32>(_e116.member[0][2], _e116.member[1][2], _e116.member[2][2]));
+                                phi_247_ = type_27(vec3<f32>(_e115.member[0][0], _e115.member[1][0], _e115.member[2][0]), vec3<f32>(_e115.member[0][2], _e115.member[1][2], _e115.member[2][2]));
                             }
-                            let _e135 = phi_247_;
-                            if (_e116.member_2 == 2147483648u) {
-                                phi_265_ = _e135;
+                            let _e134 = phi_247_;
+                            if (_e115.member_2 == 2147483648u) {
+                                phi_265_ = _e134;
                             } else {
-                                phi_265_ = type_27(vec3<f32>(_e116.member[0][1], _e116.member[1][1], _e116.member[2][1]), vec3<f32>(_e116.member[0][3], _e116.member[1][3], _e116.member[2][3]));
+                                phi_265_ = type_27(vec3<f32>(_e115.member[0][1], _e115.member[1][1], _e115.member[2][1]), vec3<f32>(_e115.member[0][3], _e115.member[1][3], _e115.member[2][3]));
                             }
-                            let _e154 = phi_265_;
-                            let _e183 = bitcast<u32>(select(_e154.member.x, _e135.member.x, (_e135.member.x < _e154.member.x)));
-                            let _e186 = ((_e183 >> bitcast<u32>(23i)) & 255u);
-                            let _e188 = select(0u, 1u, (_e186 != 0u));
-                            let _e192 = ((_e183 & 8388607u) | (_e188 << bitcast<u32>(23i)));
-                            let _e197 = (_e99 - ((bitcast<i32>(_e186) - bitcast<i32>(_e188)) + -149i));
-                            let _e198 = (_e197 < 0i);
-                            if _e198 {
-                                phi_331_ = -(_e197);
+                            let _e153 = phi_265_;
+                            let _e182 = bitcast<u32>(select(_e153.member.x, _e134.member.x, (_e134.member.x < _e153.member.x)));
+                            let _e185 = ((_e182 >> bitcast<u32>(23i)) & 255u);
+                            let _e187 = select(0u, 1u, (_e185 != 0u));
+                            let _e191 = ((_e182 & 8388607u) | (_e187 << bitcast<u32>(23i)));
+                            let _e196 = (_e98 - ((bitcast<i32>(_e185) - bitcast<i32>(_e187)) + -149i));
+                            let _e197 = (_e196 < 0i);
+                            if _e197 {
+                                phi_331_ = -(_e196);
                             } else {
                                 phi_331_ = 0i;
                             }
-                            let _e201 = phi_331_;
-                            if _e198 {
+                            let _e200 = phi_331_;
+                            if _e197 {
                                 phi_341_ = 0i;
                             } else {
-                                phi_341_ = select(_e197, 31i, (_e197 > 31i));
+                                phi_341_ = select(_e196, 31i, (_e196 > 31i));
                             }
-                            let _e205 = phi_341_;
-                            let _e210 = (_e205 & 31i);
-                            let _e220 = (bitcast<i32>(_e183) >> bitcast<u32>(31i));
-                            let _e228 = bitcast<u32>(select(_e154.member.y, _e135.member.y, (_e135.member.y < _e154.member.y)));
-                            let _e231 = ((_e228 >> bitcast<u32>(23i)) & 255u);
-                            let _e233 = select(0u, 1u, (_e231 != 0u));
-                            let _e237 = ((_e228 & 8388607u) | (_e233 << bitcast<u32>(23i)));
-                            let _e242 = (_e99 - ((bitcast<i32>(_e231) - bitcast<i32>(_e233)) + -149i));
-                            let _e243 = (_e242 < 0i);
-                            if _e243 {
-                                phi_388_ = -(_e242);
+                            let _e204 = phi_341_;
+                            let _e209 = (_e204 & 31i);
+                            let _e219 = (bitcast<i32>(_e182) >> bitcast<u32>(31i));
+                            let _e227 = bitcast<u32>(select(_e153.member.y, _e134.member.y, (_e134.member.y < _e153.member.y)));
+                            let _e230 = ((_e227 >> bitcast<u32>(23i)) & 255u);
+                            let _e232 = select(0u, 1u, (_e230 != 0u));
+                            let _e236 = ((_e227 & 8388607u) | (_e232 << bitcast<u32>(23i)));
+                            let _e241 = (_e98 - ((bitcast<i32>(_e230) - bitcast<i32>(_e232)) + -149i));
+                            let _e242 = (_e241 < 0i);
+                            if _e242 {
+                                phi_388_ = -(_e241);
                             } else {
                                 phi_388_ = 0i;
                             }
-                            let _e246 = phi_388_;
-                            if _e243 {
+                            let _e245 = phi_388_;
+                            if _e242 {
                                 phi_398_ = 0i;
                             } else {
-                                phi_398_ = select(_e242, 31i, (_e242 > 31i));
+                                phi_398_ = select(_e241, 31i, (_e241 > 31i));
                             }
-                            let _e250 = phi_398_;
-                            let _e255 = (_e250 & 31i);
-                            let _e265 = (bitcast<i32>(_e228) >> bitcast<u32>(31i));
-                            let _e273 = bitcast<u32>(select(_e154.member.z, _e135.member.z, (_e135.member.z < _e154.member.z)));
-                            let _e276 = ((_e273 >> bitcast<u32>(23i)) & 255u);
-                            let _e278 = select(0u, 1u, (_e276 != 0u));
-                            let _e282 = ((_e273 & 8388607u) | (_e278 << bitcast<u32>(23i)));
-                            let _e287 = (_e99 - ((bitcast<i32>(_e276) - bitcast<i32>(_e278)) + -149i));
-                            let _e288 = (_e287 < 0i);
-                            if _e288 {
-                                phi_445_ = -(_e287);
+                            let _e249 = phi_398_;
+                            let _e254 = (_e249 & 31i);
+                            let _e264 = (bitcast<i32>(_e227) >> bitcast<u32>(31i));
+                            let _e272 = bitcast<u32>(select(_e153.member.z, _e134.member.z, (_e134.member.z < _e153.member.z)));
+                            let _e275 = ((_e272 >> bitcast<u32>(23i)) & 255u);
+                            let _e277 = select(0u, 1u, (_e275 != 0u));
+                            let _e281 = ((_e272 & 8388607u) | (_e277 << bitcast<u32>(23i)));
+                            let _e286 = (_e98 - ((bitcast<i32>(_e275) - bitcast<i32>(_e277)) + -149i));
+                            let _e287 = (_e286 < 0i);
+                            if _e287 {
+                                phi_445_ = -(_e286);
                             } else {
                                 phi_445_ = 0i;
                             }
-                            let _e291 = phi_445_;
-                            if _e288 {
+                            let _e290 = phi_445_;
+                            if _e287 {
                                 phi_455_ = 0i;
                             } else {
-                                phi_455_ = select(_e287, 31i, (_e287 > 31i));
+                                phi_455_ = select(_e286, 31i, (_e286 > 31i));
                             }
-                            let _e295 = phi_455_;
-                            let _e300 = (_e295 & 31i);
-                            let _e310 = (bitcast<i32>(_e273) >> bitcast<u32>(31i));
-                            let _e319 = bitcast<u32>(-(select(_e154.member_1.x, _e135.member_1.x, (_e135.member_1.x > _e154.member_1.x))));
-                            let _e322 = ((_e319 >> bitcast<u32>(23i)) & 255u);
-                            let _e324 = select(0u, 1u, (_e322 != 0u));
-                            let _e328 = ((_e319 & 8388607u) | (_e324 << bitcast<u32>(23i)));
-                            let _e333 = (_e99 - ((bitcast<i32>(_e322) - bitcast<i32>(_e324)) + -149i));
-                            let _e334 = (_e333 < 0i);
-                            if _e334 {
-                                phi_504_ = -(_e333);
+                            let _e294 = phi_455_;
+                            let _e299 = (_e294 & 31i);
+                            let _e309 = (bitcast<i32>(_e272) >> bitcast<u32>(31i));
+                            let _e318 = bitcast<u32>(-(select(_e153.member_1.x, _e134.member_1.x, (_e134.member_1.x > _e153.member_1.x))));
+                            let _e321 = ((_e318 >> bitcast<u32>(23i)) & 255u);
+                            let _e323 = select(0u, 1u, (_e321 != 0u));
+                            let _e327 = ((_e318 & 8388607u) | (_e323 << bitcast<u32>(23i)));
+                            let _e332 = (_e98 - ((bitcast<i32>(_e321) - bitcast<i32>(_e323)) + -149i));
+                            let _e333 = (_e332 < 0i);
+                            if _e333 {
+                                phi_504_ = -(_e332);
                             } else {
                                 phi_504_ = 0i;
                             }
-                            let _e337 = phi_504_;
-                            if _e334 {
+                            let _e336 = phi_504_;
+                            if _e333 {
                                 phi_514_ = 0i;
                             } else {
-                                phi_514_ = select(_e333, 31i, (_e333 > 31i));
+                                phi_514_ = select(_e332, 31i, (_e332 > 31i));
                             }
-                            let _e341 = phi_514_;
-                            let _e346 = (_e341 & 31i);
-                            let _e356 = (bitcast<i32>(_e319) >> bitcast<u32>(31i));
-                            let _e366 = bitcast<u32>(-(select(_e154.member_1.y, _e135.member_1.y, (_e135.member_1.y > _e154.member_1.y))));
-                            let _e369 = ((_e366 >> bitcast<u32>(23i)) & 255u);
-                            let _e371 = select(0u, 1u, (_e369 != 0u));
-                            let _e375 = ((_e366 & 8388607u) | (_e371 << bitcast<u32>(23i)));
-                            let _e380 = (_e99 - ((bitcast<i32>(_e369) - bitcast<i32>(_e371)) + -149i));
-                            let _e381 = (_e380 < 0i);
-                            if _e381 {
-                                phi_563_ = -(_e380);
+                            let _e340 = phi_514_;
+                            let _e345 = (_e340 & 31i);
+                            let _e355 = (bitcast<i32>(_e318) >> bitcast<u32>(31i));
+                            let _e365 = bitcast<u32>(-(select(_e153.member_1.y, _e134.member_1.y, (_e134.member_1.y > _e153.member_1.y))));
+                            let _e368 = ((_e365 >> bitcast<u32>(23i)) & 255u);
+                            let _e370 = select(0u, 1u, (_e368 != 0u));
+                            let _e374 = ((_e365 & 8388607u) | (_e370 << bitcast<u32>(23i)));
+                            let _e379 = (_e98 - ((bitcast<i32>(_e368) - bitcast<i32>(_e370)) + -149i));
+                            let _e380 = (_e379 < 0i);
+                            if _e380 {
+                                phi_563_ = -(_e379);
                             } else {
                                 phi_563_ = 0i;
                             }
-                            let _e384 = phi_563_;
-                            if _e381 {
+                            let _e383 = phi_563_;
+                            if _e380 {
                                 phi_573_ = 0i;
                             } else {
-                                phi_573_ = select(_e380, 31i, (_e380 > 31i));
+                                phi_573_ = select(_e379, 31i, (_e379 > 31i));
                             }
-                            let _e388 = phi_573_;
-                            let _e393 = (_e388 & 31i);
-                            let _e403 = (bitcast<i32>(_e366) >> bitcast<u32>(31i));
-                            let _e413 = bitcast<u32>(-(select(_e154.member_1.z, _e135.member_1.z, (_e135.member_1.z > _e154.member_1.z))));
-                            let _e416 = ((_e413 >> bitcast<u32>(23i)) & 255u);
-                            let _e418 = select(0u, 1u, (_e416 != 0u));
-                            let _e422 = ((_e413 & 8388607u) | (_e418 << bitcast<u32>(23i)));
-                            let _e427 = (_e99 - ((bitcast<i32>(_e416) - bitcast<i32>(_e418)) + -149i));
-                            let _e428 = (_e427 < 0i);
-                            if _e428 {
-                                phi_622_ = -(_e427);
+                            let _e387 = phi_573_;
+                            let _e392 = (_e387 & 31i);
+                            let _e402 = (bitcast<i32>(_e365) >> bitcast<u32>(31i));
+                            let _e412 = bitcast<u32>(-(select(_e153.member_1.z, _e134.member_1.z, (_e134.member_1.z > _e153.member_1.z))));
+                            let _e415 = ((_e412 >> bitcast<u32>(23i)) & 255u);
+                            let _e417 = select(0u, 1u, (_e415 != 0u));
+                            let _e421 = ((_e412 & 8388607u) | (_e417 << bitcast<u32>(23i)));
+                            let _e426 = (_e98 - ((bitcast<i32>(_e415) - bitcast<i32>(_e417)) + -149i));
+                            let _e427 = (_e426 < 0i);
+                            if _e427 {
+                                phi_622_ = -(_e426);
                             } else {
                                 phi_622_ = 0i;
                             }
-                            let _e431 = phi_622_;
-                            if _e428 {
+                            let _e430 = phi_622_;
+                            if _e427 {
                                 phi_632_ = 0i;
                             } else {
-                                phi_632_ = select(_e427, 31i, (_e427 > 31i));
+                                phi_632_ = select(_e426, 31i, (_e426 > 31i));
                             }
-                            let _e435 = phi_632_;
-                            let _e440 = (_e435 & 31i);
-                            let _e450 = (bitcast<i32>(_e413) >> bitcast<u32>(31i));
-                            local_11 = array<i32, 3>((((bitcast<i32>(((_e192 << bitcast<u32>((bitcast<u32>(_e201) & 31u))) >> bitcast<u32>(_e210))) + select(0i, 1i, (((_e192 & ((1u << bitcast<u32>(_e210)) - 1u)) != 0u) && (_e220 != 0i)))) ^ _e220) - _e220), (((bitcast<i32>(((_e237 << bitcast<u32>((bitcast<u32>(_e246) & 31u))) >> bitcast<u32>(_e255))) + select(0i, 1i, (((_e237 & ((1u << bitcast<u32>(_e255)) - 1u)) != 0u) && (_e265 != 0i)))) ^ _e265) - _e265), (((bitcast<i32>(((_e282 << bitcast<u32>((bitcast<u32>(_e291) & 31u))) >> bitcast<u32>(_e300))) + select(0i, 1i, (((_e282 & ((1u << bitcast<u32>(_e300)) - 1u)) != 0u) && (_e310 != 0i)))) ^ _e310) - _e310));
-                            local_10 = array<i32, 3>(-((((bitcast<i32>(((_e328 << bitcast<u32>((bitcast<u32>(_e337) & 31u))) >> bitcast<u32>(_e346))) + select(0i, 1i, (((_e328 & ((1u << bitcast<u32>(_e346)) - 1u)) != 0u) && (_e356 != 0i)))) ^ _e356) - _e356)), -((((bitcast<i32>(((_e375 << bitcast<u32>((bitcast<u32>(_e384) & 31u))) >> bitcast<u32>(_e393))) + select(0i, 1i, (((_e375 & ((1u << bitcast<u32>(_e393)) - 1u)) != 0u) && (_e403 != 0i)))) ^ _e403) - _e403)), -((((bitcast<i32>(((_e422 << bitcast<u32>((bitcast<u32>(_e431) & 31u))) >> bitcast<u32>(_e440))) + select(0i, 1i, (((_e422 & ((1u << bitcast<u32>(_e440)) - 1u)) != 0u) && (_e450 != 0i)))) ^ _e450) - _e450)));
+                            let _e434 = phi_632_;
+                            let _e439 = (_e434 & 31i);
+                            let _e449 = (bitcast<i32>(_e412) >> bitcast<u32>(31i));
+                            local_11 = array<i32, 3>((((bitcast<i32>(((_e191 << bitcast<u32>((bitcast<u32>(_e200) & 31u))) >> bitcast<u32>(_e209))) + select(0i, 1i, (((_e191 & ((1u << bitcast<u32>(_e209)) - 1u)) != 0u) && (_e219 != 0i)))) ^ _e219) - _e219), (((bitcast<i32>(((_e236 << bitcast<u32>((bitcast<u32>(_e245) & 31u))) >> bitcast<u32>(_e254))) + select(0i, 1i, (((_e236 & ((1u << bitcast<u32>(_e254)) - 1u)) != 0u) && (_e264 != 0i)))) ^ _e264) - _e264), (((bitcast<i32>(((_e281 << bitcast<u32>((bitcast<u32>(_e290) & 31u))) >> bitcast<u32>(_e299))) + select(0i, 1i, (((_e281 & ((1u << bitcast<u32>(_e299)) - 1u)) != 0u) && (_e309 != 0i)))) ^ _e309) - _e309));
+                            local_10 = array<i32, 3>(-((((bitcast<i32>(((_e327 << bitcast<u32>((bitcast<u32>(_e336) & 31u))) >> bitcast<u32>(_e345))) + select(0i, 1i, (((_e327 & ((1u << bitcast<u32>(_e345)) - 1u)) != 0u) && (_e355 != 0i)))) ^ _e355) - _e355)), -((((bitcast<i32>(((_e374 << bitcast<u32>((bitcast<u32>(_e383) & 31u))) >> bitcast<u32>(_e392))) + select(0i, 1i, (((_e374 & ((1u << bitcast<u32>(_e392)) - 1u)) != 0u) && (_e402 != 0i)))) ^ _e402) - _e402)), -((((bitcast<i32>(((_e421 << bitcast<u32>((bitcast<u32>(_e430) & 31u))) >> bitcast<u32>(_e439))) + select(0i, 1i, (((_e421 & ((1u << bitcast<u32>(_e439)) - 1u)) != 0u) && (_e449 != 0i)))) ^ _e449) - _e449)));
                             phi_3764_ = false;
                             phi_676_ = type_8(0u, 128u);
                             phi_679_ = 0u;
                             loop {
-                                let _e462 = phi_3764_;
-                                let _e464 = phi_676_;
-                                let _e466 = phi_679_;
-                                if (_e464.member < _e464.member_1) {
-                                    phi_677_ = type_8((_e464.member + 1u), _e464.member_1);
-                                    phi_702_ = type_8(1u, _e464.member);
+                                let _e461 = phi_3764_;
+                                let _e463 = phi_676_;
+                                let _e465 = phi_679_;
+                                if (_e463.member < _e463.member_1) {
+                                    phi_677_ = type_8((_e463.member + 1u), _e463.member_1);
+                                    phi_702_ = type_8(1u, _e463.member);
                                 } else {
-                                    phi_677_ = _e464;
+                                    phi_677_ = _e463;
                                     phi_702_ = type_8(0u, type_8().member_1);
                                 }
-                                let _e479 = phi_677_;
-                                let _e481 = phi_702_;
-                                if (bitcast<i32>(_e481.member) != 0i) {
-                                    let _e485 = (_e466 == _e103);
-                                    if _e485 {
-                                        phi_3823_ = _e462;
+                                let _e478 = phi_677_;
+                                let _e480 = phi_702_;
+                                if (bitcast<i32>(_e480.member) != 0i) {
+                                    let _e484 = (_e465 == _e102);
+                                    if _e484 {
+                                        phi_3823_ = _e461;
                                         phi_1953_ = u32();
                                     } else {
-                                        let _e486 = (_e466 < _e74);
-                                        if _e486 {
-                                            if _e486 {
+                                        let _e485 = (_e465 < _e73);
+                                        if _e485 {
+                                            if _e485 {
                                             } else {
                                                 phi_3821_ = true;
                                                 break;
                                             }
-                                            let _e489 = global_4.member[_e466];
-                                            phi_724_ = _e489;
+                                            let _e488 = global_4.member[_e465];
+                                            phi_724_ = _e488;
                                         } else {
                                             phi_724_ = type_22(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u, 0u, 0u);
                                         }
-                                        let _e491 = phi_724_;
-                                        if ((_e491.member_1 & 2147483648u) != 0u) {
+                                        let _e490 = phi_724_;
+                                        if ((_e490.member_1 & 2147483648u) != 0u) {
                                             phi_732_ = false;
                                         } else {
-                                            phi_732_ = (_e103 <= _e491.member_1);
+                                            phi_732_ = (_e102 <= _e490.member_1);
                                         }
-                                        let _e497 = phi_732_;
-                                        if (_e491.member_1 == 2147483648u) {
+                                        let _e496 = phi_732_;
+                                        if (_e490.member_1 == 2147483648u) {
                                             phi_750_ = type_27(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                                         } else {
-                                            phi_750_ = type_27(vec3<f32>(_e491.member[0][0], _e491.member[1][0], _e491.member[2][0]), vec3<f32>(_e491.member[0][2], _e491.member[1][2], _e491.member[2][2]));
+                                            phi_750_ = type_27(vec3<f32>(_e490.member[0][0], _e490.member[1][0], _e490.member[2][0]), vec3<f32>(_e490.member[0][2], _e490.member[1][2], _e490.member[2][2]));
                                         }
-                                        let _e515 = phi_750_;
-                                        if (_e491.member_2 == 2147483648u) {
-                                            phi_768_ = _e515;
+                                        let _e514 = phi_750_;
+                                        if (_e490.member_2 == 2147483648u) {
+                                            phi_768_ = _e514;
                                         } else {
-                                            phi_768_ = type_27(vec3<f32>(_e491.member[0][1], _e491.member[1][1], _e491.member[2][1]), vec3<f32>(_e491.member[0][3], _e491.member[1][3], _e491.member[2][3]));
+                                            phi_768_ = type_27(vec3<f32>(_e490.member[0][1], _e490.member[1][1], _e490.member[2][1]), vec3<f32>(_e490.member[0][3], _e490.member[1][3], _e490.member[2][3]));
                                         }
-                                        let _e534 = phi_768_;
-                                        let _e547 = bitcast<u32>(_e515.member.x);
-                                        let _e550 = ((_e547 >> bitcast<u32>(23i)) & 255u);
-                                        let _e552 = select(0u, 1u, (_e550 != 0u));
-                                        let _e556 = ((_e547 & 8388607u) | (_e552 << bitcast<u32>(23i)));
-                                        let _e561 = (_e99 - ((bitcast<i32>(_e550) - bitcast<i32>(_e552)) + -149i));
-                                        let _e562 = (_e561 < 0i);
-                                        if _e562 {
-                                            phi_795_ = -(_e561);
+                                        let _e533 = phi_768_;
+                                        let _e546 = bitcast<u32>(_e514.member.x);
+                                        let _e549 = ((_e546 >> bitcast<u32>(23i)) & 255u);
+                                        let _e551 = select(0u, 1u, (_e549 != 0u));
+                                        let _e555 = ((_e546 & 8388607u) | (_e551 << bitcast<u32>(23i)));
+                                        let _e560 = (_e98 - ((bitcast<i32>(_e549) - bitcast<i32>(_e551)) + -149i));
+                                        let _e561 = (_e560 < 0i);
+                                        if _e561 {
+                                            phi_795_ = -(_e560);
                                         } else {
                                             phi_795_ = 0i;
                                         }
-                                        let _e565 = phi_795_;
-                                        if _e562 {
+                                        let _e564 = phi_795_;
+                                        if _e561 {
                                             phi_805_ = 0i;
                                         } else {
-                                            phi_805_ = select(_e561, 31i, (_e561 > 31i));
+                                            phi_805_ = select(_e560, 31i, (_e560 > 31i));
                                         }
-                                        let _e569 = phi_805_;
-                                        let _e574 = (_e569 & 31i);
-                                        let _e584 = (bitcast<i32>(_e547) >> bitcast<u32>(31i));
-                                        let _e592 = bitcast<u32>(_e515.member.y);
-                                        let _e595 = ((_e592 >> bitcast<u32>(23i)) & 255u);
-                                        let _e597 = select(0u, 1u, (_e595 != 0u));
-                                        let _e601 = ((_e592 & 8388607u) | (_e597 << bitcast<u32>(23i)));
-                                        let _e606 = (_e99 - ((bitcast<i32>(_e595) - bitcast<i32>(_e597)) + -149i));
-                                        let _e607 = (_e606 < 0i);
-                                        if _e607 {
-                                            phi_852_ = -(_e606);
+                                        let _e568 = phi_805_;
+                                        let _e573 = (_e568 & 31i);
+                                        let _e583 = (bitcast<i32>(_e546) >> bitcast<u32>(31i));
+                                        let _e591 = bitcast<u32>(_e514.member.y);
+                                        let _e594 = ((_e591 >> bitcast<u32>(23i)) & 255u);
+                                        let _e596 = select(0u, 1u, (_e594 != 0u));
+                                        let _e600 = ((_e591 & 8388607u) | (_e596 << bitcast<u32>(23i)));
+                                        let _e605 = (_e98 - ((bitcast<i32>(_e594) - bitcast<i32>(_e596)) + -149i));
+                                        let _e606 = (_e605 < 0i);
+                                        if _e606 {
+                                            phi_852_ = -(_e605);
                                         } else {
                                             phi_852_ = 0i;
                                         }
-                                        let _e610 = phi_852_;
-                                        if _e607 {
+                                        let _e609 = phi_852_;
+                                        if _e606 {
                                             phi_862_ = 0i;
                                         } else {
-                                            phi_862_ = select(_e606, 31i, (_e606 > 31i));
+                                            phi_862_ = select(_e605, 31i, (_e605 > 31i));
                                         }
-                                        let _e614 = phi_862_;
-                                        let _e619 = (_e614 & 31i);
-                                        let _e629 = (bitcast<i32>(_e592) >> bitcast<u32>(31i));
-                                        let _e637 = bitcast<u32>(_e515.member.z);
-                                        let _e640 = ((_e637 >> bitcast<u32>(23i)) & 255u);
-                                        let _e642 = select(0u, 1u, (_e640 != 0u));
-                                        let _e646 = ((_e637 & 8388607u) | (_e642 << bitcast<u32>(23i)));
-                                        let _e651 = (_e99 - ((bitcast<i32>(_e640) - bitcast<i32>(_e642)) + -149i));
-                                        let _e652 = (_e651 < 0i);
-                                        if _e652 {
-                                            phi_909_ = -(_e651);
+                                        let _e613 = phi_862_;
+                                        let _e618 = (_e613 & 31i);
+                                        let _e628 = (bitcast<i32>(_e591) >> bitcast<u32>(31i));
+                                        let _e636 = bitcast<u32>(_e514.member.z);
+                                        let _e639 = ((_e636 >> bitcast<u32>(23i)) & 255u);
+                                        let _e641 = select(0u, 1u, (_e639 != 0u));
+                                        let _e645 = ((_e636 & 8388607u) | (_e641 << bitcast<u32>(23i)));
+                                        let _e650 = (_e98 - ((bitcast<i32>(_e639) - bitcast<i32>(_e641)) + -149i));
+                                        let _e651 = (_e650 < 0i);
+                                        if _e651 {
+                                            phi_909_ = -(_e650);
                                         } else {
                                             phi_909_ = 0i;
                                         }
-                                        let _e655 = phi_909_;
-                                        if _e652 {
+                                        let _e654 = phi_909_;
+                                        if _e651 {
                                             phi_919_ = 0i;
                                         } else {
-                                            phi_919_ = select(_e651, 31i, (_e651 > 31i));
+                                            phi_919_ = select(_e650, 31i, (_e650 > 31i));
                                         }
-                                        let _e659 = phi_919_;
-                                        let _e664 = (_e659 & 31i);
-                                        let _e674 = (bitcast<i32>(_e637) >> bitcast<u32>(31i));
-                                        let _e683 = bitcast<u32>(-(_e515.member_1.x));
-                                        let _e686 = ((_e683 >> bitcast<u32>(23i)) & 255u);
-                                        let _e688 = select(0u, 1u, (_e686 != 0u));
-                                        let _e692 = ((_e683 & 8388607u) | (_e688 << bitcast<u32>(23i)));
-                                        let _e697 = (_e99 - ((bitcast<i32>(_e686) - bitcast<i32>(_e688)) + -149i));
-                                        let _e698 = (_e697 < 0i);
-                                        if _e698 {
-                                            phi_968_ = -(_e697);
+                                        let _e658 = phi_919_;
+                                        let _e663 = (_e658 & 31i);
+                                        let _e673 = (bitcast<i32>(_e636) >> bitcast<u32>(31i));
+                                        let _e682 = bitcast<u32>(-(_e514.member_1.x));
+                                        let _e685 = ((_e682 >> bitcast<u32>(23i)) & 255u);
+                                        let _e687 = select(0u, 1u, (_e685 != 0u));
+                                        let _e691 = ((_e682 & 8388607u) | (_e687 << bitcast<u32>(23i)));
+                                        let _e696 = (_e98 - ((bitcast<i32>(_e685) - bitcast<i32>(_e687)) + -149i));
+                                        let _e697 = (_e696 < 0i);
+                                        if _e697 {
+                                            phi_968_ = -(_e696);
                                         } else {
                                             phi_968_ = 0i;
                                         }
-                                        let _e701 = phi_968_;
-                                        if _e698 {
+                                        let _e700 = phi_968_;
+                                        if _e697 {
                                             phi_978_ = 0i;
                                         } else {
-                                            phi_978_ = select(_e697, 31i, (_e697 > 31i));
+                                            phi_978_ = select(_e696, 31i, (_e696 > 31i));
                                         }
-                                        let _e705 = phi_978_;
-                                        let _e710 = (_e705 & 31i);
-                                        let _e720 = (bitcast<i32>(_e683) >> bitcast<u32>(31i));
-                                        let _e730 = bitcast<u32>(-(_e515.member_1.y));
-                                        let _e733 = ((_e730 >> bitcast<u32>(23i)) & 255u);
-                                        let _e735 = select(0u, 1u, (_e733 != 0u));
-                                        let _e739 = ((_e730 & 8388607u) | (_e735 << bitcast<u32>(23i)));
-                                        let _e744 = (_e99 - ((bitcast<i32>(_e733) - bitcast<i32>(_e735)) + -149i));
-                                        let _e745 = (_e744 < 0i);
-                                        if _e745 {
-                                            phi_1027_ = -(_e744);
+                                        let _e704 = phi_978_;
+                                        let _e709 = (_e704 & 31i);
+                                        let _e719 = (bitcast<i32>(_e682) >> bitcast<u32>(31i));
+                                        let _e729 = bitcast<u32>(-(_e514.member_1.y));
+                                        let _e732 = ((_e729 >> bitcast<u32>(23i)) & 255u);
+                                        let _e734 = select(0u, 1u, (_e732 != 0u));
+                                        let _e738 = ((_e729 & 8388607u) | (_e734 << bitcast<u32>(23i)));
+                                        let _e743 = (_e98 - ((bitcast<i32>(_e732) - bitcast<i32>(_e734)) + -149i));
+                                        let _e744 = (_e743 < 0i);
+                                        if _e744 {
+                                            phi_1027_ = -(_e743);
                                         } else {
                                             phi_1027_ = 0i;
                                         }
-                                        let _e748 = phi_1027_;
-                                        if _e745 {
+                                        let _e747 = phi_1027_;
+                                        if _e744 {
                                             phi_1037_ = 0i;
                                         } else {
-                                            phi_1037_ = select(_e744, 31i, (_e744 > 31i));
+                                            phi_1037_ = select(_e743, 31i, (_e743 > 31i));
                                         }
-                                        let _e752 = phi_1037_;
-                                        let _e757 = (_e752 & 31i);
-                                        let _e767 = (bitcast<i32>(_e730) >> bitcast<u32>(31i));
-                                        let _e777 = bitcast<u32>(-(_e515.member_1.z));
-                                        let _e780 = ((_e777 >> bitcast<u32>(23i)) & 255u);
-                                        let _e782 = select(0u, 1u, (_e780 != 0u));
-                                        let _e786 = ((_e777 & 8388607u) | (_e782 << bitcast<u32>(23i)));
-                                        let _e791 = (_e99 - ((bitcast<i32>(_e780) - bitcast<i32>(_e782)) + -149i));
-                                        let _e792 = (_e791 < 0i);
-                                        if _e792 {
-                                            phi_1086_ = -(_e791);
+                                        let _e751 = phi_1037_;
+                                        let _e756 = (_e751 & 31i);
+                                        let _e766 = (bitcast<i32>(_e729) >> bitcast<u32>(31i));
+                                        let _e776 = bitcast<u32>(-(_e514.member_1.z));
+                                        let _e779 = ((_e776 >> bitcast<u32>(23i)) & 255u);
+                                        let _e781 = select(0u, 1u, (_e779 != 0u));
+                                        let _e785 = ((_e776 & 8388607u) | (_e781 << bitcast<u32>(23i)));
+                                        let _e790 = (_e98 - ((bitcast<i32>(_e779) - bitcast<i32>(_e781)) + -149i));
+                                        let _e791 = (_e790 < 0i);
+                                        if _e791 {
+                                            phi_1086_ = -(_e790);
                                         } else {
                                             phi_1086_ = 0i;
                                         }
-                                        let _e795 = phi_1086_;
-                                        if _e792 {
+                                        let _e794 = phi_1086_;
+                                        if _e791 {
                                             phi_1096_ = 0i;
                                         } else {
-                                            phi_1096_ = select(_e791, 31i, (_e791 > 31i));
+                                            phi_1096_ = select(_e790, 31i, (_e790 > 31i));
                                         }
-                                        let _e799 = phi_1096_;
-                                        let _e804 = (_e799 & 31i);
-                                        let _e814 = (bitcast<i32>(_e777) >> bitcast<u32>(31i));
-                                        local_15 = array<i32, 3>((((bitcast<i32>(((_e556 << bitcast<u32>((bitcast<u32>(_e565) & 31u))) >> bitcast<u32>(_e574))) + select(0i, 1i, (((_e556 & ((1u << bitcast<u32>(_e574)) - 1u)) != 0u) && (_e584 != 0i)))) ^ _e584) - _e584), (((bitcast<i32>(((_e601 << bitcast<u32>((bitcast<u32>(_e610) & 31u))) >> bitcast<u32>(_e619))) + select(0i, 1i, (((_e601 & ((1u << bitcast<u32>(_e619)) - 1u)) != 0u) && (_e629 != 0i)))) ^ _e629) - _e629), (((bitcast<i32>(((_e646 << bitcast<u32>((bitcast<u32>(_e655) & 31u))) >> bitcast<u32>(_e664))) + select(0i, 1i, (((_e646 & ((1u << bitcast<u32>(_e664)) - 1u)) != 0u) && (_e674 != 0i)))) ^ _e674) - _e674));
-                                        local_14 = array<i32, 3>(-((((bitcast<i32>(((_e692 << bitcast<u32>((bitcast<u32>(_e701) & 31u))) >> bitcast<u32>(_e710))) + select(0i, 1i, (((_e692 & ((1u << bitcast<u32>(_e710)) - 1u)) != 0u) && (_e720 != 0i)))) ^ _e720) - _e720)), -((((bitcast<i32>(((_e739 << bitcast<u32>((bitcast<u32>(_e748) & 31u))) >> bitcast<u32>(_e757))) + select(0i, 1i, (((_e739 & ((1u << bitcast<u32>(_e757)) - 1u)) != 0u) && (_e767 != 0i)))) ^ _e767) - _e767)), -((((bitcast<i32>(((_e786 << bitcast<u32>((bitcast<u32>(_e795) & 31u))) >> bitcast<u32>(_e804))) + select(0i, 1i, (((_e786 & ((1u << bitcast<u32>(_e804)) - 1u)) != 0u) && (_e814 != 0i)))) ^ _e814) - _e814)));
-                                        let _e837 = bitcast<u32>(_e534.member.x);
-                                        let _e840 = ((_e837 >> bitcast<u32>(23i)) & 255u);
-                                        let _e842 = select(0u, 1u, (_e840 != 0u));
-                                        let _e846 = ((_e837 & 8388607u) | (_e842 << bitcast<u32>(23i)));
-                                        let _e851 = (_e99 - ((bitcast<i32>(_e840) - bitcast<i32>(_e842)) + -149i));
-                                        let _e852 = (_e851 < 0i);
-                                        if _e852 {
-                                            phi_1163_ = -(_e851);
+                                        let _e798 = phi_1096_;
+                                        let _e803 = (_e798 & 31i);
+                                        let _e813 = (bitcast<i32>(_e776) >> bitcast<u32>(31i));
+                                        local_15 = array<i32, 3>((((bitcast<i32>(((_e555 << bitcast<u32>((bitcast<u32>(_e564) & 31u))) >> bitcast<u32>(_e573))) + select(0i, 1i, (((_e555 & ((1u << bitcast<u32>(_e573)) - 1u)) != 0u) && (_e583 != 0i)))) ^ _e583) - _e583), (((bitcast<i32>(((_e600 << bitcast<u32>((bitcast<u32>(_e609) & 31u))) >> bitcast<u32>(_e618))) + select(0i, 1i, (((_e600 & ((1u << bitcast<u32>(_e618)) - 1u)) != 0u) && (_e628 != 0i)))) ^ _e628) - _e628), (((bitcast<i32>(((_e645 << bitcast<u32>((bitcast<u32>(_e654) & 31u))) >> bitcast<u32>(_e663))) + select(0i, 1i, (((_e645 & ((1u << bitcast<u32>(_e663)) - 1u)) != 0u) && (_e673 != 0i)))) ^ _e673) - _e673));
+                                        local_14 = array<i32, 3>(-((((bitcast<i32>(((_e691 << bitcast<u32>((bitcast<u32>(_e700) & 31u))) >> bitcast<u32>(_e709))) + select(0i, 1i, (((_e691 & ((1u << bitcast<u32>(_e709)) - 1u)) != 0u) && (_e719 != 0i)))) ^ _e719) - _e719)), -((((bitcast<i32>(((_e738 << bitcast<u32>((bitcast<u32>(_e747) & 31u))) >> bitcast<u32>(_e756))) + select(0i, 1i, (((_e738 & ((1u << bitcast<u32>(_e756)) - 1u)) != 0u) && (_e766 != 0i)))) ^ _e766) - _e766)), -((((bitcast<i32>(((_e785 << bitcast<u32>((bitcast<u32>(_e794) & 31u))) >> bitcast<u32>(_e803))) + select(0i, 1i, (((_e785 & ((1u << bitcast<u32>(_e803)) - 1u)) != 0u) && (_e813 != 0i)))) ^ _e813) - _e813)));
+                                        let _e836 = bitcast<u32>(_e533.member.x);
+                                        let _e839 = ((_e836 >> bitcast<u32>(23i)) & 255u);
+                                        let _e841 = select(0u, 1u, (_e839 != 0u));
+                                        let _e845 = ((_e836 & 8388607u) | (_e841 << bitcast<u32>(23i)));
+                                        let _e850 = (_e98 - ((bitcast<i32>(_e839) - bitcast<i32>(_e841)) + -149i));
+                                        let _e851 = (_e850 < 0i);
+                                        if _e851 {
+                                            phi_1163_ = -(_e850);
                                         } else {
                                             phi_1163_ = 0i;
                                         }
-                                        let _e855 = phi_1163_;
-                                        if _e852 {
+                                        let _e854 = phi_1163_;
+                                        if _e851 {
                                             phi_1173_ = 0i;
                                         } else {
-                                            phi_1173_ = select(_e851, 31i, (_e851 > 31i));
+                                            phi_1173_ = select(_e850, 31i, (_e850 > 31i));
                                         }
-                                        let _e859 = phi_1173_;
-                                        let _e864 = (_e859 & 31i);
-                                        let _e874 = (bitcast<i32>(_e837) >> bitcast<u32>(31i));
-                                        let _e882 = bitcast<u32>(_e534.member.y);
-                                        let _e885 = ((_e882 >> bitcast<u32>(23i)) & 255u);
-                                        let _e887 = select(0u, 1u, (_e885 != 0u));
-                                        let _e891 = ((_e882 & 8388607u) | (_e887 << bitcast<u32>(23i)));
-                                        let _e896 = (_e99 - ((bitcast<i32>(_e885) - bitcast<i32>(_e887)) + -149i));
-                                        let _e897 = (_e896 < 0i);
-                                        if _e897 {
-                                            phi_1220_ = -(_e896);
+                                        let _e858 = phi_1173_;
+                                        let _e863 = (_e858 & 31i);
+                                        let _e873 = (bitcast<i32>(_e836) >> bitcast<u32>(31i));
+                                        let _e881 = bitcast<u32>(_e533.member.y);
+                                        let _e884 = ((_e881 >> bitcast<u32>(23i)) & 255u);
+                                        let _e886 = select(0u, 1u, (_e884 != 0u));
+                                        let _e890 = ((_e881 & 8388607u) | (_e886 << bitcast<u32>(23i)));
+                                        let _e895 = (_e98 - ((bitcast<i32>(_e884) - bitcast<i32>(_e886)) + -149i));
+                                        let _e896 = (_e895 < 0i);
+                                        if _e896 {
+                                            phi_1220_ = -(_e895);
                                         } else {
                                             phi_1220_ = 0i;
                                         }
-                                        let _e900 = phi_1220_;
-                                        if _e897 {
+                                        let _e899 = phi_1220_;
+                                        if _e896 {
                                             phi_1230_ = 0i;
                                         } else {
-                                            phi_1230_ = select(_e896, 31i, (_e896 > 31i));
+                                            phi_1230_ = select(_e895, 31i, (_e895 > 31i));
                                         }
-                                        let _e904 = phi_1230_;
-                                        let _e909 = (_e904 & 31i);
-                                        let _e919 = (bitcast<i32>(_e882) >> bitcast<u32>(31i));
-                                        let _e927 = bitcast<u32>(_e534.member.z);
-                                        let _e930 = ((_e927 >> bitcast<u32>(23i)) & 255u);
-                                        let _e932 = select(0u, 1u, (_e930 != 0u));
-                                        let _e936 = ((_e927 & 8388607u) | (_e932 << bitcast<u32>(23i)));
-                                        let _e941 = (_e99 - ((bitcast<i32>(_e930) - bitcast<i32>(_e932)) + -149i));
-                                        let _e942 = (_e941 < 0i);
-                                        if _e942 {
-                                            phi_1277_ = -(_e941);
+                                        let _e903 = phi_1230_;
+                                        let _e908 = (_e903 & 31i);
+                                        let _e918 = (bitcast<i32>(_e881) >> bitcast<u32>(31i));
+                                        let _e926 = bitcast<u32>(_e533.member.z);
+                                        let _e929 = ((_e926 >> bitcast<u32>(23i)) & 255u);
+                                        let _e931 = select(0u, 1u, (_e929 != 0u));
+                                        let _e935 = ((_e926 & 8388607u) | (_e931 << bitcast<u32>(23i)));
+                                        let _e940 = (_e98 - ((bitcast<i32>(_e929) - bitcast<i32>(_e931)) + -149i));
+                                        let _e941 = (_e940 < 0i);
+                                        if _e941 {
+                                            phi_1277_ = -(_e940);
                                         } else {
                                             phi_1277_ = 0i;
                                         }
-                                        let _e945 = phi_1277_;
-                                        if _e942 {
+                                        let _e944 = phi_1277_;
+                                        if _e941 {
                                             phi_1287_ = 0i;
                                         } else {
-                                            phi_1287_ = select(_e941, 31i, (_e941 > 31i));
+                                            phi_1287_ = select(_e940, 31i, (_e940 > 31i));
                                         }
-                                        let _e949 = phi_1287_;
-                                        let _e954 = (_e949 & 31i);
-                                        let _e964 = (bitcast<i32>(_e927) >> bitcast<u32>(31i));
-                                        let _e973 = bitcast<u32>(-(_e534.member_1.x));
-                                        let _e976 = ((_e973 >> bitcast<u32>(23i)) & 255u);
-                                        let _e978 = select(0u, 1u, (_e976 != 0u));
-                                        let _e982 = ((_e973 & 8388607u) | (_e978 << bitcast<u32>(23i)));
-                                        let _e987 = (_e99 - ((bitcast<i32>(_e976) - bitcast<i32>(_e978)) + -149i));
-                                        let _e988 = (_e987 < 0i);
-                                        if _e988 {
-                                            phi_1336_ = -(_e987);
+                                        let _e948 = phi_1287_;
+                                        let _e953 = (_e948 & 31i);
+                                        let _e963 = (bitcast<i32>(_e926) >> bitcast<u32>(31i));
+                                        let _e972 = bitcast<u32>(-(_e533.member_1.x));
+                                        let _e975 = ((_e972 >> bitcast<u32>(23i)) & 255u);
+                                        let _e977 = select(0u, 1u, (_e975 != 0u));
+                                        let _e981 = ((_e972 & 8388607u) | (_e977 << bitcast<u32>(23i)));
+                                        let _e986 = (_e98 - ((bitcast<i32>(_e975) - bitcast<i32>(_e977)) + -149i));
+                                        let _e987 = (_e986 < 0i);
+                                        if _e987 {
+                                            phi_1336_ = -(_e986);
                                         } else {
                                             phi_1336_ = 0i;
                                         }
-                                        let _e991 = phi_1336_;
-                                        if _e988 {
+                                        let _e990 = phi_1336_;
+                                        if _e987 {
                                             phi_1346_ = 0i;
                                         } else {
-                                            phi_1346_ = select(_e987, 31i, (_e987 > 31i));
+                                            phi_1346_ = select(_e986, 31i, (_e986 > 31i));
                                         }
-                                        let _e995 = phi_1346_;
-                                        let _e1000 = (_e995 & 31i);
-                                        let _e1010 = (bitcast<i32>(_e973) >> bitcast<u32>(31i));
-                                        let _e1020 = bitcast<u32>(-(_e534.member_1.y));
-                                        let _e1023 = ((_e1020 >> bitcast<u32>(23i)) & 255u);
-                                        let _e1025 = select(0u, 1u, (_e1023 != 0u));
-                                        let _e1029 = ((_e1020 & 8388607u) | (_e1025 << bitcast<u32>(23i)));
-                                        let _e1034 = (_e99 - ((bitcast<i32>(_e1023) - bitcast<i32>(_e1025)) + -149i));
-                                        let _e1035 = (_e1034 < 0i);
-                                        if _e1035 {
-                                            phi_1395_ = -(_e1034);
+                                        let _e994 = phi_1346_;
+                                        let _e999 = (_e994 & 31i);
+                                        let _e1009 = (bitcast<i32>(_e972) >> bitcast<u32>(31i));
+                                        let _e1019 = bitcast<u32>(-(_e533.member_1.y));
+                                        let _e1022 = ((_e1019 >> bitcast<u32>(23i)) & 255u);
+                                        let _e1024 = select(0u, 1u, (_e1022 != 0u));
+                                        let _e1028 = ((_e1019 & 8388607u) | (_e1024 << bitcast<u32>(23i)));
+                                        let _e1033 = (_e98 - ((bitcast<i32>(_e1022) - bitcast<i32>(_e1024)) + -149i));
+                                        let _e1034 = (_e1033 < 0i);
+                                        if _e1034 {
+                                            phi_1395_ = -(_e1033);
                                         } else {
                                             phi_1395_ = 0i;
                                         }
-                                        let _e1038 = phi_1395_;
-                                        if _e1035 {
+                                        let _e1037 = phi_1395_;
+                                        if _e1034 {
                                             phi_1405_ = 0i;
                                         } else {
-                                            phi_1405_ = select(_e1034, 31i, (_e1034 > 31i));
+                                            phi_1405_ = select(_e1033, 31i, (_e1033 > 31i));
                                         }
-                                        let _e1042 = phi_1405_;
-                                        let _e1047 = (_e1042 & 31i);
-                                        let _e1057 = (bitcast<i32>(_e1020) >> bitcast<u32>(31i));
-                                        let _e1067 = bitcast<u32>(-(_e534.member_1.z));
-                                        let _e1070 = ((_e1067 >> bitcast<u32>(23i)) & 255u);
-                                        let _e1072 = select(0u, 1u, (_e1070 != 0u));
-                                        let _e1076 = ((_e1067 & 8388607u) | (_e1072 << bitcast<u32>(23i)));
-                                        let _e1081 = (_e99 - ((bitcast<i32>(_e1070) - bitcast<i32>(_e1072)) + -149i));
-                                        let _e1082 = (_e1081 < 0i);
-                                        if _e1082 {
-                                            phi_1454_ = -(_e1081);
+                                        let _e1041 = phi_1405_;
+                                        let _e1046 = (_e1041 & 31i);
+                                        let _e1056 = (bitcast<i32>(_e1019) >> bitcast<u32>(31i));
+                                        let _e1066 = bitcast<u32>(-(_e533.member_1.z));
+                                        let _e1069 = ((_e1066 >> bitcast<u32>(23i)) & 255u);
+                                        let _e1071 = select(0u, 1u, (_e1069 != 0u));
+                                        let _e1075 = ((_e1066 & 8388607u) | (_e1071 << bitcast<u32>(23i)));
+                                        let _e1080 = (_e98 - ((bitcast<i32>(_e1069) - bitcast<i32>(_e1071)) + -149i));
+                                        let _e1081 = (_e1080 < 0i);
+                                        if _e1081 {
+                                            phi_1454_ = -(_e1080);
                                         } else {
                                             phi_1454_ = 0i;
                                         }
-                                        let _e1085 = phi_1454_;
-                                        if _e1082 {
+                                        let _e1084 = phi_1454_;
+                                        if _e1081 {
                                             phi_1464_ = 0i;
                                         } else {
-                                            phi_1464_ = select(_e1081, 31i, (_e1081 > 31i));
+                                            phi_1464_ = select(_e1080, 31i, (_e1080 > 31i));
                                         }
-                                        let _e1089 = phi_1464_;
-                                        let _e1094 = (_e1089 & 31i);
-                                        let _e1104 = (bitcast<i32>(_e1067) >> bitcast<u32>(31i));
-                                        local_13 = array<i32, 3>((((bitcast<i32>(((_e846 << bitcast<u32>((bitcast<u32>(_e855) & 31u))) >> bitcast<u32>(_e864))) + select(0i, 1i, (((_e846 & ((1u << bitcast<u32>(_e864)) - 1u)) != 0u) && (_e874 != 0i)))) ^ _e874) - _e874), (((bitcast<i32>(((_e891 << bitcast<u32>((bitcast<u32>(_e900) & 31u))) >> bitcast<u32>(_e909))) + select(0i, 1i, (((_e891 & ((1u << bitcast<u32>(_e909)) - 1u)) != 0u) && (_e919 != 0i)))) ^ _e919) - _e919), (((bitcast<i32>(((_e936 << bitcast<u32>((bitcast<u32>(_e945) & 31u))) >> bitcast<u32>(_e954))) + select(0i, 1i, (((_e936 & ((1u << bitcast<u32>(_e954)) - 1u)) != 0u) && (_e964 != 0i)))) ^ _e964) - _e964));
-                                        local_12 = array<i32, 3>(-((((bitcast<i32>(((_e982 << bitcast<u32>((bitcast<u32>(_e991) & 31u))) >> bitcast<u32>(_e1000))) + select(0i, 1i, (((_e982 & ((1u << bitcast<u32>(_e1000)) - 1u)) != 0u) && (_e1010 != 0i)))) ^ _e1010) - _e1010)), -((((bitcast<i32>(((_e1029 << bitcast<u32>((bitcast<u32>(_e1038) & 31u))) >> bitcast<u32>(_e1047))) + select(0i, 1i, (((_e1029 & ((1u << bitcast<u32>(_e1047)) - 1u)) != 0u) && (_e1057 != 0i)))) ^ _e1057) - _e1057)), -((((bitcast<i32>(((_e1076 << bitcast<u32>((bitcast<u32>(_e1085) & 31u))) >> bitcast<u32>(_e1094))) + select(0i, 1i, (((_e1076 & ((1u << bitcast<u32>(_e1094)) - 1u)) != 0u) && (_e1104 != 0i)))) ^ _e1104) - _e1104)));
+                                        let _e1088 = phi_1464_;
+                                        let _e1093 = (_e1088 & 31i);
+                                        let _e1103 = (bitcast<i32>(_e1066) >> bitcast<u32>(31i));
+                                        local_13 = array<i32, 3>((((bitcast<i32>(((_e845 << bitcast<u32>((bitcast<u32>(_e854) & 31u))) >> bitcast<u32>(_e863))) + select(0i, 1i, (((_e845 & ((1u << bitcast<u32>(_e863)) - 1u)) != 0u) && (_e873 != 0i)))) ^ _e873) - _e873), (((bitcast<i32>(((_e890 << bitcast<u32>((bitcast<u32>(_e899) & 31u))) >> bitcast<u32>(_e908))) + select(0i, 1i, (((_e890 & ((1u << bitcast<u32>(_e908)) - 1u)) != 0u) && (_e918 != 0i)))) ^ _e918) - _e918), (((bitcast<i32>(((_e935 << bitcast<u32>((bitcast<u32>(_e944) & 31u))) >> bitcast<u32>(_e953))) + select(0i, 1i, (((_e935 & ((1u << bitcast<u32>(_e953)) - 1u)) != 0u) && (_e963 != 0i)))) ^ _e963) - _e963));
+                                        local_12 = array<i32, 3>(-((((bitcast<i32>(((_e981 << bitcast<u32>((bitcast<u32>(_e990) & 31u))) >> bitcast<u32>(_e999))) + select(0i, 1i, (((_e981 & ((1u << bitcast<u32>(_e999)) - 1u)) != 0u) && (_e1009 != 0i)))) ^ _e1009) - _e1009)), -((((bitcast<i32>(((_e1028 << bitcast<u32>((bitcast<u32>(_e1037) & 31u))) >> bitcast<u32>(_e1046))) + select(0i, 1i, (((_e1028 & ((1u << bitcast<u32>(_e1046)) - 1u)) != 0u) && (_e1056 != 0i)))) ^ _e1056) - _e1056)), -((((bitcast<i32>(((_e1075 << bitcast<u32>((bitcast<u32>(_e1084) & 31u))) >> bitcast<u32>(_e1093))) + select(0i, 1i, (((_e1075 & ((1u << bitcast<u32>(_e1093)) - 1u)) != 0u) && (_e1103 != 0i)))) ^ _e1103) - _e1103)));
                                         local_21 = array<u32, 7>(0u, 0u, 0u, 0u, 0u, 0u, 0u);
                                         phi_1508_ = type_8(0u, 3u);
                                         loop {
-                                            let _e1116 = phi_1508_;
-                                            if (_e1116.member < _e1116.member_1) {
-                                                phi_1509_ = type_8((_e1116.member + 1u), _e1116.member_1);
-                                                phi_1532_ = type_8(1u, _e1116.member);
+                                            let _e1115 = phi_1508_;
+                                            if (_e1115.member < _e1115.member_1) {
+                                                phi_1509_ = type_8((_e1115.member + 1u), _e1115.member_1);
+                                                phi_1532_ = type_8(1u, _e1115.member);
                                             } else {
-                                                phi_1509_ = _e1116;
+                                                phi_1509_ = _e1115;
                                                 phi_1532_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1129 = phi_1509_;
-                                            let _e1131 = phi_1532_;
-                                            let _e1135 = (bitcast<i32>(_e1131.member) != 0i);
-                                            if _e1135 {
-                                                let _e1136 = (_e1131.member_1 < 3u);
-                                                if _e1136 {
+                                            let _e1128 = phi_1509_;
+                                            let _e1130 = phi_1532_;
+                                            let _e1134 = (bitcast<i32>(_e1130.member) != 0i);
+                                            if _e1134 {
+                                                let _e1135 = (_e1130.member_1 < 3u);
+                                                if _e1135 {
                                                 } else {
                                                     phi_3719_ = true;
                                                     break;
                                                 }
-                                                let _e1138 = local_11[_e1131.member_1];
-                                                if _e1136 {
+                                                let _e1137 = local_11[_e1130.member_1];
+                                                if _e1135 {
                                                 } else {
                                                     phi_3719_ = true;
                                                     break;
                                                 }
-                                                let _e1140 = local_10[_e1131.member_1];
-                                                let _e1142 = bitcast<u32>((_e1140 - _e1138));
-                                                let _e1147 = select((bitcast<u32>(31i) - firstLeadingBit(_e1142)), 32u, (_e1142 == 0u));
-                                                if ((32u - _e1147) > 21u) {
-                                                    phi_1567_ = (11u - _e1147);
-                                                } else {
-                                                    phi_1567_ = 0u;
-                                                }
-                                                let _e1152 = phi_1567_;
-                                                if _e1136 {
+                                                let _e1139 = local_10[_e1130.member_1];
+                                                let _e1141 = bitcast<u32>((_e1139 - _e1137));
+                                                let _e1147 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e1141)), 32u, (_e1141 == 0u)));
+                                                if _e1135 {
                                                 } else {
                                                     phi_3719_ = true;
                                                     break;
                                                 }
-                                                let _e1154 = local_15[_e1131.member_1];
-                                                let _e1155 = (_e1154 - _e1138);
-                                                if _e1136 {
+                                                let _e1152 = local_15[_e1130.member_1];
+                                                let _e1153 = (_e1152 - _e1137);
+                                                if _e1135 {
                                                 } else {
                                                     phi_3719_ = true;
                                                     break;
                                                 }
-                                                let _e1157 = local_13[_e1131.member_1];
-                                                let _e1158 = (_e1157 - _e1138);
-                                                let _e1159 = (_e1155 > _e1158);
-                                                let _e1162 = (_e1152 & 31u);
-                                                if _e1136 {
+                                                let _e1155 = local_13[_e1130.member_1];
+                                                let _e1156 = (_e1155 - _e1137);
+                                                let _e1157 = (_e1153 > _e1156);
+                                                let _e1160 = ((select(21u, _e1147, (_e1147 > 21u)) - 21u) & 31u);
+                                                if _e1135 {
                                                 } else {
                                                     phi_3719_ = true;
                                                     break;
                                                 }
-                                                let _e1171 = local_14[_e1131.member_1];
-                                                let _e1172 = (_e1140 - _e1171);
-                                                if _e1136 {
+                                                let _e1169 = local_14[_e1130.member_1];
+                                                let _e1170 = (_e1139 - _e1169);
+                                                if _e1135 {
                                                 } else {
                                                     phi_3719_ = true;
                                                     break;
                                                 }
-                                                let _e1174 = local_12[_e1131.member_1];
-                                                let _e1175 = (_e1140 - _e1174);
-                                                let _e1176 = (_e1172 > _e1175);
-                                                let _e1186 = (_e1131.member_1 * 2u);
-                                                let _e1188 = ((1u + _e1186) % 7u);
-                                                if (_e1188 < 7u) {
+                                                let _e1172 = local_12[_e1130.member_1];
+                                                let _e1173 = (_e1139 - _e1172);
+                                                let _e1174 = (_e1170 > _e1173);
+                                                let _e1184 = (_e1130.member_1 * 2u);
+                                                let _e1186 = ((1u + _e1184) % 7u);
+                                                if (_e1186 < 7u) {
                                                 } else {
                                                     phi_3719_ = true;
                                                     break;
                                                 }
-                                                local_21[_e1188] = (((bitcast<u32>(select(_e1158, _e1155, _e1159)) >> bitcast<u32>(_e1162)) & 2097151u) | (select(0u, 1u, _e1159) << bitcast<u32>(21u)));
-                                                let _e1192 = ((_e1186 + 2u) % 7u);
-                                                if (_e1192 < 7u) {
+                                                local_21[_e1186] = (((bitcast<u32>(select(_e1156, _e1153, _e1157)) >> bitcast<u32>(_e1160)) & 2097151u) | (select(0u, 1u, _e1157) << bitcast<u32>(21u)));
+                                                let _e1190 = ((_e1184 + 2u) % 7u);
+                                                if (_e1190 < 7u) {
                                                 } else {
                                                     phi_3719_ = true;
                                                     break;
                                                 }
-                                                local_21[_e1192] = (((bitcast<u32>(select(_e1175, _e1172, _e1176)) >> bitcast<u32>(_e1162)) & 2097151u) | (select(0u, 1u, _e1176) << bitcast<u32>(21u)));
+                                                local_21[_e1190] = (((bitcast<u32>(select(_e1173, _e1170, _e1174)) >> bitcast<u32>(_e1160)) & 2097151u) | (select(0u, 1u, _e1174) << bitcast<u32>(21u)));
                                             }
                                             continue;
                                             continuing {
-                                                phi_1508_ = _e1129;
-                                                phi_3719_ = _e462;
-                                                break if !(_e1135);
+                                                phi_1508_ = _e1128;
+                                                phi_3719_ = _e461;
+                                                break if !(_e1134);
                                             }
                                         }
-                                        let _e1197 = phi_3719_;
-                                        phi_3821_ = _e1197;
-                                        if _e1197 {
+                                        let _e1195 = phi_3719_;
+                                        phi_3821_ = _e1195;
+                                        if _e1195 {
                                             break;
                                         }
                                         local_3 = array<i32, 3>(0i, 0i, 0i);
@@ -775,501 +765,489 @@ fn function_() {
                                         local = array<i32, 3>(0i, 0i, 0i);
                                         phi_1706_ = type_8(0u, 3u);
                                         loop {
-                                            let _e1199 = phi_1706_;
-                                            if (_e1199.member < _e1199.member_1) {
-                                                phi_1707_ = type_8((_e1199.member + 1u), _e1199.member_1);
-                                                phi_1730_ = type_8(1u, _e1199.member);
+                                            let _e1197 = phi_1706_;
+                                            if (_e1197.member < _e1197.member_1) {
+                                                phi_1707_ = type_8((_e1197.member + 1u), _e1197.member_1);
+                                                phi_1730_ = type_8(1u, _e1197.member);
                                             } else {
-                                                phi_1707_ = _e1199;
+                                                phi_1707_ = _e1197;
                                                 phi_1730_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1212 = phi_1707_;
-                                            let _e1214 = phi_1730_;
-                                            let _e1218 = (bitcast<i32>(_e1214.member) != 0i);
-                                            if _e1218 {
-                                                let _e1219 = (_e1214.member_1 * 2u);
-                                                let _e1221 = ((1u + _e1219) % 7u);
-                                                if (_e1221 < 7u) {
+                                            let _e1210 = phi_1707_;
+                                            let _e1212 = phi_1730_;
+                                            let _e1216 = (bitcast<i32>(_e1212.member) != 0i);
+                                            if _e1216 {
+                                                let _e1217 = (_e1212.member_1 * 2u);
+                                                let _e1219 = ((1u + _e1217) % 7u);
+                                                if (_e1219 < 7u) {
                                                 } else {
                                                     phi_3804_ = true;
                                                     break;
                                                 }
-                                                let _e1224 = local_21[_e1221];
-                                                let _e1226 = ((_e1219 + 2u) % 7u);
-                                                if (_e1226 < 7u) {
+                                                let _e1222 = local_21[_e1219];
+                                                let _e1224 = ((_e1217 + 2u) % 7u);
+                                                if (_e1224 < 7u) {
                                                 } else {
                                                     phi_3804_ = true;
                                                     break;
                                                 }
-                                                let _e1229 = local_21[_e1226];
-                                                let _e1230 = (_e1214.member_1 < 3u);
-                                                if _e1230 {
+                                                let _e1227 = local_21[_e1224];
+                                                let _e1228 = (_e1212.member_1 < 3u);
+                                                if _e1228 {
                                                 } else {
                                                     phi_3804_ = true;
                                                     break;
                                                 }
-                                                let _e1232 = local_11[_e1214.member_1];
-                                                if _e1230 {
+                                                let _e1230 = local_11[_e1212.member_1];
+                                                if _e1228 {
                                                 } else {
                                                     phi_3804_ = true;
                                                     break;
                                                 }
-                                                let _e1234 = local_10[_e1214.member_1];
-                                                let _e1236 = bitcast<u32>((_e1234 - _e1232));
-                                                let _e1241 = select((bitcast<u32>(31i) - firstLeadingBit(_e1236)), 32u, (_e1236 == 0u));
-                                                if ((32u - _e1241) > 21u) {
-                                                    phi_1842_ = (11u - _e1241);
-                                                } else {
-                                                    phi_1842_ = 0u;
-                                                }
-                                                let _e1246 = phi_1842_;
-                                                let _e1248 = (_e1246 & 31u);
-                                                let _e1252 = (_e1232 + bitcast<i32>(((_e1224 & 2097151u) << bitcast<u32>(_e1248))));
-                                                let _e1257 = (_e1234 - bitcast<i32>(((_e1229 & 2097151u) << bitcast<u32>(_e1248))));
-                                                let _e1261 = (((_e1224 >> bitcast<u32>(21u)) & 1u) == 1u);
-                                                let _e1265 = (((_e1229 >> bitcast<u32>(21u)) & 1u) == 1u);
-                                                if _e1230 {
+                                                let _e1232 = local_10[_e1212.member_1];
+                                                let _e1234 = bitcast<u32>((_e1232 - _e1230));
+                                                let _e1240 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e1234)), 32u, (_e1234 == 0u)));
+                                                let _e1245 = ((select(21u, _e1240, (_e1240 > 21u)) - 21u) & 31u);
+                                                let _e1249 = (_e1230 + bitcast<i32>(((_e1222 & 2097151u) << bitcast<u32>(_e1245))));
+                                                let _e1254 = (_e1232 - bitcast<i32>(((_e1227 & 2097151u) << bitcast<u32>(_e1245))));
+                                                let _e1258 = (((_e1222 >> bitcast<u32>(21u)) & 1u) == 1u);
+                                                let _e1262 = (((_e1227 >> bitcast<u32>(21u)) & 1u) == 1u);
+                                                if _e1228 {
                                                 } else {
                                                     phi_3804_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1214.member_1] = select(_e1232, _e1252, _e1261);
-                                                if _e1230 {
+                                                local_3[_e1212.member_1] = select(_e1230, _e1249, _e1258);
+                                                if _e1228 {
                                                 } else {
                                                     phi_3804_ = true;
                                                     break;
                                                 }
-                                                local_1[_e1214.member_1] = select(_e1252, _e1232, _e1261);
-                                                if _e1230 {
+                                                local_1[_e1212.member_1] = select(_e1249, _e1230, _e1258);
+                                                if _e1228 {
                                                 } else {
                                                     phi_3804_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1214.member_1] = select(_e1234, _e1257, _e1265);
-                                                if _e1230 {
+                                                local_2[_e1212.member_1] = select(_e1232, _e1254, _e1262);
+                                                if _e1228 {
                                                 } else {
                                                     phi_3804_ = true;
                                                     break;
                                                 }
-                                                local[_e1214.member_1] = select(_e1257, _e1234, _e1265);
+                                                local[_e1212.member_1] = select(_e1254, _e1232, _e1262);
                                             }
                                             continue;
                                             continuing {
-                                                phi_1706_ = _e1212;
-                                                phi_3804_ = _e1197;
-                                                break if !(_e1218);
+                                                phi_1706_ = _e1210;
+                                                phi_3804_ = _e1195;
+                                                break if !(_e1216);
                                             }
                                         }
-                                        let _e1276 = phi_3804_;
-                                        phi_3821_ = _e1276;
-                                        if _e1276 {
+                                        let _e1273 = phi_3804_;
+                                        phi_3821_ = _e1273;
+                                        if _e1273 {
                                             break;
                                         }
-                                        let _e1277 = local;
-                                        let _e1278 = local_1;
-                                        let _e1279 = local_2;
-                                        let _e1280 = local_3;
-                                        if _e497 {
-                                            phi_1935_ = type_34(array<i32, 3>(_e1280[0], _e1280[1], _e1280[2]), array<i32, 3>(_e1279[0], _e1279[1], _e1279[2]));
+                                        let _e1274 = local;
+                                        let _e1275 = local_1;
+                                        let _e1276 = local_2;
+                                        let _e1277 = local_3;
+                                        if _e496 {
+                                            phi_1935_ = type_34(array<i32, 3>(_e1277[0], _e1277[1], _e1277[2]), array<i32, 3>(_e1276[0], _e1276[1], _e1276[2]));
                                         } else {
-                                            phi_1935_ = type_34(array<i32, 3>(_e1278[0], _e1278[1], _e1278[2]), array<i32, 3>(_e1277[0], _e1277[1], _e1277[2]));
+                                            phi_1935_ = type_34(array<i32, 3>(_e1275[0], _e1275[1], _e1275[2]), array<i32, 3>(_e1274[0], _e1274[1], _e1274[2]));
                                         }
-                                        let _e1300 = phi_1935_;
-                                        local_11 = array<i32, 3>(_e1300.member[0], _e1300.member[1], _e1300.member[2]);
-                                        local_10 = array<i32, 3>(_e1300.member_1[0], _e1300.member_1[1], _e1300.member_1[2]);
-                                        phi_3823_ = _e1276;
-                                        phi_1953_ = select(_e491.member_2, _e491.member_1, _e497);
+                                        let _e1297 = phi_1935_;
+                                        local_11 = array<i32, 3>(_e1297.member[0], _e1297.member[1], _e1297.member[2]);
+                                        local_10 = array<i32, 3>(_e1297.member_1[0], _e1297.member_1[1], _e1297.member_1[2]);
+                                        phi_3823_ = _e1273;
+                                        phi_1953_ = select(_e490.member_2, _e490.member_1, _e496);
                                     }
-                                    let _e1313 = phi_3823_;
-                                    let _e1315 = phi_1953_;
-                                    phi_3822_ = _e1313;
-                                    phi_680_ = _e1315;
-                                    phi_1955_ = select(true, false, _e485);
+                                    let _e1310 = phi_3823_;
+                                    let _e1312 = phi_1953_;
+                                    phi_3822_ = _e1310;
+                                    phi_680_ = _e1312;
+                                    phi_1955_ = select(true, false, _e484);
                                 } else {
-                                    phi_3822_ = _e462;
+                                    phi_3822_ = _e461;
                                     phi_680_ = u32();
                                     phi_1955_ = false;
                                 }
-                                let _e1318 = phi_3822_;
-                                let _e1320 = phi_680_;
-                                let _e1322 = phi_1955_;
+                                let _e1315 = phi_3822_;
+                                let _e1317 = phi_680_;
+                                let _e1319 = phi_1955_;
                                 continue;
                                 continuing {
-                                    phi_3764_ = _e1318;
-                                    phi_676_ = _e479;
-                                    phi_679_ = _e1320;
-                                    phi_3821_ = _e1318;
-                                    break if !(_e1322);
+                                    phi_3764_ = _e1315;
+                                    phi_676_ = _e478;
+                                    phi_679_ = _e1317;
+                                    phi_3821_ = _e1315;
+                                    break if !(_e1319);
                                 }
                             }
-                            let _e1325 = phi_3821_;
-                            if _e1325 {
+                            let _e1322 = phi_3821_;
+                            if _e1322 {
                                 break;
                             }
-                            let _e1326 = local_10;
-                            let _e1327 = local_11;
-                            local_9 = _e1327;
-                            local_8 = _e1326;
-                            if _e108 {
+                            let _e1323 = local_10;
+                            let _e1324 = local_11;
+                            local_9 = _e1324;
+                            local_8 = _e1323;
+                            if _e107 {
                             } else {
                                 break;
                             }
-                            let _e1331 = global_4.member[_e103].member_1;
-                            if (_e1331 == 2147483648u) {
+                            let _e1328 = global_4.member[_e102].member_1;
+                            if (_e1328 == 2147483648u) {
                                 phi_2006_ = type_27(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                             } else {
-                                let _e1337 = global_4.member[_e103].member[0u];
-                                let _e1342 = global_4.member[_e103].member[1u];
-                                let _e1347 = global_4.member[_e103].member[2u];
-                                phi_2006_ = type_27(vec3<f32>(_e1337[0], _e1342[0], _e1347[0]), vec3<f32>(_e1337[2], _e1342[2], _e1347[2]));
+                                let _e1334 = global_4.member[_e102].member[0u];
+                                let _e1339 = global_4.member[_e102].member[1u];
+                                let _e1344 = global_4.member[_e102].member[2u];
+                                phi_2006_ = type_27(vec3<f32>(_e1334[0], _e1339[0], _e1344[0]), vec3<f32>(_e1334[2], _e1339[2], _e1344[2]));
                             }
-                            let _e1358 = phi_2006_;
-                            let _e1362 = global_4.member[_e103].member_2;
-                            if (_e1362 == 2147483648u) {
-                                phi_2028_ = _e1358;
+                            let _e1355 = phi_2006_;
+                            let _e1359 = global_4.member[_e102].member_2;
+                            if (_e1359 == 2147483648u) {
+                                phi_2028_ = _e1355;
                             } else {
-                                let _e1368 = global_4.member[_e103].member[0u];
-                                let _e1373 = global_4.member[_e103].member[1u];
-                                let _e1378 = global_4.member[_e103].member[2u];
-                                phi_2028_ = type_27(vec3<f32>(_e1368[1], _e1373[1], _e1378[1]), vec3<f32>(_e1368[3], _e1373[3], _e1378[3]));
+                                let _e1365 = global_4.member[_e102].member[0u];
+                                let _e1370 = global_4.member[_e102].member[1u];
+                                let _e1375 = global_4.member[_e102].member[2u];
+                                phi_2028_ = type_27(vec3<f32>(_e1365[1], _e1370[1], _e1375[1]), vec3<f32>(_e1365[3], _e1370[3], _e1375[3]));
                             }
-                            let _e1389 = phi_2028_;
-                            let _e1402 = bitcast<u32>(_e1358.member.x);
-                            let _e1405 = ((_e1402 >> bitcast<u32>(23i)) & 255u);
-                            let _e1407 = select(0u, 1u, (_e1405 != 0u));
-                            let _e1411 = ((_e1402 & 8388607u) | (_e1407 << bitcast<u32>(23i)));
-                            let _e1416 = (_e99 - ((bitcast<i32>(_e1405) - bitcast<i32>(_e1407)) + -149i));
-                            let _e1417 = (_e1416 < 0i);
-                            if _e1417 {
-                                phi_2055_ = -(_e1416);
+                            let _e1386 = phi_2028_;
+                            let _e1399 = bitcast<u32>(_e1355.member.x);
+                            let _e1402 = ((_e1399 >> bitcast<u32>(23i)) & 255u);
+                            let _e1404 = select(0u, 1u, (_e1402 != 0u));
+                            let _e1408 = ((_e1399 & 8388607u) | (_e1404 << bitcast<u32>(23i)));
+                            let _e1413 = (_e98 - ((bitcast<i32>(_e1402) - bitcast<i32>(_e1404)) + -149i));
+                            let _e1414 = (_e1413 < 0i);
+                            if _e1414 {
+                                phi_2055_ = -(_e1413);
                             } else {
                                 phi_2055_ = 0i;
                             }
-                            let _e1420 = phi_2055_;
-                            if _e1417 {
+                            let _e1417 = phi_2055_;
+                            if _e1414 {
                                 phi_2065_ = 0i;
                             } else {
-                                phi_2065_ = select(_e1416, 31i, (_e1416 > 31i));
+                                phi_2065_ = select(_e1413, 31i, (_e1413 > 31i));
                             }
-                            let _e1424 = phi_2065_;
-                            let _e1429 = (_e1424 & 31i);
-                            let _e1439 = (bitcast<i32>(_e1402) >> bitcast<u32>(31i));
-                            let _e1447 = bitcast<u32>(_e1358.member.y);
-                            let _e1450 = ((_e1447 >> bitcast<u32>(23i)) & 255u);
-                            let _e1452 = select(0u, 1u, (_e1450 != 0u));
-                            let _e1456 = ((_e1447 & 8388607u) | (_e1452 << bitcast<u32>(23i)));
-                            let _e1461 = (_e99 - ((bitcast<i32>(_e1450) - bitcast<i32>(_e1452)) + -149i));
-                            let _e1462 = (_e1461 < 0i);
-                            if _e1462 {
-                                phi_2112_ = -(_e1461);
+                            let _e1421 = phi_2065_;
+                            let _e1426 = (_e1421 & 31i);
+                            let _e1436 = (bitcast<i32>(_e1399) >> bitcast<u32>(31i));
+                            let _e1444 = bitcast<u32>(_e1355.member.y);
+                            let _e1447 = ((_e1444 >> bitcast<u32>(23i)) & 255u);
+                            let _e1449 = select(0u, 1u, (_e1447 != 0u));
+                            let _e1453 = ((_e1444 & 8388607u) | (_e1449 << bitcast<u32>(23i)));
+                            let _e1458 = (_e98 - ((bitcast<i32>(_e1447) - bitcast<i32>(_e1449)) + -149i));
+                            let _e1459 = (_e1458 < 0i);
+                            if _e1459 {
+                                phi_2112_ = -(_e1458);
                             } else {
                                 phi_2112_ = 0i;
                             }
-                            let _e1465 = phi_2112_;
-                            if _e1462 {
+                            let _e1462 = phi_2112_;
+                            if _e1459 {
                                 phi_2122_ = 0i;
                             } else {
-                                phi_2122_ = select(_e1461, 31i, (_e1461 > 31i));
+                                phi_2122_ = select(_e1458, 31i, (_e1458 > 31i));
                             }
-                            let _e1469 = phi_2122_;
-                            let _e1474 = (_e1469 & 31i);
-                            let _e1484 = (bitcast<i32>(_e1447) >> bitcast<u32>(31i));
-                            let _e1492 = bitcast<u32>(_e1358.member.z);
-                            let _e1495 = ((_e1492 >> bitcast<u32>(23i)) & 255u);
-                            let _e1497 = select(0u, 1u, (_e1495 != 0u));
-                            let _e1501 = ((_e1492 & 8388607u) | (_e1497 << bitcast<u32>(23i)));
-                            let _e1506 = (_e99 - ((bitcast<i32>(_e1495) - bitcast<i32>(_e1497)) + -149i));
-                            let _e1507 = (_e1506 < 0i);
-                            if _e1507 {
-                                phi_2169_ = -(_e1506);
+                            let _e1466 = phi_2122_;
+                            let _e1471 = (_e1466 & 31i);
+                            let _e1481 = (bitcast<i32>(_e1444) >> bitcast<u32>(31i));
+                            let _e1489 = bitcast<u32>(_e1355.member.z);
+                            let _e1492 = ((_e1489 >> bitcast<u32>(23i)) & 255u);
+                            let _e1494 = select(0u, 1u, (_e1492 != 0u));
+                            let _e1498 = ((_e1489 & 8388607u) | (_e1494 << bitcast<u32>(23i)));
+                            let _e1503 = (_e98 - ((bitcast<i32>(_e1492) - bitcast<i32>(_e1494)) + -149i));
+                            let _e1504 = (_e1503 < 0i);
+                            if _e1504 {
+                                phi_2169_ = -(_e1503);
                             } else {
                                 phi_2169_ = 0i;
                             }
-                            let _e1510 = phi_2169_;
-                            if _e1507 {
+                            let _e1507 = phi_2169_;
+                            if _e1504 {
                                 phi_2179_ = 0i;
                             } else {
-                                phi_2179_ = select(_e1506, 31i, (_e1506 > 31i));
+                                phi_2179_ = select(_e1503, 31i, (_e1503 > 31i));
                             }
-                            let _e1514 = phi_2179_;
-                            let _e1519 = (_e1514 & 31i);
-                            let _e1529 = (bitcast<i32>(_e1492) >> bitcast<u32>(31i));
-                            let _e1538 = bitcast<u32>(-(_e1358.member_1.x));
-                            let _e1541 = ((_e1538 >> bitcast<u32>(23i)) & 255u);
-                            let _e1543 = select(0u, 1u, (_e1541 != 0u));
-                            let _e1547 = ((_e1538 & 8388607u) | (_e1543 << bitcast<u32>(23i)));
-                            let _e1552 = (_e99 - ((bitcast<i32>(_e1541) - bitcast<i32>(_e1543)) + -149i));
-                            let _e1553 = (_e1552 < 0i);
-                            if _e1553 {
-                                phi_2228_ = -(_e1552);
+                            let _e1511 = phi_2179_;
+                            let _e1516 = (_e1511 & 31i);
+                            let _e1526 = (bitcast<i32>(_e1489) >> bitcast<u32>(31i));
+                            let _e1535 = bitcast<u32>(-(_e1355.member_1.x));
+                            let _e1538 = ((_e1535 >> bitcast<u32>(23i)) & 255u);
+                            let _e1540 = select(0u, 1u, (_e1538 != 0u));
+                            let _e1544 = ((_e1535 & 8388607u) | (_e1540 << bitcast<u32>(23i)));
+                            let _e1549 = (_e98 - ((bitcast<i32>(_e1538) - bitcast<i32>(_e1540)) + -149i));
+                            let _e1550 = (_e1549 < 0i);
+                            if _e1550 {
+                                phi_2228_ = -(_e1549);
                             } else {
                                 phi_2228_ = 0i;
                             }
-                            let _e1556 = phi_2228_;
-                            if _e1553 {
+                            let _e1553 = phi_2228_;
+                            if _e1550 {
                                 phi_2238_ = 0i;
                             } else {
-                                phi_2238_ = select(_e1552, 31i, (_e1552 > 31i));
+                                phi_2238_ = select(_e1549, 31i, (_e1549 > 31i));
                             }
-                            let _e1560 = phi_2238_;
-                            let _e1565 = (_e1560 & 31i);
-                            let _e1575 = (bitcast<i32>(_e1538) >> bitcast<u32>(31i));
-                            let _e1585 = bitcast<u32>(-(_e1358.member_1.y));
-                            let _e1588 = ((_e1585 >> bitcast<u32>(23i)) & 255u);
-                            let _e1590 = select(0u, 1u, (_e1588 != 0u));
-                            let _e1594 = ((_e1585 & 8388607u) | (_e1590 << bitcast<u32>(23i)));
-                            let _e1599 = (_e99 - ((bitcast<i32>(_e1588) - bitcast<i32>(_e1590)) + -149i));
-                            let _e1600 = (_e1599 < 0i);
-                            if _e1600 {
-                                phi_2287_ = -(_e1599);
+                            let _e1557 = phi_2238_;
+                            let _e1562 = (_e1557 & 31i);
+                            let _e1572 = (bitcast<i32>(_e1535) >> bitcast<u32>(31i));
+                            let _e1582 = bitcast<u32>(-(_e1355.member_1.y));
+                            let _e1585 = ((_e1582 >> bitcast<u32>(23i)) & 255u);
+                            let _e1587 = select(0u, 1u, (_e1585 != 0u));
+                            let _e1591 = ((_e1582 & 8388607u) | (_e1587 << bitcast<u32>(23i)));
+                            let _e1596 = (_e98 - ((bitcast<i32>(_e1585) - bitcast<i32>(_e1587)) + -149i));
+                            let _e1597 = (_e1596 < 0i);
+                            if _e1597 {
+                                phi_2287_ = -(_e1596);
                             } else {
                                 phi_2287_ = 0i;
                             }
-                            let _e1603 = phi_2287_;
-                            if _e1600 {
+                            let _e1600 = phi_2287_;
+                            if _e1597 {
                                 phi_2297_ = 0i;
                             } else {
-                                phi_2297_ = select(_e1599, 31i, (_e1599 > 31i));
+                                phi_2297_ = select(_e1596, 31i, (_e1596 > 31i));
                             }
-                            let _e1607 = phi_2297_;
-                            let _e1612 = (_e1607 & 31i);
-                            let _e1622 = (bitcast<i32>(_e1585) >> bitcast<u32>(31i));
-                            let _e1632 = bitcast<u32>(-(_e1358.member_1.z));
-                            let _e1635 = ((_e1632 >> bitcast<u32>(23i)) & 255u);
-                            let _e1637 = select(0u, 1u, (_e1635 != 0u));
-                            let _e1641 = ((_e1632 & 8388607u) | (_e1637 << bitcast<u32>(23i)));
-                            let _e1646 = (_e99 - ((bitcast<i32>(_e1635) - bitcast<i32>(_e1637)) + -149i));
-                            let _e1647 = (_e1646 < 0i);
-                            if _e1647 {
-                                phi_2346_ = -(_e1646);
+                            let _e1604 = phi_2297_;
+                            let _e1609 = (_e1604 & 31i);
+                            let _e1619 = (bitcast<i32>(_e1582) >> bitcast<u32>(31i));
+                            let _e1629 = bitcast<u32>(-(_e1355.member_1.z));
+                            let _e1632 = ((_e1629 >> bitcast<u32>(23i)) & 255u);
+                            let _e1634 = select(0u, 1u, (_e1632 != 0u));
+                            let _e1638 = ((_e1629 & 8388607u) | (_e1634 << bitcast<u32>(23i)));
+                            let _e1643 = (_e98 - ((bitcast<i32>(_e1632) - bitcast<i32>(_e1634)) + -149i));
+                            let _e1644 = (_e1643 < 0i);
+                            if _e1644 {
+                                phi_2346_ = -(_e1643);
                             } else {
                                 phi_2346_ = 0i;
                             }
-                            let _e1650 = phi_2346_;
-                            if _e1647 {
+                            let _e1647 = phi_2346_;
+                            if _e1644 {
                                 phi_2356_ = 0i;
                             } else {
-                                phi_2356_ = select(_e1646, 31i, (_e1646 > 31i));
+                                phi_2356_ = select(_e1643, 31i, (_e1643 > 31i));
                             }
-                            let _e1654 = phi_2356_;
-                            let _e1659 = (_e1654 & 31i);
-                            let _e1669 = (bitcast<i32>(_e1632) >> bitcast<u32>(31i));
-                            local_19 = array<i32, 3>((((bitcast<i32>(((_e1411 << bitcast<u32>((bitcast<u32>(_e1420) & 31u))) >> bitcast<u32>(_e1429))) + select(0i, 1i, (((_e1411 & ((1u << bitcast<u32>(_e1429)) - 1u)) != 0u) && (_e1439 != 0i)))) ^ _e1439) - _e1439), (((bitcast<i32>(((_e1456 << bitcast<u32>((bitcast<u32>(_e1465) & 31u))) >> bitcast<u32>(_e1474))) + select(0i, 1i, (((_e1456 & ((1u << bitcast<u32>(_e1474)) - 1u)) != 0u) && (_e1484 != 0i)))) ^ _e1484) - _e1484), (((bitcast<i32>(((_e1501 << bitcast<u32>((bitcast<u32>(_e1510) & 31u))) >> bitcast<u32>(_e1519))) + select(0i, 1i, (((_e1501 & ((1u << bitcast<u32>(_e1519)) - 1u)) != 0u) && (_e1529 != 0i)))) ^ _e1529) - _e1529));
-                            local_18 = array<i32, 3>(-((((bitcast<i32>(((_e1547 << bitcast<u32>((bitcast<u32>(_e1556) & 31u))) >> bitcast<u32>(_e1565))) + select(0i, 1i, (((_e1547 & ((1u << bitcast<u32>(_e1565)) - 1u)) != 0u) && (_e1575 != 0i)))) ^ _e1575) - _e1575)), -((((bitcast<i32>(((_e1594 << bitcast<u32>((bitcast<u32>(_e1603) & 31u))) >> bitcast<u32>(_e1612))) + select(0i, 1i, (((_e1594 & ((1u << bitcast<u32>(_e1612)) - 1u)) != 0u) && (_e1622 != 0i)))) ^ _e1622) - _e1622)), -((((bitcast<i32>(((_e1641 << bitcast<u32>((bitcast<u32>(_e1650) & 31u))) >> bitcast<u32>(_e1659))) + select(0i, 1i, (((_e1641 & ((1u << bitcast<u32>(_e1659)) - 1u)) != 0u) && (_e1669 != 0i)))) ^ _e1669) - _e1669)));
-                            let _e1692 = bitcast<u32>(_e1389.member.x);
-                            let _e1695 = ((_e1692 >> bitcast<u32>(23i)) & 255u);
-                            let _e1697 = select(0u, 1u, (_e1695 != 0u));
-                            let _e1701 = ((_e1692 & 8388607u) | (_e1697 << bitcast<u32>(23i)));
-                            let _e1706 = (_e99 - ((bitcast<i32>(_e1695) - bitcast<i32>(_e1697)) + -149i));
-                            let _e1707 = (_e1706 < 0i);
-                            if _e1707 {
-                                phi_2423_ = -(_e1706);
+                            let _e1651 = phi_2356_;
+                            let _e1656 = (_e1651 & 31i);
+                            let _e1666 = (bitcast<i32>(_e1629) >> bitcast<u32>(31i));
+                            local_19 = array<i32, 3>((((bitcast<i32>(((_e1408 << bitcast<u32>((bitcast<u32>(_e1417) & 31u))) >> bitcast<u32>(_e1426))) + select(0i, 1i, (((_e1408 & ((1u << bitcast<u32>(_e1426)) - 1u)) != 0u) && (_e1436 != 0i)))) ^ _e1436) - _e1436), (((bitcast<i32>(((_e1453 << bitcast<u32>((bitcast<u32>(_e1462) & 31u))) >> bitcast<u32>(_e1471))) + select(0i, 1i, (((_e1453 & ((1u << bitcast<u32>(_e1471)) - 1u)) != 0u) && (_e1481 != 0i)))) ^ _e1481) - _e1481), (((bitcast<i32>(((_e1498 << bitcast<u32>((bitcast<u32>(_e1507) & 31u))) >> bitcast<u32>(_e1516))) + select(0i, 1i, (((_e1498 & ((1u << bitcast<u32>(_e1516)) - 1u)) != 0u) && (_e1526 != 0i)))) ^ _e1526) - _e1526));
+                            local_18 = array<i32, 3>(-((((bitcast<i32>(((_e1544 << bitcast<u32>((bitcast<u32>(_e1553) & 31u))) >> bitcast<u32>(_e1562))) + select(0i, 1i, (((_e1544 & ((1u << bitcast<u32>(_e1562)) - 1u)) != 0u) && (_e1572 != 0i)))) ^ _e1572) - _e1572)), -((((bitcast<i32>(((_e1591 << bitcast<u32>((bitcast<u32>(_e1600) & 31u))) >> bitcast<u32>(_e1609))) + select(0i, 1i, (((_e1591 & ((1u << bitcast<u32>(_e1609)) - 1u)) != 0u) && (_e1619 != 0i)))) ^ _e1619) - _e1619)), -((((bitcast<i32>(((_e1638 << bitcast<u32>((bitcast<u32>(_e1647) & 31u))) >> bitcast<u32>(_e1656))) + select(0i, 1i, (((_e1638 & ((1u << bitcast<u32>(_e1656)) - 1u)) != 0u) && (_e1666 != 0i)))) ^ _e1666) - _e1666)));
+                            let _e1689 = bitcast<u32>(_e1386.member.x);
+                            let _e1692 = ((_e1689 >> bitcast<u32>(23i)) & 255u);
+                            let _e1694 = select(0u, 1u, (_e1692 != 0u));
+                            let _e1698 = ((_e1689 & 8388607u) | (_e1694 << bitcast<u32>(23i)));
+                            let _e1703 = (_e98 - ((bitcast<i32>(_e1692) - bitcast<i32>(_e1694)) + -149i));
+                            let _e1704 = (_e1703 < 0i);
+                            if _e1704 {
+                                phi_2423_ = -(_e1703);
                             } else {
                                 phi_2423_ = 0i;
                             }
-                            let _e1710 = phi_2423_;
-                            if _e1707 {
+                            let _e1707 = phi_2423_;
+                            if _e1704 {
                                 phi_2433_ = 0i;
                             } else {
-                                phi_2433_ = select(_e1706, 31i, (_e1706 > 31i));
+                                phi_2433_ = select(_e1703, 31i, (_e1703 > 31i));
                             }
-                            let _e1714 = phi_2433_;
-                            let _e1719 = (_e1714 & 31i);
-                            let _e1729 = (bitcast<i32>(_e1692) >> bitcast<u32>(31i));
-                            let _e1737 = bitcast<u32>(_e1389.member.y);
-                            let _e1740 = ((_e1737 >> bitcast<u32>(23i)) & 255u);
-                            let _e1742 = select(0u, 1u, (_e1740 != 0u));
-                            let _e1746 = ((_e1737 & 8388607u) | (_e1742 << bitcast<u32>(23i)));
-                            let _e1751 = (_e99 - ((bitcast<i32>(_e1740) - bitcast<i32>(_e1742)) + -149i));
-                            let _e1752 = (_e1751 < 0i);
-                            if _e1752 {
-                                phi_2480_ = -(_e1751);
+                            let _e1711 = phi_2433_;
+                            let _e1716 = (_e1711 & 31i);
+                            let _e1726 = (bitcast<i32>(_e1689) >> bitcast<u32>(31i));
+                            let _e1734 = bitcast<u32>(_e1386.member.y);
+                            let _e1737 = ((_e1734 >> bitcast<u32>(23i)) & 255u);
+                            let _e1739 = select(0u, 1u, (_e1737 != 0u));
+                            let _e1743 = ((_e1734 & 8388607u) | (_e1739 << bitcast<u32>(23i)));
+                            let _e1748 = (_e98 - ((bitcast<i32>(_e1737) - bitcast<i32>(_e1739)) + -149i));
+                            let _e1749 = (_e1748 < 0i);
+                            if _e1749 {
+                                phi_2480_ = -(_e1748);
                             } else {
                                 phi_2480_ = 0i;
                             }
-                            let _e1755 = phi_2480_;
-                            if _e1752 {
+                            let _e1752 = phi_2480_;
+                            if _e1749 {
                                 phi_2490_ = 0i;
                             } else {
-                                phi_2490_ = select(_e1751, 31i, (_e1751 > 31i));
+                                phi_2490_ = select(_e1748, 31i, (_e1748 > 31i));
                             }
-                            let _e1759 = phi_2490_;
-                            let _e1764 = (_e1759 & 31i);
-                            let _e1774 = (bitcast<i32>(_e1737) >> bitcast<u32>(31i));
-                            let _e1782 = bitcast<u32>(_e1389.member.z);
-                            let _e1785 = ((_e1782 >> bitcast<u32>(23i)) & 255u);
-                            let _e1787 = select(0u, 1u, (_e1785 != 0u));
-                            let _e1791 = ((_e1782 & 8388607u) | (_e1787 << bitcast<u32>(23i)));
-                            let _e1796 = (_e99 - ((bitcast<i32>(_e1785) - bitcast<i32>(_e1787)) + -149i));
-                            let _e1797 = (_e1796 < 0i);
-                            if _e1797 {
-                                phi_2537_ = -(_e1796);
+                            let _e1756 = phi_2490_;
+                            let _e1761 = (_e1756 & 31i);
+                            let _e1771 = (bitcast<i32>(_e1734) >> bitcast<u32>(31i));
+                            let _e1779 = bitcast<u32>(_e1386.member.z);
+                            let _e1782 = ((_e1779 >> bitcast<u32>(23i)) & 255u);
+                            let _e1784 = select(0u, 1u, (_e1782 != 0u));
+                            let _e1788 = ((_e1779 & 8388607u) | (_e1784 << bitcast<u32>(23i)));
+                            let _e1793 = (_e98 - ((bitcast<i32>(_e1782) - bitcast<i32>(_e1784)) + -149i));
+                            let _e1794 = (_e1793 < 0i);
+                            if _e1794 {
+                                phi_2537_ = -(_e1793);
                             } else {
                                 phi_2537_ = 0i;
                             }
-                            let _e1800 = phi_2537_;
-                            if _e1797 {
+                            let _e1797 = phi_2537_;
+                            if _e1794 {
                                 phi_2547_ = 0i;
                             } else {
-                                phi_2547_ = select(_e1796, 31i, (_e1796 > 31i));
+                                phi_2547_ = select(_e1793, 31i, (_e1793 > 31i));
                             }
-                            let _e1804 = phi_2547_;
-                            let _e1809 = (_e1804 & 31i);
-                            let _e1819 = (bitcast<i32>(_e1782) >> bitcast<u32>(31i));
-                            let _e1828 = bitcast<u32>(-(_e1389.member_1.x));
-                            let _e1831 = ((_e1828 >> bitcast<u32>(23i)) & 255u);
-                            let _e1833 = select(0u, 1u, (_e1831 != 0u));
-                            let _e1837 = ((_e1828 & 8388607u) | (_e1833 << bitcast<u32>(23i)));
-                            let _e1842 = (_e99 - ((bitcast<i32>(_e1831) - bitcast<i32>(_e1833)) + -149i));
-                            let _e1843 = (_e1842 < 0i);
-                            if _e1843 {
-                                phi_2596_ = -(_e1842);
+                            let _e1801 = phi_2547_;
+                            let _e1806 = (_e1801 & 31i);
+                            let _e1816 = (bitcast<i32>(_e1779) >> bitcast<u32>(31i));
+                            let _e1825 = bitcast<u32>(-(_e1386.member_1.x));
+                            let _e1828 = ((_e1825 >> bitcast<u32>(23i)) & 255u);
+                            let _e1830 = select(0u, 1u, (_e1828 != 0u));
+                            let _e1834 = ((_e1825 & 8388607u) | (_e1830 << bitcast<u32>(23i)));
+                            let _e1839 = (_e98 - ((bitcast<i32>(_e1828) - bitcast<i32>(_e1830)) + -149i));
+                            let _e1840 = (_e1839 < 0i);
+                            if _e1840 {
+                                phi_2596_ = -(_e1839);
                             } else {
                                 phi_2596_ = 0i;
                             }
-                            let _e1846 = phi_2596_;
-                            if _e1843 {
+                            let _e1843 = phi_2596_;
+                            if _e1840 {
                                 phi_2606_ = 0i;
                             } else {
-                                phi_2606_ = select(_e1842, 31i, (_e1842 > 31i));
+                                phi_2606_ = select(_e1839, 31i, (_e1839 > 31i));
                             }
-                            let _e1850 = phi_2606_;
-                            let _e1855 = (_e1850 & 31i);
-                            let _e1865 = (bitcast<i32>(_e1828) >> bitcast<u32>(31i));
-                            let _e1875 = bitcast<u32>(-(_e1389.member_1.y));
-                            let _e1878 = ((_e1875 >> bitcast<u32>(23i)) & 255u);
-                            let _e1880 = select(0u, 1u, (_e1878 != 0u));
-                            let _e1884 = ((_e1875 & 8388607u) | (_e1880 << bitcast<u32>(23i)));
-                            let _e1889 = (_e99 - ((bitcast<i32>(_e1878) - bitcast<i32>(_e1880)) + -149i));
-                            let _e1890 = (_e1889 < 0i);
-                            if _e1890 {
-                                phi_2655_ = -(_e1889);
+                            let _e1847 = phi_2606_;
+                            let _e1852 = (_e1847 & 31i);
+                            let _e1862 = (bitcast<i32>(_e1825) >> bitcast<u32>(31i));
+                            let _e1872 = bitcast<u32>(-(_e1386.member_1.y));
+                            let _e1875 = ((_e1872 >> bitcast<u32>(23i)) & 255u);
+                            let _e1877 = select(0u, 1u, (_e1875 != 0u));
+                            let _e1881 = ((_e1872 & 8388607u) | (_e1877 << bitcast<u32>(23i)));
+                            let _e1886 = (_e98 - ((bitcast<i32>(_e1875) - bitcast<i32>(_e1877)) + -149i));
+                            let _e1887 = (_e1886 < 0i);
+                            if _e1887 {
+                                phi_2655_ = -(_e1886);
                             } else {
                                 phi_2655_ = 0i;
                             }
-                            let _e1893 = phi_2655_;
-                            if _e1890 {
+                            let _e1890 = phi_2655_;
+                            if _e1887 {
                                 phi_2665_ = 0i;
                             } else {
-                                phi_2665_ = select(_e1889, 31i, (_e1889 > 31i));
+                                phi_2665_ = select(_e1886, 31i, (_e1886 > 31i));
                             }
-                            let _e1897 = phi_2665_;
-                            let _e1902 = (_e1897 & 31i);
-                            let _e1912 = (bitcast<i32>(_e1875) >> bitcast<u32>(31i));
-                            let _e1922 = bitcast<u32>(-(_e1389.member_1.z));
-                            let _e1925 = ((_e1922 >> bitcast<u32>(23i)) & 255u);
-                            let _e1927 = select(0u, 1u, (_e1925 != 0u));
-                            let _e1931 = ((_e1922 & 8388607u) | (_e1927 << bitcast<u32>(23i)));
-                            let _e1936 = (_e99 - ((bitcast<i32>(_e1925) - bitcast<i32>(_e1927)) + -149i));
-                            let _e1937 = (_e1936 < 0i);
-                            if _e1937 {
-                                phi_2714_ = -(_e1936);
+                            let _e1894 = phi_2665_;
+                            let _e1899 = (_e1894 & 31i);
+                            let _e1909 = (bitcast<i32>(_e1872) >> bitcast<u32>(31i));
+                            let _e1919 = bitcast<u32>(-(_e1386.member_1.z));
+                            let _e1922 = ((_e1919 >> bitcast<u32>(23i)) & 255u);
+                            let _e1924 = select(0u, 1u, (_e1922 != 0u));
+                            let _e1928 = ((_e1919 & 8388607u) | (_e1924 << bitcast<u32>(23i)));
+                            let _e1933 = (_e98 - ((bitcast<i32>(_e1922) - bitcast<i32>(_e1924)) + -149i));
+                            let _e1934 = (_e1933 < 0i);
+                            if _e1934 {
+                                phi_2714_ = -(_e1933);
                             } else {
                                 phi_2714_ = 0i;
                             }
-                            let _e1940 = phi_2714_;
-                            if _e1937 {
+                            let _e1937 = phi_2714_;
+                            if _e1934 {
                                 phi_2724_ = 0i;
                             } else {
-                                phi_2724_ = select(_e1936, 31i, (_e1936 > 31i));
+                                phi_2724_ = select(_e1933, 31i, (_e1933 > 31i));
                             }
-                            let _e1944 = phi_2724_;
-                            let _e1949 = (_e1944 & 31i);
-                            let _e1959 = (bitcast<i32>(_e1922) >> bitcast<u32>(31i));
-                            local_17 = array<i32, 3>((((bitcast<i32>(((_e1701 << bitcast<u32>((bitcast<u32>(_e1710) & 31u))) >> bitcast<u32>(_e1719))) + select(0i, 1i, (((_e1701 & ((1u << bitcast<u32>(_e1719)) - 1u)) != 0u) && (_e1729 != 0i)))) ^ _e1729) - _e1729), (((bitcast<i32>(((_e1746 << bitcast<u32>((bitcast<u32>(_e1755) & 31u))) >> bitcast<u32>(_e1764))) + select(0i, 1i, (((_e1746 & ((1u << bitcast<u32>(_e1764)) - 1u)) != 0u) && (_e1774 != 0i)))) ^ _e1774) - _e1774), (((bitcast<i32>(((_e1791 << bitcast<u32>((bitcast<u32>(_e1800) & 31u))) >> bitcast<u32>(_e1809))) + select(0i, 1i, (((_e1791 & ((1u << bitcast<u32>(_e1809)) - 1u)) != 0u) && (_e1819 != 0i)))) ^ _e1819) - _e1819));
-                            local_16 = array<i32, 3>(-((((bitcast<i32>(((_e1837 << bitcast<u32>((bitcast<u32>(_e1846) & 31u))) >> bitcast<u32>(_e1855))) + select(0i, 1i, (((_e1837 & ((1u << bitcast<u32>(_e1855)) - 1u)) != 0u) && (_e1865 != 0i)))) ^ _e1865) - _e1865)), -((((bitcast<i32>(((_e1884 << bitcast<u32>((bitcast<u32>(_e1893) & 31u))) >> bitcast<u32>(_e1902))) + select(0i, 1i, (((_e1884 & ((1u << bitcast<u32>(_e1902)) - 1u)) != 0u) && (_e1912 != 0i)))) ^ _e1912) - _e1912)), -((((bitcast<i32>(((_e1931 << bitcast<u32>((bitcast<u32>(_e1940) & 31u))) >> bitcast<u32>(_e1949))) + select(0i, 1i, (((_e1931 & ((1u << bitcast<u32>(_e1949)) - 1u)) != 0u) && (_e1959 != 0i)))) ^ _e1959) - _e1959)));
+                            let _e1941 = phi_2724_;
+                            let _e1946 = (_e1941 & 31i);
+                            let _e1956 = (bitcast<i32>(_e1919) >> bitcast<u32>(31i));
+                            local_17 = array<i32, 3>((((bitcast<i32>(((_e1698 << bitcast<u32>((bitcast<u32>(_e1707) & 31u))) >> bitcast<u32>(_e1716))) + select(0i, 1i, (((_e1698 & ((1u << bitcast<u32>(_e1716)) - 1u)) != 0u) && (_e1726 != 0i)))) ^ _e1726) - _e1726), (((bitcast<i32>(((_e1743 << bitcast<u32>((bitcast<u32>(_e1752) & 31u))) >> bitcast<u32>(_e1761))) + select(0i, 1i, (((_e1743 & ((1u << bitcast<u32>(_e1761)) - 1u)) != 0u) && (_e1771 != 0i)))) ^ _e1771) - _e1771), (((bitcast<i32>(((_e1788 << bitcast<u32>((bitcast<u32>(_e1797) & 31u))) >> bitcast<u32>(_e1806))) + select(0i, 1i, (((_e1788 & ((1u << bitcast<u32>(_e1806)) - 1u)) != 0u) && (_e1816 != 0i)))) ^ _e1816) - _e1816));
+                            local_16 = array<i32, 3>(-((((bitcast<i32>(((_e1834 << bitcast<u32>((bitcast<u32>(_e1843) & 31u))) >> bitcast<u32>(_e1852))) + select(0i, 1i, (((_e1834 & ((1u << bitcast<u32>(_e1852)) - 1u)) != 0u) && (_e1862 != 0i)))) ^ _e1862) - _e1862)), -((((bitcast<i32>(((_e1881 << bitcast<u32>((bitcast<u32>(_e1890) & 31u))) >> bitcast<u32>(_e1899))) + select(0i, 1i, (((_e1881 & ((1u << bitcast<u32>(_e1899)) - 1u)) != 0u) && (_e1909 != 0i)))) ^ _e1909) - _e1909)), -((((bitcast<i32>(((_e1928 << bitcast<u32>((bitcast<u32>(_e1937) & 31u))) >> bitcast<u32>(_e1946))) + select(0i, 1i, (((_e1928 & ((1u << bitcast<u32>(_e1946)) - 1u)) != 0u) && (_e1956 != 0i)))) ^ _e1956) - _e1956)));
                             local_20 = array<u32, 7>(0u, 0u, 0u, 0u, 0u, 0u, 0u);
                             phi_2768_ = type_8(0u, 3u);
                             loop {
-                                let _e1971 = phi_2768_;
-                                if (_e1971.member < _e1971.member_1) {
-                                    phi_2769_ = type_8((_e1971.member + 1u), _e1971.member_1);
-                                    phi_2792_ = type_8(1u, _e1971.member);
+                                let _e1968 = phi_2768_;
+                                if (_e1968.member < _e1968.member_1) {
+                                    phi_2769_ = type_8((_e1968.member + 1u), _e1968.member_1);
+                                    phi_2792_ = type_8(1u, _e1968.member);
                                 } else {
-                                    phi_2769_ = _e1971;
+                                    phi_2769_ = _e1968;
                                     phi_2792_ = type_8(0u, type_8().member_1);
                                 }
-                                let _e1984 = phi_2769_;
-                                let _e1986 = phi_2792_;
-                                let _e1990 = (bitcast<i32>(_e1986.member) != 0i);
-                                if _e1990 {
-                                    let _e1991 = (_e1986.member_1 < 3u);
-                                    if _e1991 {
+                                let _e1981 = phi_2769_;
+                                let _e1983 = phi_2792_;
+                                let _e1987 = (bitcast<i32>(_e1983.member) != 0i);
+                                if _e1987 {
+                                    let _e1988 = (_e1983.member_1 < 3u);
+                                    if _e1988 {
                                     } else {
                                         phi_3826_ = true;
                                         break;
                                     }
-                                    let _e1993 = local_9[_e1986.member_1];
-                                    if _e1991 {
+                                    let _e1990 = local_9[_e1983.member_1];
+                                    if _e1988 {
                                     } else {
                                         phi_3826_ = true;
                                         break;
                                     }
-                                    let _e1995 = local_8[_e1986.member_1];
-                                    let _e1997 = bitcast<u32>((_e1995 - _e1993));
-                                    let _e2002 = select((bitcast<u32>(31i) - firstLeadingBit(_e1997)), 32u, (_e1997 == 0u));
-                                    if ((32u - _e2002) > 21u) {
-                                        phi_2827_ = (11u - _e2002);
-                                    } else {
-                                        phi_2827_ = 0u;
-                                    }
-                                    let _e2007 = phi_2827_;
-                                    if _e1991 {
+                                    let _e1992 = local_8[_e1983.member_1];
+                                    let _e1994 = bitcast<u32>((_e1992 - _e1990));
+                                    let _e2000 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e1994)), 32u, (_e1994 == 0u)));
+                                    if _e1988 {
                                     } else {
                                         phi_3826_ = true;
                                         break;
                                     }
-                                    let _e2009 = local_19[_e1986.member_1];
-                                    let _e2010 = (_e2009 - _e1993);
-                                    if _e1991 {
+                                    let _e2005 = local_19[_e1983.member_1];
+                                    let _e2006 = (_e2005 - _e1990);
+                                    if _e1988 {
                                     } else {
                                         phi_3826_ = true;
                                         break;
                                     }
-                                    let _e2012 = local_17[_e1986.member_1];
-                                    let _e2013 = (_e2012 - _e1993);
-                                    let _e2014 = (_e2010 > _e2013);
-                                    let _e2017 = (_e2007 & 31u);
-                                    if _e1991 {
+                                    let _e2008 = local_17[_e1983.member_1];
+                                    let _e2009 = (_e2008 - _e1990);
+                                    let _e2010 = (_e2006 > _e2009);
+                                    let _e2013 = ((select(21u, _e2000, (_e2000 > 21u)) - 21u) & 31u);
+                                    if _e1988 {
                                     } else {
                                         phi_3826_ = true;
                                         break;
                                     }
-                                    let _e2026 = local_18[_e1986.member_1];
-                                    let _e2027 = (_e1995 - _e2026);
-                                    if _e1991 {
+                                    let _e2022 = local_18[_e1983.member_1];
+                                    let _e2023 = (_e1992 - _e2022);
+                                    if _e1988 {
                                     } else {
                                         phi_3826_ = true;
                                         break;
                                     }
-                                    let _e2029 = local_16[_e1986.member_1];
-                                    let _e2030 = (_e1995 - _e2029);
-                                    let _e2031 = (_e2027 > _e2030);
-                                    let _e2041 = (_e1986.member_1 * 2u);
-                                    let _e2043 = ((1u + _e2041) % 7u);
+                                    let _e2025 = local_16[_e1983.member_1];
+                                    let _e2026 = (_e1992 - _e2025);
+                                    let _e2027 = (_e2023 > _e2026);
+                                    let _e2037 = (_e1983.member_1 * 2u);
+                                    let _e2039 = ((1u + _e2037) % 7u);
+                                    if (_e2039 < 7u) {
+                                    } else {
+                                        phi_3826_ = true;
+                                        break;
+                                    }
+                                    local_20[_e2039] = (((bitcast<u32>(select(_e2009, _e2006, _e2010)) >> bitcast<u32>(_e2013)) & 2097151u) | (select(0u, 1u, _e2010) << bitcast<u32>(21u)));
+                                    let _e2043 = ((_e2037 + 2u) % 7u);
                                     if (_e2043 < 7u) {
                                     } else {
                                         phi_3826_ = true;
                                         break;
                                     }
-                                    local_20[_e2043] = (((bitcast<u32>(select(_e2013, _e2010, _e2014)) >> bitcast<u32>(_e2017)) & 2097151u) | (select(0u, 1u, _e2014) << bitcast<u32>(21u)));
-                                    let _e2047 = ((_e2041 + 2u) % 7u);
-                                    if (_e2047 < 7u) {
-                                    } else {
-                                        phi_3826_ = true;
-                                        break;
-                                    }
-                                    local_20[_e2047] = (((bitcast<u32>(select(_e2030, _e2027, _e2031)) >> bitcast<u32>(_e2017)) & 2097151u) | (select(0u, 1u, _e2031) << bitcast<u32>(21u)));
+                                    local_20[_e2043] = (((bitcast<u32>(select(_e2026, _e2023, _e2027)) >> bitcast<u32>(_e2013)) & 2097151u) | (select(0u, 1u, _e2027) << bitcast<u32>(21u)));
                                 }
                                 continue;
                                 continuing {
-                                    phi_2768_ = _e1984;
-                                    phi_3826_ = _e1325;
-                                    break if !(_e1990);
+                                    phi_2768_ = _e1981;
+                                    phi_3826_ = _e1322;
+                                    break if !(_e1987);
                                 }
                             }
-                            let _e2052 = phi_3826_;
-                            if _e2052 {
+                            let _e2048 = phi_3826_;
+                            if _e2048 {
                                 break;
                             }
                             local_7 = array<i32, 3>(0i, 0i, 0i);
@@ -1278,123 +1256,117 @@ fn function_() {
                             local_4 = array<i32, 3>(0i, 0i, 0i);
                             phi_2966_ = type_8(0u, 3u);
                             loop {
-                                let _e2054 = phi_2966_;
-                                if (_e2054.member < _e2054.member_1) {
-                                    phi_2967_ = type_8((_e2054.member + 1u), _e2054.member_1);
-                                    phi_2990_ = type_8(1u, _e2054.member);
+                                let _e2050 = phi_2966_;
+                                if (_e2050.member < _e2050.member_1) {
+                                    phi_2967_ = type_8((_e2050.member + 1u), _e2050.member_1);
+                                    phi_2990_ = type_8(1u, _e2050.member);
                                 } else {
-                                    phi_2967_ = _e2054;
+                                    phi_2967_ = _e2050;
                                     phi_2990_ = type_8(0u, type_8().member_1);
                                 }
-                                let _e2067 = phi_2967_;
-                                let _e2069 = phi_2990_;
-                                let _e2073 = (bitcast<i32>(_e2069.member) != 0i);
-                                if _e2073 {
-                                    let _e2074 = (_e2069.member_1 * 2u);
-                                    let _e2076 = ((1u + _e2074) % 7u);
-                                    if (_e2076 < 7u) {
+                                let _e2063 = phi_2967_;
+                                let _e2065 = phi_2990_;
+                                let _e2069 = (bitcast<i32>(_e2065.member) != 0i);
+                                if _e2069 {
+                                    let _e2070 = (_e2065.member_1 * 2u);
+                                    let _e2072 = ((1u + _e2070) % 7u);
+                                    if (_e2072 < 7u) {
                                     } else {
                                         phi_3878_ = true;
                                         break;
                                     }
-                                    let _e2079 = local_20[_e2076];
-                                    let _e2081 = ((_e2074 + 2u) % 7u);
-                                    if (_e2081 < 7u) {
+                                    let _e2075 = local_20[_e2072];
+                                    let _e2077 = ((_e2070 + 2u) % 7u);
+                                    if (_e2077 < 7u) {
                                     } else {
                                         phi_3878_ = true;
                                         break;
                                     }
-                                    let _e2084 = local_20[_e2081];
-                                    let _e2085 = (_e2069.member_1 < 3u);
-                                    if _e2085 {
+                                    let _e2080 = local_20[_e2077];
+                                    let _e2081 = (_e2065.member_1 < 3u);
+                                    if _e2081 {
                                     } else {
                                         phi_3878_ = true;
                                         break;
                                     }
-                                    let _e2087 = local_9[_e2069.member_1];
-                                    if _e2085 {
+                                    let _e2083 = local_9[_e2065.member_1];
+                                    if _e2081 {
                                     } else {
                                         phi_3878_ = true;
                                         break;
                                     }
-                                    let _e2089 = local_8[_e2069.member_1];
-                                    let _e2091 = bitcast<u32>((_e2089 - _e2087));
-                                    let _e2096 = select((bitcast<u32>(31i) - firstLeadingBit(_e2091)), 32u, (_e2091 == 0u));
-                                    if ((32u - _e2096) > 21u) {
-                                        phi_3102_ = (11u - _e2096);
-                                    } else {
-                                        phi_3102_ = 0u;
-                                    }
-                                    let _e2101 = phi_3102_;
-                                    let _e2103 = (_e2101 & 31u);
-                                    let _e2107 = (_e2087 + bitcast<i32>(((_e2079 & 2097151u) << bitcast<u32>(_e2103))));
-                                    let _e2112 = (_e2089 - bitcast<i32>(((_e2084 & 2097151u) << bitcast<u32>(_e2103))));
-                                    let _e2116 = (((_e2079 >> bitcast<u32>(21u)) & 1u) == 1u);
-                                    let _e2120 = (((_e2084 >> bitcast<u32>(21u)) & 1u) == 1u);
-                                    if _e2085 {
+                                    let _e2085 = local_8[_e2065.member_1];
+                                    let _e2087 = bitcast<u32>((_e2085 - _e2083));
+                                    let _e2093 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e2087)), 32u, (_e2087 == 0u)));
+                                    let _e2098 = ((select(21u, _e2093, (_e2093 > 21u)) - 21u) & 31u);
+                                    let _e2102 = (_e2083 + bitcast<i32>(((_e2075 & 2097151u) << bitcast<u32>(_e2098))));
+                                    let _e2107 = (_e2085 - bitcast<i32>(((_e2080 & 2097151u) << bitcast<u32>(_e2098))));
+                                    let _e2111 = (((_e2075 >> bitcast<u32>(21u)) & 1u) == 1u);
+                                    let _e2115 = (((_e2080 >> bitcast<u32>(21u)) & 1u) == 1u);
+                                    if _e2081 {
                                     } else {
                                         phi_3878_ = true;
                                         break;
                                     }
-                                    local_7[_e2069.member_1] = select(_e2087, _e2107, _e2116);
-                                    if _e2085 {
+                                    local_7[_e2065.member_1] = select(_e2083, _e2102, _e2111);
+                                    if _e2081 {
                                     } else {
                                         phi_3878_ = true;
                                         break;
                                     }
-                                    local_5[_e2069.member_1] = select(_e2107, _e2087, _e2116);
-                                    if _e2085 {
+                                    local_5[_e2065.member_1] = select(_e2102, _e2083, _e2111);
+                                    if _e2081 {
                                     } else {
                                         phi_3878_ = true;
                                         break;
                                     }
-                                    local_6[_e2069.member_1] = select(_e2089, _e2112, _e2120);
-                                    if _e2085 {
+                                    local_6[_e2065.member_1] = select(_e2085, _e2107, _e2115);
+                                    if _e2081 {
                                     } else {
                                         phi_3878_ = true;
                                         break;
                                     }
-                                    local_4[_e2069.member_1] = select(_e2112, _e2089, _e2120);
+                                    local_4[_e2065.member_1] = select(_e2107, _e2085, _e2115);
                                 }
                                 continue;
                                 continuing {
-                                    phi_2966_ = _e2067;
-                                    phi_3878_ = _e2052;
-                                    break if !(_e2073);
+                                    phi_2966_ = _e2063;
+                                    phi_3878_ = _e2048;
+                                    break if !(_e2069);
                                 }
                             }
-                            let _e2131 = phi_3878_;
-                            if _e2131 {
+                            let _e2126 = phi_3878_;
+                            if _e2126 {
                                 break;
                             }
-                            let _e2132 = local_4;
-                            let _e2133 = local_5;
-                            let _e2134 = local_6;
-                            let _e2135 = local_7;
-                            let _e2136 = local_20;
-                            if _e109 {
-                            } else {
-                                break;
-                            }
-                            global_8.member[_e103] = array<u32, 7>(_e2136[0], _e2136[1], _e2136[2], _e2136[3], _e2136[4], _e2136[5], _e2136[6]);
-                            if _e110 {
-                            } else {
-                                break;
-                            }
-                            global_5.member[_e103] = type_34(array<i32, 3>(_e1327[0], _e1327[1], _e1327[2]), array<i32, 3>(_e1326[0], _e1326[1], _e1326[2]));
+                            let _e2127 = local_4;
+                            let _e2128 = local_5;
+                            let _e2129 = local_6;
+                            let _e2130 = local_7;
+                            let _e2131 = local_20;
                             if _e108 {
                             } else {
                                 break;
                             }
-                            if ((_e1331 & 2147483648u) != 0u) {
-                                let _e2178 = ((bitcast<u32>((_e2134[0] - _e2135[0])) | bitcast<u32>((_e2134[1] - _e2135[1]))) | bitcast<u32>((_e2134[2] - _e2135[2])));
-                                if (_e2178 < 1024u) {
+                            global_8.member[_e102] = array<u32, 7>(_e2131[0], _e2131[1], _e2131[2], _e2131[3], _e2131[4], _e2131[5], _e2131[6]);
+                            if _e109 {
+                            } else {
+                                break;
+                            }
+                            global_5.member[_e102] = type_34(array<i32, 3>(_e1324[0], _e1324[1], _e1324[2]), array<i32, 3>(_e1323[0], _e1323[1], _e1323[2]));
+                            if _e107 {
+                            } else {
+                                break;
+                            }
+                            if ((_e1328 & 2147483648u) != 0u) {
+                                let _e2173 = ((bitcast<u32>((_e2129[0] - _e2130[0])) | bitcast<u32>((_e2129[1] - _e2130[1]))) | bitcast<u32>((_e2129[2] - _e2130[2])));
+                                if (_e2173 < 1024u) {
                                     phi_3345_ = 0u;
                                 } else {
-                                    phi_3345_ = select(2u, 1u, (_e2178 < 2097152u));
+                                    phi_3345_ = select(2u, 1u, (_e2173 < 2097152u));
                                 }
-                                let _e2183 = phi_3345_;
-                                switch bitcast<i32>(_e2183) {
+                                let _e2178 = phi_3345_;
+                                switch bitcast<i32>(_e2178) {
                                     case 0: {
                                         phi_3351_ = 1u;
                                         break;
@@ -1412,61 +1384,61 @@ fn function_() {
                                         break;
                                     }
                                 }
-                                let _e2186 = phi_3351_;
-                                phi_3358_ = type_8(0u, ((_e1331 >> bitcast<u32>(28u)) & 7u));
+                                let _e2181 = phi_3351_;
+                                phi_3358_ = type_8(0u, ((_e1328 >> bitcast<u32>(28u)) & 7u));
                                 loop {
-                                    let _e2194 = phi_3358_;
-                                    if (_e2194.member < _e2194.member_1) {
-                                        phi_3359_ = type_8((_e2194.member + 1u), _e2194.member_1);
-                                        phi_3382_ = type_8(1u, _e2194.member);
+                                    let _e2189 = phi_3358_;
+                                    if (_e2189.member < _e2189.member_1) {
+                                        phi_3359_ = type_8((_e2189.member + 1u), _e2189.member_1);
+                                        phi_3382_ = type_8(1u, _e2189.member);
                                     } else {
-                                        phi_3359_ = _e2194;
+                                        phi_3359_ = _e2189;
                                         phi_3382_ = type_8(0u, type_8().member_1);
                                     }
-                                    let _e2207 = phi_3359_;
-                                    let _e2209 = phi_3382_;
-                                    let _e2213 = (bitcast<i32>(_e2209.member) != 0i);
-                                    if _e2213 {
-                                        let _e2215 = ((_e1331 & 268435455u) + _e2209.member_1);
-                                        let _e2216 = (_e2215 < _e82);
-                                        if _e2216 {
-                                            if _e2216 {
+                                    let _e2202 = phi_3359_;
+                                    let _e2204 = phi_3382_;
+                                    let _e2208 = (bitcast<i32>(_e2204.member) != 0i);
+                                    if _e2208 {
+                                        let _e2210 = ((_e1328 & 268435455u) + _e2204.member_1);
+                                        let _e2211 = (_e2210 < _e81);
+                                        if _e2211 {
+                                            if _e2211 {
                                             } else {
                                                 phi_3895_ = true;
                                                 break;
                                             }
-                                            global_6.member[_e2215] = ((3u * _e2186) + 1u);
+                                            global_6.member[_e2210] = ((3u * _e2181) + 1u);
                                         }
                                     }
                                     continue;
                                     continuing {
-                                        phi_3358_ = _e2207;
-                                        phi_3895_ = _e2131;
-                                        break if !(_e2213);
+                                        phi_3358_ = _e2202;
+                                        phi_3895_ = _e2126;
+                                        break if !(_e2208);
                                     }
                                 }
-                                let _e2220 = phi_3895_;
-                                if _e2220 {
+                                let _e2215 = phi_3895_;
+                                if _e2215 {
                                     break;
                                 }
-                                phi_3910_ = _e2220;
+                                phi_3910_ = _e2215;
                             } else {
-                                phi_3910_ = _e2131;
+                                phi_3910_ = _e2126;
                             }
-                            let _e2222 = phi_3910_;
-                            if _e108 {
+                            let _e2217 = phi_3910_;
+                            if _e107 {
                             } else {
                                 break;
                             }
-                            if ((_e1362 & 2147483648u) != 0u) {
-                                let _e2232 = ((bitcast<u32>((_e2132[0] - _e2133[0])) | bitcast<u32>((_e2132[1] - _e2133[1]))) | bitcast<u32>((_e2132[2] - _e2133[2])));
-                                if (_e2232 < 1024u) {
+                            if ((_e1359 & 2147483648u) != 0u) {
+                                let _e2227 = ((bitcast<u32>((_e2127[0] - _e2128[0])) | bitcast<u32>((_e2127[1] - _e2128[1]))) | bitcast<u32>((_e2127[2] - _e2128[2])));
+                                if (_e2227 < 1024u) {
                                     phi_3478_ = 0u;
                                 } else {
-                                    phi_3478_ = select(2u, 1u, (_e2232 < 2097152u));
+                                    phi_3478_ = select(2u, 1u, (_e2227 < 2097152u));
                                 }
-                                let _e2237 = phi_3478_;
-                                switch bitcast<i32>(_e2237) {
+                                let _e2232 = phi_3478_;
+                                switch bitcast<i32>(_e2232) {
                                     case 0: {
                                         phi_3484_ = 1u;
                                         break;
@@ -1484,52 +1456,52 @@ fn function_() {
                                         break;
                                     }
                                 }
-                                let _e2240 = phi_3484_;
-                                phi_3491_ = type_8(0u, ((_e1362 >> bitcast<u32>(28u)) & 7u));
+                                let _e2235 = phi_3484_;
+                                phi_3491_ = type_8(0u, ((_e1359 >> bitcast<u32>(28u)) & 7u));
                                 loop {
-                                    let _e2248 = phi_3491_;
-                                    if (_e2248.member < _e2248.member_1) {
-                                        phi_3492_ = type_8((_e2248.member + 1u), _e2248.member_1);
-                                        phi_3515_ = type_8(1u, _e2248.member);
+                                    let _e2243 = phi_3491_;
+                                    if (_e2243.member < _e2243.member_1) {
+                                        phi_3492_ = type_8((_e2243.member + 1u), _e2243.member_1);
+                                        phi_3515_ = type_8(1u, _e2243.member);
                                     } else {
-                                        phi_3492_ = _e2248;
+                                        phi_3492_ = _e2243;
                                         phi_3515_ = type_8(0u, type_8().member_1);
                                     }
-                                    let _e2261 = phi_3492_;
-                                    let _e2263 = phi_3515_;
-                                    let _e2267 = (bitcast<i32>(_e2263.member) != 0i);
-                                    if _e2267 {
-                                        let _e2269 = ((_e1362 & 268435455u) + _e2263.member_1);
-                                        let _e2270 = (_e2269 < _e82);
-                                        if _e2270 {
-                                            if _e2270 {
+                                    let _e2256 = phi_3492_;
+                                    let _e2258 = phi_3515_;
+                                    let _e2262 = (bitcast<i32>(_e2258.member) != 0i);
+                                    if _e2262 {
+                                        let _e2264 = ((_e1359 & 268435455u) + _e2258.member_1);
+                                        let _e2265 = (_e2264 < _e81);
+                                        if _e2265 {
+                                            if _e2265 {
                                             } else {
                                                 phi_3903_ = true;
                                                 break;
                                             }
-                                            global_6.member[_e2269] = ((3u * _e2240) + 1u);
+                                            global_6.member[_e2264] = ((3u * _e2235) + 1u);
                                         }
                                     }
                                     continue;
                                     continuing {
-                                        phi_3491_ = _e2261;
-                                        phi_3903_ = _e2222;
-                                        break if !(_e2267);
+                                        phi_3491_ = _e2256;
+                                        phi_3903_ = _e2217;
+                                        break if !(_e2262);
                                     }
                                 }
-                                let _e2274 = phi_3903_;
-                                if _e2274 {
+                                let _e2269 = phi_3903_;
+                                if _e2269 {
                                     break;
                                 }
                             }
-                            if (_e103 == 0u) {
-                                if (_e85 == 0u) {
+                            if (_e102 == 0u) {
+                                if (_e84 == 0u) {
                                 } else {
-                                    if (0u < _e85) {
+                                    if (0u < _e84) {
                                     } else {
                                         break;
                                     }
-                                    global_7.member[0u] = type_28(array<u32, 4>(bitcast<u32>(_e1327[0]), bitcast<u32>(_e1327[1]), bitcast<u32>(_e1327[2]), bitcast<u32>(_e99)), array<u32, 4>(bitcast<u32>(_e1326[0]), bitcast<u32>(_e1326[1]), bitcast<u32>(_e1326[2]), 0u));
+                                    global_7.member[0u] = type_28(array<u32, 4>(bitcast<u32>(_e1324[0]), bitcast<u32>(_e1324[1]), bitcast<u32>(_e1324[2]), bitcast<u32>(_e98)), array<u32, 4>(bitcast<u32>(_e1323[0]), bitcast<u32>(_e1323[1]), bitcast<u32>(_e1323[2]), 0u));
                                 }
                             }
                         }

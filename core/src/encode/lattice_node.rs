@@ -167,11 +167,12 @@ pub fn decode_node<const BITS: u32, const WORDS: usize>(
 #[inline(always)]
 const fn shift<const BITS: u32>(low: i32, high: i32) -> u32 {
     let extent_bits = 32 - (high.wrapping_sub(low) as u32).leading_zeros();
-    if extent_bits > BITS {
-        extent_bits - BITS
+    let most = if extent_bits > BITS {
+        extent_bits
     } else {
-        0
-    }
+        BITS
+    };
+    most - BITS
 }
 
 /// A side: which child has it, and the other's number. Distances from the side are never negative.

@@ -186,7 +186,7 @@ mod tests {
     fn what_is_not_there_ends() {
         let lattice = LatticeCodec::<6, 4> { step_exponent: -20 };
         assert_eq!(node_bounds(7, &[], &lattice), LatticeBox::ZERO);
-        node_bounds(7, &tree(), &lattice);
+        let _ = node_bounds(7, &tree(), &lattice);
         assert_eq!(root_bounds(&[Node::EMPTY], &lattice), LatticeBox::ZERO);
     }
 }

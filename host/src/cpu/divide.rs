@@ -96,7 +96,7 @@ mod tests {
 
             // The two ways to build over it sort otherwise, with the same outcome.
             for code_bits in [CodeBits::Bits30, CodeBits::Bits63] {
-                let mut builder = Builder::new(BuildConfig { code_bits });
+                let mut builder = Builder::new(BuildConfig::from(code_bits));
                 let (mut alone, mut shared) = (Bvh::default(), Bvh::default());
                 let subset = Subset::Of(reach);
                 builder.build_subset(&mesh, subset, &mut alone).unwrap();
