@@ -4,19 +4,28 @@
 //! counted from its decoded parent's, and what cannot be counted exactly is rounded outward. The **printed** codec (after
 //! the paper on compressed hierarchies that README cites) places planes by floats between those of the decoded parent; it is
 //! there to be measured against.
+#![allow(
+    clippy::needless_range_loop,
+    reason = "iterator chains do not compile to SPIR-V"
+)]
 
 mod lattice_leaf;
 mod lattice_node;
 mod links;
 mod printed;
+mod root;
+mod walk;
 
-pub use lattice_leaf::{LatticeTriangles, LeafWidth, encode_triangle};
+pub use lattice_leaf::{FINEST_STEP, LatticeTriangles, LeafWidth, encode_triangle, scaled_step};
 pub use lattice_node::{
     EncodedNode, LatticeCursor, LatticeFrame, LatticeNodes, decode_node, encode_node, links_of,
     node_words, with_links,
 };
 pub use links::Links;
 pub use printed::{
-    PrintedBox, PrintedCursor, PrintedNode, PrintedNodes, PrintedTriangle, PrintedTriangles,
-    decode_printed_node, encode_printed_node, encode_printed_triangle,
+    EncodedPrinted, PrintedBox, PrintedCursor, PrintedNode, PrintedNodes, PrintedTriangle,
+    PrintedTriangles, decode_printed_node, encode_printed_node, encode_printed_triangle,
+    printed_child,
 };
+pub use root::RootWords;
+pub use walk::{BoxCodec, LatticeCodec, PrintedCodec, node_bounds, root_bounds};

@@ -171,6 +171,36 @@ impl Node {
             max: Vec3::new(x[3], y[3], z[3]),
         }
     }
+
+    /// Both children's boxes, with a box also for one that is not there: the other's, or the origin where neither is.
+    #[inline]
+    #[must_use]
+    pub fn child_boxes(&self) -> ChildBoxes {
+        const ORIGIN: Aabb = Aabb {
+            min: Vec3::ZERO,
+            max: Vec3::ZERO,
+        };
+        let left = if self.left.0 == NodeRef::NOTHING.0 {
+            ORIGIN
+        } else {
+            self.left_box()
+        };
+        let right = if self.right.0 == NodeRef::NOTHING.0 {
+            left
+        } else {
+            self.right_box()
+        };
+        ChildBoxes { left, right }
+    }
+}
+
+/// Both children's boxes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChildBoxes {
+    /// The left child's.
+    pub left: Aabb,
+    /// The right child's.
+    pub right: Aabb,
 }
 
 #[cfg(test)]

@@ -23,6 +23,7 @@ pub mod camera;
 pub mod classify;
 pub mod compact;
 pub mod decide;
+pub mod encode;
 pub mod morton;
 pub mod refit;
 pub mod scan;

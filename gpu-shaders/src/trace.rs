@@ -1,19 +1,19 @@
 //! Stage `trace`. Rays are in the caller's magnitude, paths and shadow rays in the scene's.
 
-use crate::{count, thread_index};
-use glam::{UVec3, UVec4, Vec3, Vec4};
+use crate::thread_index;
+use glam::{UVec3, UVec4, Vec4};
 use slimbvh_core::classify::{Except, Facing, Sides};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::shade::{Path, Shadow};
-use slimbvh_core::trace::{
-    ClosestHit, ClosestOrAny, Counted, LeafTriangles, PlainNodes, any_hit, closest_hit,
-    nearest_hits, traverse,
-};
+use slimbvh_core::trace::{ClosestOrAny, LeafTriangles, PlainNodes, traverse};
 use slimbvh_core::{Hit, LeafTriangle, Node, Ray};
 use spirv_std::spirv;
+
+pub mod coded;
+mod store;
 
 /// One thread per ray. Reads the scene's exponent, the tree and the ray. Stores the closest hit.
 #[spirv(compute(threads(64)))]
@@ -25,16 +25,9 @@ pub fn trace_closest(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] rays: &[Ray],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] hits: &mut [Hit],
 ) {
-    let i = thread_index(id) as usize;
-    if i < rays.len() && i < hits.len() {
-        hits[i] = closest_hit(
-            &PlainNodes(nodes),
-            &LeafTriangles(triangles),
-            &rays[i],
-            exponent.x as i32,
-            &Except::NOTHING,
-        );
-    }
+    let (i, exponent) = (thread_index(id), exponent.x as i32);
+    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
+    store::closest(i, exponent, nodes, triangles, rays, hits);
 }
 
 /// One thread per ray. Reads the scene's exponent, the tree and the ray. Stores 1 where it meets anything, else 0.
@@ -47,16 +40,9 @@ pub fn trace_any(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] rays: &[Ray],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] found: &mut [u32],
 ) {
-    let i = thread_index(id) as usize;
-    if i < rays.len() && i < found.len() {
-        found[i] = any_hit(
-            &PlainNodes(nodes),
-            &LeafTriangles(triangles),
-            &rays[i],
-            exponent.x as i32,
-            &Except::NOTHING,
-        ) as u32;
-    }
+    let (i, exponent) = (thread_index(id), exponent.x as i32);
+    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
+    store::any(i, exponent, nodes, triangles, rays, found);
 }
 
 /// One thread per ray. Reads the scene's exponent, the tree and the ray. Stores the nearest hits in order, misses at the
@@ -70,15 +56,9 @@ pub fn trace_nearest(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] rays: &[Ray],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] hits: &mut [[Hit; NEAREST_COUNT]],
 ) {
-    let i = thread_index(id) as usize;
-    if i < rays.len() && i < hits.len() {
-        hits[i] = nearest_hits::<NEAREST_COUNT, _, _>(
-            &PlainNodes(nodes),
-            &LeafTriangles(triangles),
-            &rays[i],
-            exponent.x as i32,
-        );
-    }
+    let (i, exponent) = (thread_index(id), exponent.x as i32);
+    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
+    store::nearest(i, exponent, nodes, triangles, rays, hits);
 }
 
 /// One thread per ray. Reads the scene's exponent, the tree and the ray. Stores how many nodes and triangles the search
@@ -92,19 +72,9 @@ pub fn trace_counted(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] rays: &[Ray],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] counts: &mut [[u32; 2]],
 ) {
-    let i = thread_index(id) as usize;
-    if i < rays.len() && i < counts.len() {
-        let ray = PreparedRay::new(&rays[i], exponent.x as i32);
-        let mut collector = Counted::new(ClosestHit::new(ray.t_max));
-        traverse(
-            &PlainNodes(nodes),
-            &LeafTriangles(triangles),
-            &ray,
-            &Except::NOTHING,
-            &mut collector,
-        );
-        counts[i] = [collector.node_count, collector.triangle_count];
-    }
+    let (i, exponent) = (thread_index(id), exponent.x as i32);
+    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
+    store::counted(i, exponent, nodes, triangles, rays, counts);
 }
 
 /// One thread per path. Reads the tree and the path. Stores the closest hit, a miss for paths that have ended. Counts
@@ -118,20 +88,10 @@ pub fn trace_paths(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] hits: &mut [Hit],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] counters: &mut [u32],
 ) {
-    let i = thread_index(id) as usize;
-    if i < paths.len() && i < hits.len() {
-        // The range of an ended path's ray is empty: it meets nothing.
-        let hit = closest_hit(
-            &PlainNodes(nodes),
-            &LeafTriangles(triangles),
-            &paths[i].ray,
-            0,
-            &Except(paths[i].skip),
-        );
-        hits[i] = hit;
-        count(counters, 0, paths[i].is_alive() as u32);
-        count(counters, 1, hit.is_hit() as u32);
-    }
+    let i = thread_index(id);
+    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
+    let rule = Except(store::path_skip(i, paths));
+    store::paths(i, nodes, triangles, &rule, paths, hits, counters);
 }
 
 /// One thread per path. Reads the tree and the path. Stores the closest hit, and how many nodes the search for it opens.
@@ -146,24 +106,9 @@ pub fn trace_paths_counted(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] counts: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] counters: &mut [u32],
 ) {
-    let i = thread_index(id) as usize;
-    if i < paths.len() && i < hits.len() && i < counts.len() {
-        let ray = PreparedRay::new(&paths[i].ray, 0);
-        let mut collector = Counted::new(ClosestHit::new(ray.t_max));
-        traverse(
-            &PlainNodes(nodes),
-            &LeafTriangles(triangles),
-            &ray,
-            &Except(paths[i].skip),
-            &mut collector,
-        );
-        let hit = ray.restore(collector.inner.hit);
-        hits[i] = hit;
-        counts[i] = collector.node_count;
-        count(counters, 0, paths[i].is_alive() as u32);
-        count(counters, 1, hit.is_hit() as u32);
-        count(counters, 2, collector.node_count);
-    }
+    let i = thread_index(id);
+    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
+    store::paths_counted(i, nodes, triangles, paths, hits, counts, counters);
 }
 
 /// One thread per path. Reads the tree and what `shade_light` stored. Stores the path with the light, where nothing is
@@ -177,20 +122,10 @@ pub fn trace_shadows(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] paths: &mut [Path],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] counters: &mut [u32],
 ) {
-    let i = thread_index(id) as usize;
-    if i < shadows.len() && i < paths.len() && shadows[i].is_possible() {
-        count(counters, 0, 1);
-        let is_blocked = any_hit(
-            &PlainNodes(nodes),
-            &LeafTriangles(triangles),
-            &shadows[i].ray,
-            0,
-            &Except(shadows[i].skip),
-        );
-        if !is_blocked {
-            paths[i] = paths[i].with_light(Vec3::from_array(shadows[i].radiance));
-        }
-    }
+    let i = thread_index(id);
+    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
+    let rule = Except(store::shadow_skip(i, shadows));
+    store::shadows(i, nodes, triangles, &rule, shadows, paths, counters);
 }
 
 /// As [`trace_paths`], through a whole tree where only triangles count that face the paths' origin: reads the scene's
@@ -208,24 +143,14 @@ pub fn trace_paths_facing(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] hits: &mut [Hit],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] counters: &mut [u32],
 ) {
-    let i = thread_index(id) as usize;
-    if i < paths.len() && i < hits.len() {
-        let target = scaled_target(target, exponent.x);
-        let hit = closest_hit(
-            &PlainNodes(nodes),
-            &LeafTriangles(triangles),
-            &paths[i].ray,
-            0,
-            &Facing {
-                skip: paths[i].skip,
-                sides: Sides { components, sides },
-                target,
-            },
-        );
-        hits[i] = hit;
-        count(counters, 0, paths[i].is_alive() as u32);
-        count(counters, 1, hit.is_hit() as u32);
-    }
+    let i = thread_index(id);
+    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
+    let rule = Facing {
+        skip: store::path_skip(i, paths),
+        sides: Sides { components, sides },
+        target: scaled_target(target, exponent.x),
+    };
+    store::paths(i, nodes, triangles, &rule, paths, hits, counters);
 }
 
 /// As [`trace_shadows`], through a whole tree where only triangles count that face the light: reads the scene's exponent,
@@ -243,25 +168,14 @@ pub fn trace_shadows_facing(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] paths: &mut [Path],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] counters: &mut [u32],
 ) {
-    let i = thread_index(id) as usize;
-    if i < shadows.len() && i < paths.len() && shadows[i].is_possible() {
-        count(counters, 0, 1);
-        let target = scaled_target(target, exponent.x);
-        let is_blocked = any_hit(
-            &PlainNodes(nodes),
-            &LeafTriangles(triangles),
-            &shadows[i].ray,
-            0,
-            &Facing {
-                skip: shadows[i].skip,
-                sides: Sides { components, sides },
-                target,
-            },
-        );
-        if !is_blocked {
-            paths[i] = paths[i].with_light(Vec3::from_array(shadows[i].radiance));
-        }
-    }
+    let i = thread_index(id);
+    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
+    let rule = Facing {
+        skip: store::shadow_skip(i, shadows),
+        sides: Sides { components, sides },
+        target: scaled_target(target, exponent.x),
+    };
+    store::shadows(i, nodes, triangles, &rule, shadows, paths, counters);
 }
 
 /// A target from its words, in the scene's magnitude.

@@ -82,110 +82,110 @@ var<storage, read_write> global_5: type_21;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_267_: i32;
     var phi_268_: i32;
-    var phi_278_: bool;
-    var phi_288_: u32;
+    var phi_269_: i32;
+    var phi_279_: bool;
     var phi_289_: u32;
-    var phi_291_: bool;
-    var phi_296_: u32;
-    var phi_308_: i32;
-    var phi_328_: i32;
-    var phi_346_: f32;
-    var phi_352_: f32;
-    var phi_363_: f32;
-    var phi_369_: f32;
-    var phi_392_: f32;
-    var phi_403_: f32;
-    var phi_412_: f32;
-    var phi_418_: f32;
-    var phi_429_: f32;
-    var phi_435_: f32;
-    var phi_458_: f32;
-    var phi_469_: f32;
-    var phi_478_: f32;
-    var phi_484_: f32;
-    var phi_495_: f32;
-    var phi_501_: f32;
-    var phi_524_: f32;
-    var phi_535_: f32;
-    var phi_635_: f32;
+    var phi_290_: u32;
+    var phi_292_: bool;
+    var phi_297_: u32;
+    var phi_309_: i32;
+    var phi_329_: i32;
+    var phi_347_: f32;
+    var phi_353_: f32;
+    var phi_364_: f32;
+    var phi_370_: f32;
+    var phi_393_: f32;
+    var phi_404_: f32;
+    var phi_413_: f32;
+    var phi_419_: f32;
+    var phi_430_: f32;
+    var phi_436_: f32;
+    var phi_459_: f32;
+    var phi_470_: f32;
+    var phi_479_: f32;
+    var phi_485_: f32;
+    var phi_496_: f32;
+    var phi_502_: f32;
+    var phi_525_: f32;
+    var phi_536_: f32;
     var phi_636_: f32;
-    var phi_2238_: bool;
-    var phi_911_: type_47;
-    var phi_914_: u32;
-    var phi_916_: u32;
-    var phi_918_: bool;
-    var phi_920_: u32;
-    var phi_931_: bool;
-    var phi_962_: u32;
-    var phi_963_: bool;
-    var phi_964_: u32;
-    var phi_1792_: type_43;
-    var phi_2136_: u32;
-    var phi_2163_: u32;
-    var phi_2164_: u32;
-    var phi_2165_: u32;
-    var phi_2167_: u32;
-    var phi_2168_: u32;
-    var phi_2169_: bool;
-    var phi_2178_: u32;
-    var phi_2183_: u32;
-    var phi_2184_: bool;
-    var phi_979_: type_47;
-    var phi_982_: type_4;
-    var phi_983_: type_4;
-    var phi_1005_: type_4;
-    var phi_1029_: u32;
-    var phi_1118_: array<array<f32, 3>, 3>;
-    var phi_1589_: vec3<f32>;
-    var phi_1590_: vec3<f32>;
-    var phi_1621_: bool;
-    var phi_1630_: vec3<f32>;
-    var phi_1670_: type_27;
-    var phi_1672_: type_27;
-    var phi_1673_: bool;
-    var phi_1677_: type_27;
-    var phi_1678_: type_27;
-    var phi_1679_: type_27;
-    var phi_1680_: bool;
-    var phi_1684_: type_27;
-    var phi_1685_: bool;
-    var phi_1689_: type_27;
-    var phi_1690_: bool;
-    var phi_1694_: type_27;
-    var phi_1719_: bool;
-    var phi_1720_: bool;
-    var phi_1727_: type_47;
-    var phi_1728_: type_47;
-    var phi_1729_: type_47;
-    var phi_980_: type_47;
-    var phi_2232_: bool;
-    var phi_2350_: bool;
-    var phi_2186_: type_47;
-    var phi_2187_: u32;
-    var phi_2188_: bool;
-    var phi_2189_: u32;
-    var phi_2349_: bool;
-    var phi_2190_: type_47;
-    var phi_2191_: u32;
-    var phi_2192_: u32;
-    var phi_2193_: bool;
-    var phi_2194_: u32;
-    var phi_2348_: bool;
-    var phi_2195_: type_47;
-    var phi_2196_: u32;
-    var phi_2197_: u32;
-    var phi_2198_: bool;
-    var phi_2199_: u32;
-    var phi_2347_: bool;
+    var phi_637_: f32;
+    var phi_2239_: bool;
     var phi_912_: type_47;
     var phi_915_: u32;
     var phi_917_: u32;
     var phi_919_: bool;
     var phi_921_: u32;
-    var phi_2200_: bool;
-    var phi_2346_: bool;
+    var phi_932_: bool;
+    var phi_963_: u32;
+    var phi_964_: bool;
+    var phi_965_: u32;
+    var phi_1793_: type_43;
+    var phi_2137_: u32;
+    var phi_2164_: u32;
+    var phi_2165_: u32;
+    var phi_2166_: u32;
+    var phi_2168_: u32;
+    var phi_2169_: u32;
+    var phi_2170_: bool;
+    var phi_2179_: u32;
+    var phi_2184_: u32;
+    var phi_2185_: bool;
+    var phi_980_: type_47;
+    var phi_983_: type_4;
+    var phi_984_: type_4;
+    var phi_1006_: type_4;
+    var phi_1030_: u32;
+    var phi_1119_: array<array<f32, 3>, 3>;
+    var phi_1590_: vec3<f32>;
+    var phi_1591_: vec3<f32>;
+    var phi_1622_: bool;
+    var phi_1631_: vec3<f32>;
+    var phi_1671_: type_27;
+    var phi_1673_: type_27;
+    var phi_1674_: bool;
+    var phi_1678_: type_27;
+    var phi_1679_: type_27;
+    var phi_1680_: type_27;
+    var phi_1681_: bool;
+    var phi_1685_: type_27;
+    var phi_1686_: bool;
+    var phi_1690_: type_27;
+    var phi_1691_: bool;
+    var phi_1695_: type_27;
+    var phi_1720_: bool;
+    var phi_1721_: bool;
+    var phi_1728_: type_47;
+    var phi_1729_: type_47;
+    var phi_1730_: type_47;
+    var phi_981_: type_47;
+    var phi_2233_: bool;
+    var phi_2351_: bool;
+    var phi_2187_: type_47;
+    var phi_2188_: u32;
+    var phi_2189_: bool;
+    var phi_2190_: u32;
+    var phi_2350_: bool;
+    var phi_2191_: type_47;
+    var phi_2192_: u32;
+    var phi_2193_: u32;
+    var phi_2194_: bool;
+    var phi_2195_: u32;
+    var phi_2349_: bool;
+    var phi_2196_: type_47;
+    var phi_2197_: u32;
+    var phi_2198_: u32;
+    var phi_2199_: bool;
+    var phi_2200_: u32;
+    var phi_2348_: bool;
+    var phi_913_: type_47;
+    var phi_916_: u32;
+    var phi_918_: u32;
+    var phi_920_: bool;
+    var phi_922_: u32;
+    var phi_2201_: bool;
+    var phi_2347_: bool;
     var local_2: type_47;
     var local_3: type_47;
     var local_4: type_47;
@@ -196,16 +196,16 @@ fn function_() {
             let _e64 = arrayLength((&global_2.member));
             let _e66 = arrayLength((&global_3.member));
             let _e74 = (_e62.x + (_e62.y * 2097152u));
-            let _e75 = (_e74 < arrayLength((&global_4.member)));
-            if _e75 {
-                let _e76 = (_e74 < arrayLength((&global_5.member)));
-                if _e76 {
-                    if _e75 {
+            let _e77 = global_1.member[0u];
+            let _e78 = bitcast<i32>(_e77);
+            let _e79 = (_e74 < arrayLength((&global_4.member)));
+            if _e79 {
+                let _e80 = (_e74 < arrayLength((&global_5.member)));
+                if _e80 {
+                    if _e79 {
                     } else {
                         break;
                     }
-                    let _e79 = global_1.member[0u];
-                    let _e80 = bitcast<i32>(_e79);
                     let _e88 = global_4.member[_e74].member_2[0u];
                     let _e90 = (bitcast<u32>(_e88) & 2147483647u);
                     let _e95 = global_4.member[_e74].member_2[1u];
@@ -230,204 +230,204 @@ fn function_() {
                     if _e154 {
                         let _e157 = (bitcast<u32>(bitcast<f32>(_e129)) & 2147483647u);
                         if (_e157 >= 8388608u) {
-                            phi_267_ = (bitcast<i32>((_e157 >> bitcast<u32>(23i))) - 127i);
+                            phi_268_ = (bitcast<i32>((_e157 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_267_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e157)), 32u, (_e157 == 0u))));
+                            phi_268_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e157)), 32u, (_e157 == 0u))));
                         }
-                        let _e171 = phi_267_;
-                        phi_268_ = _e171;
+                        let _e171 = phi_268_;
+                        phi_269_ = _e171;
                     } else {
-                        phi_268_ = 0i;
+                        phi_269_ = 0i;
                     }
-                    let _e173 = phi_268_;
+                    let _e173 = phi_269_;
                     let _e174 = (_e90 == _e129);
                     if _e174 {
-                        phi_278_ = true;
+                        phi_279_ = true;
                     } else {
-                        phi_278_ = (_e97 == _e129);
+                        phi_279_ = (_e97 == _e129);
                     }
-                    let _e177 = phi_278_;
+                    let _e177 = phi_279_;
                     let _e178 = select(1u, 0u, _e174);
                     if _e177 {
                         let _e179 = (_e178 + 1u);
-                        phi_288_ = _e179;
                         phi_289_ = _e179;
-                        phi_291_ = select(true, false, (_e179 == 2u));
+                        phi_290_ = _e179;
+                        phi_292_ = select(true, false, (_e179 == 2u));
                     } else {
-                        phi_288_ = u32();
-                        phi_289_ = 0u;
-                        phi_291_ = true;
+                        phi_289_ = u32();
+                        phi_290_ = 0u;
+                        phi_292_ = true;
                     }
-                    let _e183 = phi_288_;
-                    let _e185 = phi_289_;
-                    let _e187 = phi_291_;
+                    let _e183 = phi_289_;
+                    let _e185 = phi_290_;
+                    let _e187 = phi_292_;
                     if _e187 {
-                        phi_296_ = (_e185 + 1u);
+                        phi_297_ = (_e185 + 1u);
                     } else {
-                        phi_296_ = 0u;
+                        phi_297_ = 0u;
                     }
-                    let _e191 = phi_296_;
+                    let _e191 = phi_297_;
                     let _e192 = select(_e183, _e185, _e187);
                     let _e193 = select(_e178, select(2u, _e178, _e177), _e187);
-                    if (_e80 < -126i) {
-                        phi_308_ = -126i;
+                    if (_e78 < -126i) {
+                        phi_309_ = -126i;
                     } else {
-                        phi_308_ = select(_e80, 127i, (_e80 > 127i));
+                        phi_309_ = select(_e78, 127i, (_e78 > 127i));
                     }
-                    let _e198 = phi_308_;
+                    let _e198 = phi_309_;
                     let _e203 = bitcast<f32>((bitcast<u32>((_e198 + 127i)) << bitcast<u32>(23i)));
-                    let _e209 = bitcast<f32>((bitcast<u32>(((_e80 - _e198) + 127i)) << bitcast<u32>(23i)));
+                    let _e209 = bitcast<f32>((bitcast<u32>(((_e78 - _e198) + 127i)) << bitcast<u32>(23i)));
                     let _e210 = -(_e173);
                     if (_e210 < -126i) {
-                        phi_328_ = -126i;
+                        phi_329_ = -126i;
                     } else {
-                        phi_328_ = select(_e210, 127i, (_e210 > 127i));
+                        phi_329_ = select(_e210, 127i, (_e210 > 127i));
                     }
-                    let _e215 = phi_328_;
+                    let _e215 = phi_329_;
                     let _e220 = bitcast<f32>((bitcast<u32>((_e215 + 127i)) << bitcast<u32>(23i)));
                     let _e226 = bitcast<f32>((bitcast<u32>(((_e210 - _e215) + 127i)) << bitcast<u32>(23i)));
                     let _e230 = global_4.member[_e74].member;
                     let _e231 = (_e192 == 0u);
                     if _e231 {
-                        phi_346_ = _e230[0];
+                        phi_347_ = _e230[0];
                     } else {
-                        phi_346_ = _e230[1];
+                        phi_347_ = _e230[1];
                     }
-                    let _e235 = phi_346_;
+                    let _e235 = phi_347_;
                     let _e236 = (_e192 == 2u);
                     if _e236 {
-                        phi_352_ = _e230[2];
+                        phi_353_ = _e230[2];
                     } else {
-                        phi_352_ = _e235;
+                        phi_353_ = _e235;
                     }
-                    let _e239 = phi_352_;
+                    let _e239 = phi_353_;
                     let _e241 = ((_e239 * _e203) * _e209);
                     let _e242 = global_4.member[_e74].member_2;
                     if _e231 {
-                        phi_363_ = _e242[0];
+                        phi_364_ = _e242[0];
                     } else {
-                        phi_363_ = _e242[1];
+                        phi_364_ = _e242[1];
                     }
-                    let _e246 = phi_363_;
+                    let _e246 = phi_364_;
                     if _e236 {
-                        phi_369_ = _e242[2];
+                        phi_370_ = _e242[2];
                     } else {
-                        phi_369_ = _e246;
+                        phi_370_ = _e246;
                     }
-                    let _e249 = phi_369_;
+                    let _e249 = phi_370_;
                     let _e251 = ((_e249 * _e220) * _e226);
                     let _e255 = (bitcast<f32>((bitcast<u32>(_e251) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e255 {
                         let _e259 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) * 0.00000011920929f);
-                        phi_392_ = select(0.00000000000011368684f, _e259, (_e259 > 0.00000000000011368684f));
+                        phi_393_ = select(0.00000000000011368684f, _e259, (_e259 > 0.00000000000011368684f));
                     } else {
-                        phi_392_ = 0f;
+                        phi_393_ = 0f;
                     }
-                    let _e263 = phi_392_;
+                    let _e263 = phi_393_;
                     let _e264 = (_e241 + _e263);
                     let _e265 = (_e241 - _e263);
                     let _e266 = select(_e251, 0f, _e255);
                     if _e255 {
-                        phi_403_ = 38685626000000000000000000f;
+                        phi_404_ = 38685626000000000000000000f;
                     } else {
-                        phi_403_ = (1f / _e251);
+                        phi_404_ = (1f / _e251);
                     }
-                    let _e269 = phi_403_;
+                    let _e269 = phi_404_;
                     let _e270 = (_e191 == 0u);
                     if _e270 {
-                        phi_412_ = _e230[0];
+                        phi_413_ = _e230[0];
                     } else {
-                        phi_412_ = _e230[1];
+                        phi_413_ = _e230[1];
                     }
-                    let _e274 = phi_412_;
+                    let _e274 = phi_413_;
                     let _e275 = (_e191 == 2u);
                     if _e275 {
-                        phi_418_ = _e230[2];
+                        phi_419_ = _e230[2];
                     } else {
-                        phi_418_ = _e274;
+                        phi_419_ = _e274;
                     }
-                    let _e278 = phi_418_;
+                    let _e278 = phi_419_;
                     let _e280 = ((_e278 * _e203) * _e209);
                     if _e270 {
-                        phi_429_ = _e242[0];
+                        phi_430_ = _e242[0];
                     } else {
-                        phi_429_ = _e242[1];
+                        phi_430_ = _e242[1];
                     }
-                    let _e284 = phi_429_;
+                    let _e284 = phi_430_;
                     if _e275 {
-                        phi_435_ = _e242[2];
+                        phi_436_ = _e242[2];
                     } else {
-                        phi_435_ = _e284;
+                        phi_436_ = _e284;
                     }
-                    let _e287 = phi_435_;
+                    let _e287 = phi_436_;
                     let _e289 = ((_e287 * _e220) * _e226);
                     let _e293 = (bitcast<f32>((bitcast<u32>(_e289) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e293 {
                         let _e297 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) * 0.00000011920929f);
-                        phi_458_ = select(0.00000000000011368684f, _e297, (_e297 > 0.00000000000011368684f));
+                        phi_459_ = select(0.00000000000011368684f, _e297, (_e297 > 0.00000000000011368684f));
                     } else {
-                        phi_458_ = 0f;
+                        phi_459_ = 0f;
                     }
-                    let _e301 = phi_458_;
+                    let _e301 = phi_459_;
                     let _e302 = (_e280 + _e301);
                     let _e303 = (_e280 - _e301);
                     let _e304 = select(_e289, 0f, _e293);
                     if _e293 {
-                        phi_469_ = 38685626000000000000000000f;
+                        phi_470_ = 38685626000000000000000000f;
                     } else {
-                        phi_469_ = (1f / _e289);
+                        phi_470_ = (1f / _e289);
                     }
-                    let _e307 = phi_469_;
+                    let _e307 = phi_470_;
                     let _e308 = (_e193 == 0u);
                     if _e308 {
-                        phi_478_ = _e230[0];
+                        phi_479_ = _e230[0];
                     } else {
-                        phi_478_ = _e230[1];
+                        phi_479_ = _e230[1];
                     }
-                    let _e312 = phi_478_;
+                    let _e312 = phi_479_;
                     let _e313 = (_e193 == 2u);
                     if _e313 {
-                        phi_484_ = _e230[2];
+                        phi_485_ = _e230[2];
                     } else {
-                        phi_484_ = _e312;
+                        phi_485_ = _e312;
                     }
-                    let _e316 = phi_484_;
+                    let _e316 = phi_485_;
                     let _e318 = ((_e316 * _e203) * _e209);
                     if _e308 {
-                        phi_495_ = _e242[0];
+                        phi_496_ = _e242[0];
                     } else {
-                        phi_495_ = _e242[1];
+                        phi_496_ = _e242[1];
                     }
-                    let _e322 = phi_495_;
+                    let _e322 = phi_496_;
                     if _e313 {
-                        phi_501_ = _e242[2];
+                        phi_502_ = _e242[2];
                     } else {
-                        phi_501_ = _e322;
+                        phi_502_ = _e322;
                     }
-                    let _e325 = phi_501_;
+                    let _e325 = phi_502_;
                     let _e327 = ((_e325 * _e220) * _e226);
                     let _e331 = (bitcast<f32>((bitcast<u32>(_e327) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e331 {
                         let _e335 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) * 0.00000011920929f);
-                        phi_524_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
+                        phi_525_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
                     } else {
-                        phi_524_ = 0f;
+                        phi_525_ = 0f;
                     }
-                    let _e339 = phi_524_;
+                    let _e339 = phi_525_;
                     let _e340 = (_e318 + _e339);
                     let _e341 = (_e318 - _e339);
                     let _e342 = select(_e327, 0f, _e331);
                     if _e331 {
-                        phi_535_ = 38685626000000000000000000f;
+                        phi_536_ = 38685626000000000000000000f;
                     } else {
-                        phi_535_ = (1f / _e327);
+                        phi_536_ = (1f / _e327);
                     }
-                    let _e345 = phi_535_;
+                    let _e345 = phi_536_;
                     let _e348 = bitcast<f32>((bitcast<u32>(_e241) & 2147483647u));
                     let _e351 = bitcast<f32>((bitcast<u32>(_e280) & 2147483647u));
                     let _e353 = select(_e351, _e348, (_e348 > _e351));
                     let _e356 = bitcast<f32>((bitcast<u32>(_e318) & 2147483647u));
-                    let _e359 = (_e80 + _e173);
+                    let _e359 = (_e78 + _e173);
                     if (_e154 && (select(_e356, _e353, (_e353 > _e356)) <= 1099511600000f)) {
                         let _e362 = (_e359 / 3i);
                         let _e369 = bitcast<f32>((bitcast<u32>((_e362 + 127i)) << bitcast<u32>(23i)));
@@ -436,84 +436,84 @@ fn function_() {
                         let _e379 = select(340282350000000000000000000000000000000f, _e377, (_e377 < 340282350000000000000000000000000000000f));
                         let _e384 = (((_e148 * _e369) * _e369) * _e376);
                         let _e386 = select(340282350000000000000000000000000000000f, _e384, (_e384 < 340282350000000000000000000000000000000f));
-                        phi_635_ = select(-340282350000000000000000000000000000000f, _e386, (_e386 > -340282350000000000000000000000000000000f));
-                        phi_636_ = select(-340282350000000000000000000000000000000f, _e379, (_e379 > -340282350000000000000000000000000000000f));
+                        phi_636_ = select(-340282350000000000000000000000000000000f, _e386, (_e386 > -340282350000000000000000000000000000000f));
+                        phi_637_ = select(-340282350000000000000000000000000000000f, _e379, (_e379 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_635_ = 0f;
-                        phi_636_ = 1f;
+                        phi_636_ = 0f;
+                        phi_637_ = 1f;
                     }
-                    let _e390 = phi_635_;
-                    let _e392 = phi_636_;
+                    let _e390 = phi_636_;
+                    let _e392 = phi_637_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2238_ = false;
-                    phi_911_ = type_47(type_39(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e390), 0u, 0u);
-                    phi_914_ = select(0u, 2147483648u, (_e64 == 0u));
-                    phi_916_ = ((3u * _e64) + 1u);
-                    phi_918_ = (_e392 <= _e390);
-                    phi_920_ = 0u;
+                    phi_2239_ = false;
+                    phi_912_ = type_47(type_39(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e390), 0u, 0u);
+                    phi_915_ = select(0u, 2147483648u, (_e64 == 0u));
+                    phi_917_ = ((3u * _e64) + 1u);
+                    phi_919_ = (_e392 <= _e390);
+                    phi_921_ = 0u;
                     loop {
-                        let _e401 = phi_2238_;
-                        let _e403 = phi_911_;
-                        let _e405 = phi_914_;
-                        let _e407 = phi_916_;
-                        let _e409 = phi_918_;
-                        let _e411 = phi_920_;
+                        let _e401 = phi_2239_;
+                        let _e403 = phi_912_;
+                        let _e405 = phi_915_;
+                        let _e407 = phi_917_;
+                        let _e409 = phi_919_;
+                        let _e411 = phi_921_;
                         local_2 = _e403;
                         local_3 = _e403;
                         if _e409 {
-                            phi_931_ = true;
+                            phi_932_ = true;
                         } else {
-                            phi_931_ = (_e411 > 0u);
+                            phi_932_ = (_e411 > 0u);
                         }
-                        let _e414 = phi_931_;
+                        let _e414 = phi_932_;
                         if _e414 {
                             let _e415 = (_e407 > 0u);
                             if _e415 {
                                 if _e409 {
-                                    phi_962_ = _e405;
-                                    phi_963_ = _e409;
-                                    phi_964_ = _e411;
+                                    phi_963_ = _e405;
+                                    phi_964_ = _e409;
+                                    phi_965_ = _e411;
                                 } else {
                                     let _e416 = (_e411 - 1u);
                                     let _e417 = (_e416 % 128u);
                                     let _e418 = (_e417 < 128u);
                                     if _e418 {
                                     } else {
-                                        phi_2346_ = true;
+                                        phi_2347_ = true;
                                         break;
                                     }
                                     let _e420 = local_1[_e417];
                                     if _e418 {
                                     } else {
-                                        phi_2346_ = true;
+                                        phi_2347_ = true;
                                         break;
                                     }
                                     let _e422 = local[_e417];
-                                    phi_962_ = _e420;
-                                    phi_963_ = (_e422 <= _e403.member.member_1);
-                                    phi_964_ = _e416;
+                                    phi_963_ = _e420;
+                                    phi_964_ = (_e422 <= _e403.member.member_1);
+                                    phi_965_ = _e416;
                                 }
-                                let _e427 = phi_962_;
-                                let _e429 = phi_963_;
-                                let _e431 = phi_964_;
+                                let _e427 = phi_963_;
+                                let _e429 = phi_964_;
+                                let _e431 = phi_965_;
                                 if _e429 {
                                     if ((_e427 & 2147483648u) != 0u) {
-                                        phi_979_ = _e403;
-                                        phi_982_ = type_4(0u, ((_e427 >> bitcast<u32>(28u)) & 7u));
+                                        phi_980_ = _e403;
+                                        phi_983_ = type_4(0u, ((_e427 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e636 = phi_979_;
-                                            let _e638 = phi_982_;
+                                            let _e636 = phi_980_;
+                                            let _e638 = phi_983_;
                                             local_4 = _e636;
                                             if (_e638.member < _e638.member_1) {
-                                                phi_983_ = type_4((_e638.member + 1u), _e638.member_1);
-                                                phi_1005_ = type_4(1u, _e638.member);
+                                                phi_984_ = type_4((_e638.member + 1u), _e638.member_1);
+                                                phi_1006_ = type_4(1u, _e638.member);
                                             } else {
-                                                phi_983_ = _e638;
-                                                phi_1005_ = type_4(0u, type_4().member_1);
+                                                phi_984_ = _e638;
+                                                phi_1006_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e651 = phi_983_;
-                                            let _e653 = phi_1005_;
+                                            let _e651 = phi_984_;
+                                            let _e653 = phi_1006_;
                                             let _e657 = (bitcast<i32>(_e653.member) != 0i);
                                             if _e657 {
                                                 let _e663 = type_47(_e636.member, _e636.member_1, (_e636.member_2 + 1u));
@@ -522,21 +522,21 @@ fn function_() {
                                                 if _e665 {
                                                     if _e665 {
                                                     } else {
-                                                        phi_2232_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
                                                     let _e669 = global_3.member[_e664].member_1;
-                                                    phi_1029_ = _e669;
+                                                    phi_1030_ = _e669;
                                                 } else {
-                                                    phi_1029_ = 4294967295u;
+                                                    phi_1030_ = 4294967295u;
                                                 }
-                                                let _e671 = phi_1029_;
+                                                let _e671 = phi_1030_;
                                                 if (_e664 >= _e66) {
-                                                    phi_1118_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_1119_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e665 {
                                                     } else {
-                                                        phi_2232_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
                                                     let _e673 = (_e192 % 3u);
@@ -544,67 +544,67 @@ fn function_() {
                                                     let _e675 = (_e193 % 3u);
                                                     if (_e673 < 9u) {
                                                     } else {
-                                                        phi_2232_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
                                                     let _e681 = global_3.member[_e664].member[_e673];
                                                     if (_e674 < 9u) {
                                                     } else {
-                                                        phi_2232_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
                                                     let _e687 = global_3.member[_e664].member[_e674];
                                                     if (_e675 < 9u) {
                                                     } else {
-                                                        phi_2232_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
                                                     let _e693 = global_3.member[_e664].member[_e675];
                                                     let _e695 = (3u + _e673);
                                                     if (_e695 < 9u) {
                                                     } else {
-                                                        phi_2232_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
                                                     let _e701 = global_3.member[_e664].member[_e695];
                                                     let _e702 = (3u + _e674);
                                                     if (_e702 < 9u) {
                                                     } else {
-                                                        phi_2232_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
                                                     let _e708 = global_3.member[_e664].member[_e702];
                                                     let _e709 = (3u + _e675);
                                                     if (_e709 < 9u) {
                                                     } else {
-                                                        phi_2232_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
                                                     let _e715 = global_3.member[_e664].member[_e709];
                                                     let _e717 = (6u + _e673);
                                                     if (_e717 < 9u) {
                                                     } else {
-                                                        phi_2232_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
                                                     let _e723 = global_3.member[_e664].member[_e717];
                                                     let _e724 = (6u + _e674);
                                                     if (_e724 < 9u) {
                                                     } else {
-                                                        phi_2232_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
                                                     let _e730 = global_3.member[_e664].member[_e724];
                                                     let _e731 = (6u + _e675);
                                                     if (_e731 < 9u) {
                                                     } else {
-                                                        phi_2232_ = true;
+                                                        phi_2233_ = true;
                                                         break;
                                                     }
                                                     let _e737 = global_3.member[_e664].member[_e731];
-                                                    phi_1118_ = array<array<f32, 3>, 3>(array<f32, 3>(_e681, _e687, _e693), array<f32, 3>(_e701, _e708, _e715), array<f32, 3>(_e723, _e730, _e737));
+                                                    phi_1119_ = array<array<f32, 3>, 3>(array<f32, 3>(_e681, _e687, _e693), array<f32, 3>(_e701, _e708, _e715), array<f32, 3>(_e723, _e730, _e737));
                                                 }
-                                                let _e741 = phi_1118_;
+                                                let _e741 = phi_1119_;
                                                 let _e750 = (_e741[0][2] - _e318);
                                                 let _e753 = (((_e741[0][0] - _e241) * _e342) - (_e750 * _e266));
                                                 let _e756 = (((_e741[0][1] - _e280) * _e342) - (_e750 * _e304));
@@ -631,8 +631,8 @@ fn function_() {
                                                     let _e812 = select(0f, _e810, (_e810 > 0f));
                                                     let _e814 = ((_e804 + _e808) + _e812);
                                                     if (_e814 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1684_ = type_27();
-                                                        phi_1685_ = true;
+                                                        phi_1685_ = type_27();
+                                                        phi_1686_ = true;
                                                     } else {
                                                         let _e817 = select(_e741[1][0], _e741[0][0], (_e741[0][0] < _e741[1][0]));
                                                         let _e821 = select(_e741[1][0], _e741[0][0], (_e741[0][0] > _e741[1][0]));
@@ -659,12 +659,12 @@ fn function_() {
                                                         let _e872 = -(_e853);
                                                         let _e878 = select(_e392, _e863, (_e863 > _e392));
                                                         if (_e878 > (_e871 + (select(_e872, _e855, (_e855 > _e872)) * 0.0000019073523f))) {
-                                                            phi_1679_ = type_27();
-                                                            phi_1680_ = true;
+                                                            phi_1680_ = type_27();
+                                                            phi_1681_ = true;
                                                         } else {
                                                             let _e880 = (_e878 > _e636.member.member_1);
                                                             if _e880 {
-                                                                phi_1678_ = type_27();
+                                                                phi_1679_ = type_27();
                                                             } else {
                                                                 let _e884 = (_e741[1][0] - _e741[0][0]);
                                                                 let _e885 = (_e741[1][1] - _e741[0][1]);
@@ -696,30 +696,30 @@ fn function_() {
                                                                 let _e936 = select(_e921, _e908, (_e908 > _e921));
                                                                 let _e938 = select(_e934, _e936, (_e936 > _e934));
                                                                 if (_e908 == _e938) {
-                                                                    phi_1589_ = _e891;
-                                                                    phi_1590_ = _e895;
+                                                                    phi_1590_ = _e891;
+                                                                    phi_1591_ = _e895;
                                                                 } else {
                                                                     let _e941 = vec3((_e921 == _e938));
-                                                                    phi_1589_ = select(_e887, _e895, _e941);
-                                                                    phi_1590_ = select(_e891, _e887, _e941);
+                                                                    phi_1590_ = select(_e887, _e895, _e941);
+                                                                    phi_1591_ = select(_e891, _e887, _e941);
                                                                 }
-                                                                let _e945 = phi_1589_;
-                                                                let _e947 = phi_1590_;
+                                                                let _e945 = phi_1590_;
+                                                                let _e947 = phi_1591_;
                                                                 let _e954 = ((_e945.y * _e947.z) - (_e947.y * _e945.z));
                                                                 let _e959 = ((_e945.z * _e947.x) - (_e947.z * _e945.x));
                                                                 let _e962 = ((_e945.x * _e947.y) - (_e947.x * _e945.y));
                                                                 if (_e804 >= _e808) {
-                                                                    phi_1621_ = select(true, false, (_e804 >= _e812));
+                                                                    phi_1622_ = select(true, false, (_e804 >= _e812));
                                                                 } else {
-                                                                    phi_1621_ = true;
+                                                                    phi_1622_ = true;
                                                                 }
-                                                                let _e967 = phi_1621_;
+                                                                let _e967 = phi_1622_;
                                                                 if _e967 {
-                                                                    phi_1630_ = select(vec3<f32>(_e741[2][0], _e741[2][1], _e741[2][2]), vec3<f32>(_e741[1][0], _e741[1][1], _e741[1][2]), vec3((_e808 >= _e812)));
+                                                                    phi_1631_ = select(vec3<f32>(_e741[2][0], _e741[2][1], _e741[2][2]), vec3<f32>(_e741[1][0], _e741[1][1], _e741[1][2]), vec3((_e808 >= _e812)));
                                                                 } else {
-                                                                    phi_1630_ = vec3<f32>(_e741[0][0], _e741[0][1], _e741[0][2]);
+                                                                    phi_1631_ = vec3<f32>(_e741[0][0], _e741[0][1], _e741[0][2]);
                                                                 }
-                                                                let _e972 = phi_1630_;
+                                                                let _e972 = phi_1631_;
                                                                 let _e989 = ((((_e954 * (_e972.x - _e241)) + (_e959 * (_e972.y - _e280))) + (_e962 * (_e972.z - _e318))) / (((_e954 * _e266) + (_e959 * _e304)) + (_e962 * _e342)));
                                                                 let _e991 = select(_e871, _e989, (_e989 < _e871));
                                                                 let _e993 = select(_e863, _e991, (_e991 > _e863));
@@ -727,141 +727,141 @@ fn function_() {
                                                                     let _e995 = (_e993 <= _e636.member.member_1);
                                                                     if _e995 {
                                                                         let _e996 = (1f / _e814);
-                                                                        phi_1670_ = type_27(_e993, (_e808 * _e996), (_e812 * _e996), _e671);
+                                                                        phi_1671_ = type_27(_e993, (_e808 * _e996), (_e812 * _e996), _e671);
                                                                     } else {
-                                                                        phi_1670_ = type_27();
+                                                                        phi_1671_ = type_27();
                                                                     }
-                                                                    let _e1001 = phi_1670_;
-                                                                    phi_1672_ = _e1001;
-                                                                    phi_1673_ = select(true, false, _e995);
+                                                                    let _e1001 = phi_1671_;
+                                                                    phi_1673_ = _e1001;
+                                                                    phi_1674_ = select(true, false, _e995);
                                                                 } else {
-                                                                    phi_1672_ = type_27();
-                                                                    phi_1673_ = true;
+                                                                    phi_1673_ = type_27();
+                                                                    phi_1674_ = true;
                                                                 }
-                                                                let _e1004 = phi_1672_;
-                                                                let _e1006 = phi_1673_;
+                                                                let _e1004 = phi_1673_;
+                                                                let _e1006 = phi_1674_;
                                                                 if _e1006 {
-                                                                    phi_1677_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1678_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1677_ = _e1004;
+                                                                    phi_1678_ = _e1004;
                                                                 }
-                                                                let _e1008 = phi_1677_;
-                                                                phi_1678_ = _e1008;
+                                                                let _e1008 = phi_1678_;
+                                                                phi_1679_ = _e1008;
                                                             }
-                                                            let _e1010 = phi_1678_;
-                                                            phi_1679_ = _e1010;
-                                                            phi_1680_ = _e880;
+                                                            let _e1010 = phi_1679_;
+                                                            phi_1680_ = _e1010;
+                                                            phi_1681_ = _e880;
                                                         }
-                                                        let _e1012 = phi_1679_;
-                                                        let _e1014 = phi_1680_;
-                                                        phi_1684_ = _e1012;
-                                                        phi_1685_ = _e1014;
+                                                        let _e1012 = phi_1680_;
+                                                        let _e1014 = phi_1681_;
+                                                        phi_1685_ = _e1012;
+                                                        phi_1686_ = _e1014;
                                                     }
-                                                    let _e1016 = phi_1684_;
-                                                    let _e1018 = phi_1685_;
-                                                    phi_1689_ = _e1016;
-                                                    phi_1690_ = _e1018;
+                                                    let _e1016 = phi_1685_;
+                                                    let _e1018 = phi_1686_;
+                                                    phi_1690_ = _e1016;
+                                                    phi_1691_ = _e1018;
                                                 } else {
-                                                    phi_1689_ = type_27();
-                                                    phi_1690_ = true;
+                                                    phi_1690_ = type_27();
+                                                    phi_1691_ = true;
                                                 }
-                                                let _e1020 = phi_1689_;
-                                                let _e1022 = phi_1690_;
+                                                let _e1020 = phi_1690_;
+                                                let _e1022 = phi_1691_;
                                                 if _e1022 {
-                                                    phi_1694_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1695_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1694_ = _e1020;
+                                                    phi_1695_ = _e1020;
                                                 }
-                                                let _e1024 = phi_1694_;
+                                                let _e1024 = phi_1695_;
                                                 if (_e1024.member_3 != 4294967295u) {
                                                     if (_e671 != 4294967295u) {
                                                         if (_e1024.member < _e636.member.member.member) {
-                                                            phi_1720_ = true;
+                                                            phi_1721_ = true;
                                                         } else {
                                                             if (_e1024.member == _e636.member.member.member) {
-                                                                phi_1719_ = (_e1024.member_3 < _e636.member.member.member_3);
+                                                                phi_1720_ = (_e1024.member_3 < _e636.member.member.member_3);
                                                             } else {
-                                                                phi_1719_ = false;
+                                                                phi_1720_ = false;
                                                             }
-                                                            let _e1039 = phi_1719_;
-                                                            phi_1720_ = _e1039;
+                                                            let _e1039 = phi_1720_;
+                                                            phi_1721_ = _e1039;
                                                         }
-                                                        let _e1041 = phi_1720_;
+                                                        let _e1041 = phi_1721_;
                                                         if _e1041 {
-                                                            phi_1727_ = type_47(type_39(_e1024, _e1024.member), _e663.member_1, _e663.member_2);
+                                                            phi_1728_ = type_47(type_39(_e1024, _e1024.member), _e663.member_1, _e663.member_2);
                                                         } else {
-                                                            phi_1727_ = _e663;
+                                                            phi_1728_ = _e663;
                                                         }
-                                                        let _e1048 = phi_1727_;
-                                                        phi_1728_ = _e1048;
+                                                        let _e1048 = phi_1728_;
+                                                        phi_1729_ = _e1048;
                                                     } else {
-                                                        phi_1728_ = _e663;
+                                                        phi_1729_ = _e663;
                                                     }
-                                                    let _e1050 = phi_1728_;
-                                                    phi_1729_ = _e1050;
+                                                    let _e1050 = phi_1729_;
+                                                    phi_1730_ = _e1050;
                                                 } else {
-                                                    phi_1729_ = _e663;
+                                                    phi_1730_ = _e663;
                                                 }
-                                                let _e1052 = phi_1729_;
-                                                phi_980_ = _e1052;
+                                                let _e1052 = phi_1730_;
+                                                phi_981_ = _e1052;
                                             } else {
-                                                phi_980_ = type_47();
+                                                phi_981_ = type_47();
                                             }
-                                            let _e1054 = phi_980_;
+                                            let _e1054 = phi_981_;
                                             continue;
                                             continuing {
-                                                phi_979_ = _e1054;
-                                                phi_982_ = _e651;
-                                                phi_2232_ = _e401;
+                                                phi_980_ = _e1054;
+                                                phi_983_ = _e651;
+                                                phi_2233_ = _e401;
                                                 break if !(_e657);
                                             }
                                         }
-                                        let _e1057 = phi_2232_;
-                                        phi_2346_ = _e1057;
+                                        let _e1057 = phi_2233_;
+                                        phi_2347_ = _e1057;
                                         if _e1057 {
                                             break;
                                         }
-                                        phi_2350_ = _e1057;
+                                        phi_2351_ = _e1057;
                                         let _e1203 = local_4;
-                                        phi_2186_ = _e1203;
-                                        phi_2187_ = _e427;
-                                        phi_2188_ = false;
-                                        phi_2189_ = _e431;
+                                        phi_2187_ = _e1203;
+                                        phi_2188_ = _e427;
+                                        phi_2189_ = false;
+                                        phi_2190_ = _e431;
                                     } else {
                                         if (_e427 >= _e64) {
-                                            phi_1792_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1793_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e427 < _e64) {
                                             } else {
-                                                phi_2346_ = true;
+                                                phi_2347_ = true;
                                                 break;
                                             }
                                             let _e447 = (_e192 % 3u);
                                             if (_e447 < 3u) {
                                             } else {
-                                                phi_2346_ = true;
+                                                phi_2347_ = true;
                                                 break;
                                             }
                                             let _e453 = global_2.member[_e427].member[_e447];
                                             let _e459 = (_e191 % 3u);
                                             if (_e459 < 3u) {
                                             } else {
-                                                phi_2346_ = true;
+                                                phi_2347_ = true;
                                                 break;
                                             }
                                             let _e465 = global_2.member[_e427].member[_e459];
                                             let _e471 = (_e193 % 3u);
                                             if (_e471 < 3u) {
                                             } else {
-                                                phi_2346_ = true;
+                                                phi_2347_ = true;
                                                 break;
                                             }
                                             let _e477 = global_2.member[_e427].member[_e471];
                                             let _e487 = global_2.member[_e427].member_1;
                                             let _e491 = global_2.member[_e427].member_2;
-                                            phi_1792_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e453[0], _e453[1], _e453[2], _e453[3]), vec4<f32>(_e465[0], _e465[1], _e465[2], _e465[3]), vec4<f32>(_e477[0], _e477[1], _e477[2], _e477[3])), _e487, _e491);
+                                            phi_1793_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e453[0], _e453[1], _e453[2], _e453[3]), vec4<f32>(_e465[0], _e465[1], _e465[2], _e465[3]), vec4<f32>(_e477[0], _e477[1], _e477[2], _e477[3])), _e487, _e491);
                                         }
-                                        let _e494 = phi_1792_;
+                                        let _e494 = phi_1793_;
                                         let _e507 = ((_e494.member[0].x - _e264) * _e269);
                                         let _e508 = ((_e494.member[0].y - _e264) * _e269);
                                         let _e509 = ((_e494.member[0].z - _e265) * _e269);
@@ -904,158 +904,158 @@ fn function_() {
                                         if _e595 {
                                             if _e596 {
                                                 if _e597 {
-                                                    phi_2136_ = _e494.member_2;
+                                                    phi_2137_ = _e494.member_2;
                                                 } else {
-                                                    phi_2136_ = _e494.member_1;
+                                                    phi_2137_ = _e494.member_1;
                                                 }
-                                                let _e601 = phi_2136_;
+                                                let _e601 = phi_2137_;
                                                 let _e602 = (_e431 % 128u);
                                                 let _e603 = (_e602 < 128u);
                                                 if _e603 {
                                                 } else {
-                                                    phi_2346_ = true;
+                                                    phi_2347_ = true;
                                                     break;
                                                 }
                                                 local_1[_e602] = _e601;
                                                 if _e603 {
                                                 } else {
-                                                    phi_2346_ = true;
+                                                    phi_2347_ = true;
                                                     break;
                                                 }
                                                 local[_e602] = select(_e590, _e588, (_e588 > _e590));
                                                 if _e597 {
-                                                    phi_2163_ = _e494.member_1;
+                                                    phi_2164_ = _e494.member_1;
                                                 } else {
-                                                    phi_2163_ = _e494.member_2;
+                                                    phi_2164_ = _e494.member_2;
                                                 }
-                                                let _e612 = phi_2163_;
-                                                phi_2164_ = _e612;
-                                                phi_2165_ = (_e431 + 1u);
+                                                let _e612 = phi_2164_;
+                                                phi_2165_ = _e612;
+                                                phi_2166_ = (_e431 + 1u);
                                             } else {
-                                                phi_2164_ = u32();
                                                 phi_2165_ = u32();
+                                                phi_2166_ = u32();
                                             }
-                                            let _e614 = phi_2164_;
-                                            let _e616 = phi_2165_;
-                                            phi_2167_ = _e614;
-                                            phi_2168_ = _e616;
-                                            phi_2169_ = select(true, false, _e596);
+                                            let _e614 = phi_2165_;
+                                            let _e616 = phi_2166_;
+                                            phi_2168_ = _e614;
+                                            phi_2169_ = _e616;
+                                            phi_2170_ = select(true, false, _e596);
                                         } else {
-                                            phi_2167_ = u32();
                                             phi_2168_ = u32();
-                                            phi_2169_ = true;
+                                            phi_2169_ = u32();
+                                            phi_2170_ = true;
                                         }
-                                        let _e619 = phi_2167_;
-                                        let _e621 = phi_2168_;
-                                        let _e623 = phi_2169_;
+                                        let _e619 = phi_2168_;
+                                        let _e621 = phi_2169_;
+                                        let _e623 = phi_2170_;
                                         if _e623 {
                                             if _e595 {
-                                                phi_2178_ = _e494.member_1;
+                                                phi_2179_ = _e494.member_1;
                                             } else {
-                                                phi_2178_ = _e494.member_2;
+                                                phi_2179_ = _e494.member_2;
                                             }
-                                            let _e627 = phi_2178_;
-                                            phi_2183_ = _e627;
-                                            phi_2184_ = select(_e596, true, _e595);
+                                            let _e627 = phi_2179_;
+                                            phi_2184_ = _e627;
+                                            phi_2185_ = select(_e596, true, _e595);
                                         } else {
-                                            phi_2183_ = _e619;
-                                            phi_2184_ = _e429;
+                                            phi_2184_ = _e619;
+                                            phi_2185_ = _e429;
                                         }
-                                        let _e630 = phi_2183_;
-                                        let _e632 = phi_2184_;
-                                        phi_2350_ = _e401;
-                                        phi_2186_ = type_47(_e403.member, (_e403.member_1 + 1u), _e403.member_2);
-                                        phi_2187_ = _e630;
-                                        phi_2188_ = _e632;
-                                        phi_2189_ = select(_e621, _e431, _e623);
+                                        let _e630 = phi_2184_;
+                                        let _e632 = phi_2185_;
+                                        phi_2351_ = _e401;
+                                        phi_2187_ = type_47(_e403.member, (_e403.member_1 + 1u), _e403.member_2);
+                                        phi_2188_ = _e630;
+                                        phi_2189_ = _e632;
+                                        phi_2190_ = select(_e621, _e431, _e623);
                                     }
-                                    let _e1059 = phi_2350_;
-                                    let _e1061 = phi_2186_;
-                                    let _e1063 = phi_2187_;
-                                    let _e1065 = phi_2188_;
-                                    let _e1067 = phi_2189_;
-                                    phi_2349_ = _e1059;
-                                    phi_2190_ = _e1061;
-                                    phi_2191_ = _e1063;
-                                    phi_2192_ = (_e407 - 1u);
-                                    phi_2193_ = _e1065;
-                                    phi_2194_ = _e1067;
+                                    let _e1059 = phi_2351_;
+                                    let _e1061 = phi_2187_;
+                                    let _e1063 = phi_2188_;
+                                    let _e1065 = phi_2189_;
+                                    let _e1067 = phi_2190_;
+                                    phi_2350_ = _e1059;
+                                    phi_2191_ = _e1061;
+                                    phi_2192_ = _e1063;
+                                    phi_2193_ = (_e407 - 1u);
+                                    phi_2194_ = _e1065;
+                                    phi_2195_ = _e1067;
                                 } else {
-                                    phi_2349_ = _e401;
-                                    phi_2190_ = _e403;
-                                    phi_2191_ = _e427;
-                                    phi_2192_ = _e407;
-                                    phi_2193_ = _e429;
-                                    phi_2194_ = _e431;
+                                    phi_2350_ = _e401;
+                                    phi_2191_ = _e403;
+                                    phi_2192_ = _e427;
+                                    phi_2193_ = _e407;
+                                    phi_2194_ = _e429;
+                                    phi_2195_ = _e431;
                                 }
-                                let _e1069 = phi_2349_;
-                                let _e1071 = phi_2190_;
-                                let _e1073 = phi_2191_;
-                                let _e1075 = phi_2192_;
-                                let _e1077 = phi_2193_;
-                                let _e1079 = phi_2194_;
-                                phi_2348_ = _e1069;
-                                phi_2195_ = _e1071;
-                                phi_2196_ = _e1073;
-                                phi_2197_ = _e1075;
-                                phi_2198_ = _e1077;
-                                phi_2199_ = _e1079;
+                                let _e1069 = phi_2350_;
+                                let _e1071 = phi_2191_;
+                                let _e1073 = phi_2192_;
+                                let _e1075 = phi_2193_;
+                                let _e1077 = phi_2194_;
+                                let _e1079 = phi_2195_;
+                                phi_2349_ = _e1069;
+                                phi_2196_ = _e1071;
+                                phi_2197_ = _e1073;
+                                phi_2198_ = _e1075;
+                                phi_2199_ = _e1077;
+                                phi_2200_ = _e1079;
                             } else {
-                                phi_2348_ = _e401;
-                                phi_2195_ = type_47();
-                                phi_2196_ = u32();
+                                phi_2349_ = _e401;
+                                phi_2196_ = type_47();
                                 phi_2197_ = u32();
-                                phi_2198_ = bool();
-                                phi_2199_ = u32();
+                                phi_2198_ = u32();
+                                phi_2199_ = bool();
+                                phi_2200_ = u32();
                             }
-                            let _e1081 = phi_2348_;
-                            let _e1083 = phi_2195_;
-                            let _e1085 = phi_2196_;
-                            let _e1087 = phi_2197_;
-                            let _e1089 = phi_2198_;
-                            let _e1091 = phi_2199_;
-                            phi_2347_ = _e1081;
-                            phi_912_ = _e1083;
-                            phi_915_ = _e1085;
-                            phi_917_ = _e1087;
-                            phi_919_ = _e1089;
-                            phi_921_ = _e1091;
-                            phi_2200_ = _e415;
+                            let _e1081 = phi_2349_;
+                            let _e1083 = phi_2196_;
+                            let _e1085 = phi_2197_;
+                            let _e1087 = phi_2198_;
+                            let _e1089 = phi_2199_;
+                            let _e1091 = phi_2200_;
+                            phi_2348_ = _e1081;
+                            phi_913_ = _e1083;
+                            phi_916_ = _e1085;
+                            phi_918_ = _e1087;
+                            phi_920_ = _e1089;
+                            phi_922_ = _e1091;
+                            phi_2201_ = _e415;
                         } else {
-                            phi_2347_ = _e401;
-                            phi_912_ = type_47();
-                            phi_915_ = u32();
-                            phi_917_ = u32();
-                            phi_919_ = bool();
-                            phi_921_ = u32();
-                            phi_2200_ = false;
+                            phi_2348_ = _e401;
+                            phi_913_ = type_47();
+                            phi_916_ = u32();
+                            phi_918_ = u32();
+                            phi_920_ = bool();
+                            phi_922_ = u32();
+                            phi_2201_ = false;
                         }
-                        let _e1093 = phi_2347_;
-                        let _e1095 = phi_912_;
-                        let _e1097 = phi_915_;
-                        let _e1099 = phi_917_;
-                        let _e1101 = phi_919_;
-                        let _e1103 = phi_921_;
-                        let _e1105 = phi_2200_;
+                        let _e1093 = phi_2348_;
+                        let _e1095 = phi_913_;
+                        let _e1097 = phi_916_;
+                        let _e1099 = phi_918_;
+                        let _e1101 = phi_920_;
+                        let _e1103 = phi_922_;
+                        let _e1105 = phi_2201_;
                         continue;
                         continuing {
-                            phi_2238_ = _e1093;
-                            phi_911_ = _e1095;
-                            phi_914_ = _e1097;
-                            phi_916_ = _e1099;
-                            phi_918_ = _e1101;
-                            phi_920_ = _e1103;
-                            phi_2346_ = _e1093;
+                            phi_2239_ = _e1093;
+                            phi_912_ = _e1095;
+                            phi_915_ = _e1097;
+                            phi_917_ = _e1099;
+                            phi_919_ = _e1101;
+                            phi_921_ = _e1103;
+                            phi_2347_ = _e1093;
                             break if !(_e1105);
                         }
                     }
-                    let _e1108 = phi_2346_;
+                    let _e1108 = phi_2347_;
                     if _e1108 {
                         break;
                     }
                     let _e1110 = local_2;
                     let _e1113 = local_3;
-                    if _e76 {
+                    if _e80 {
                     } else {
                         break;
                     }

@@ -88,111 +88,112 @@ var<storage, read_write> global_5: type_51;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_276_: i32;
-    var phi_277_: i32;
-    var phi_287_: bool;
-    var phi_297_: u32;
-    var phi_298_: u32;
-    var phi_300_: bool;
-    var phi_305_: u32;
-    var phi_337_: i32;
-    var phi_355_: f32;
+    var phi_177_: u32;
+    var phi_282_: i32;
+    var phi_283_: i32;
+    var phi_293_: bool;
+    var phi_303_: u32;
+    var phi_304_: u32;
+    var phi_306_: bool;
+    var phi_311_: u32;
+    var phi_343_: i32;
     var phi_361_: f32;
-    var phi_372_: f32;
+    var phi_367_: f32;
     var phi_378_: f32;
-    var phi_401_: f32;
-    var phi_412_: f32;
-    var phi_421_: f32;
+    var phi_384_: f32;
+    var phi_407_: f32;
+    var phi_418_: f32;
     var phi_427_: f32;
-    var phi_438_: f32;
+    var phi_433_: f32;
     var phi_444_: f32;
-    var phi_467_: f32;
-    var phi_478_: f32;
-    var phi_487_: f32;
+    var phi_450_: f32;
+    var phi_473_: f32;
+    var phi_484_: f32;
     var phi_493_: f32;
-    var phi_504_: f32;
+    var phi_499_: f32;
     var phi_510_: f32;
-    var phi_533_: f32;
-    var phi_544_: f32;
-    var phi_644_: f32;
-    var phi_645_: f32;
-    var phi_2358_: bool;
-    var phi_919_: type_42;
-    var phi_922_: u32;
-    var phi_924_: u32;
-    var phi_926_: bool;
+    var phi_516_: f32;
+    var phi_539_: f32;
+    var phi_550_: f32;
+    var phi_650_: f32;
+    var phi_651_: f32;
+    var phi_2364_: bool;
+    var phi_925_: type_42;
     var phi_928_: u32;
-    var phi_939_: bool;
-    var phi_970_: u32;
-    var phi_971_: bool;
-    var phi_972_: u32;
-    var phi_1793_: type_46;
-    var phi_2137_: u32;
-    var phi_2164_: u32;
-    var phi_2165_: u32;
-    var phi_2166_: u32;
-    var phi_2168_: u32;
-    var phi_2169_: u32;
-    var phi_2170_: bool;
-    var phi_2179_: u32;
-    var phi_2184_: u32;
-    var phi_2185_: bool;
-    var phi_987_: type_42;
-    var phi_990_: type_7;
-    var phi_991_: type_7;
-    var phi_1013_: type_7;
-    var phi_1034_: u32;
-    var phi_1123_: array<array<f32, 3>, 3>;
-    var phi_1594_: vec3<f32>;
-    var phi_1595_: vec3<f32>;
-    var phi_1626_: bool;
-    var phi_1635_: vec3<f32>;
-    var phi_1675_: type_22;
-    var phi_1677_: type_22;
-    var phi_1678_: bool;
-    var phi_1682_: type_22;
-    var phi_1683_: type_22;
-    var phi_1684_: type_22;
-    var phi_1685_: bool;
-    var phi_1689_: type_22;
-    var phi_1690_: bool;
-    var phi_1694_: type_22;
-    var phi_1695_: bool;
-    var phi_1699_: type_22;
-    var phi_1724_: bool;
-    var phi_1725_: bool;
-    var phi_1731_: type_42;
-    var phi_1732_: type_42;
-    var phi_1733_: type_42;
-    var phi_988_: type_42;
-    var phi_2352_: bool;
-    var phi_2470_: bool;
-    var phi_2187_: type_42;
-    var phi_2188_: u32;
-    var phi_2189_: bool;
+    var phi_930_: u32;
+    var phi_932_: bool;
+    var phi_934_: u32;
+    var phi_945_: bool;
+    var phi_976_: u32;
+    var phi_977_: bool;
+    var phi_978_: u32;
+    var phi_1799_: type_46;
+    var phi_2143_: u32;
+    var phi_2170_: u32;
+    var phi_2171_: u32;
+    var phi_2172_: u32;
+    var phi_2174_: u32;
+    var phi_2175_: u32;
+    var phi_2176_: bool;
+    var phi_2185_: u32;
     var phi_2190_: u32;
-    var phi_2469_: bool;
-    var phi_2191_: type_42;
-    var phi_2192_: u32;
-    var phi_2193_: u32;
-    var phi_2194_: bool;
-    var phi_2195_: u32;
-    var phi_2468_: bool;
-    var phi_2196_: type_42;
-    var phi_2197_: u32;
+    var phi_2191_: bool;
+    var phi_993_: type_42;
+    var phi_996_: type_7;
+    var phi_997_: type_7;
+    var phi_1019_: type_7;
+    var phi_1040_: u32;
+    var phi_1129_: array<array<f32, 3>, 3>;
+    var phi_1600_: vec3<f32>;
+    var phi_1601_: vec3<f32>;
+    var phi_1632_: bool;
+    var phi_1641_: vec3<f32>;
+    var phi_1681_: type_22;
+    var phi_1683_: type_22;
+    var phi_1684_: bool;
+    var phi_1688_: type_22;
+    var phi_1689_: type_22;
+    var phi_1690_: type_22;
+    var phi_1691_: bool;
+    var phi_1695_: type_22;
+    var phi_1696_: bool;
+    var phi_1700_: type_22;
+    var phi_1701_: bool;
+    var phi_1705_: type_22;
+    var phi_1730_: bool;
+    var phi_1731_: bool;
+    var phi_1737_: type_42;
+    var phi_1738_: type_42;
+    var phi_1739_: type_42;
+    var phi_994_: type_42;
+    var phi_2358_: bool;
+    var phi_2477_: bool;
+    var phi_2193_: type_42;
+    var phi_2194_: u32;
+    var phi_2195_: bool;
+    var phi_2196_: u32;
+    var phi_2476_: bool;
+    var phi_2197_: type_42;
     var phi_2198_: u32;
-    var phi_2199_: bool;
-    var phi_2200_: u32;
-    var phi_2467_: bool;
-    var phi_920_: type_42;
-    var phi_923_: u32;
-    var phi_925_: u32;
-    var phi_927_: bool;
+    var phi_2199_: u32;
+    var phi_2200_: bool;
+    var phi_2201_: u32;
+    var phi_2475_: bool;
+    var phi_2202_: type_42;
+    var phi_2203_: u32;
+    var phi_2204_: u32;
+    var phi_2205_: bool;
+    var phi_2206_: u32;
+    var phi_2474_: bool;
+    var phi_926_: type_42;
     var phi_929_: u32;
-    var phi_2201_: bool;
-    var phi_2466_: bool;
+    var phi_931_: u32;
+    var phi_933_: bool;
+    var phi_935_: u32;
+    var phi_2207_: bool;
+    var phi_2473_: bool;
     var local_2: type_42;
-    var phi_2253_: type_22;
+    var phi_2259_: type_22;
     var local_3: type_42;
 
     switch bitcast<i32>(0u) {
@@ -204,903 +205,909 @@ fn function_() {
             let _e77 = (_e63.x + (_e63.y * 2097152u));
             let _e78 = (_e77 < arrayLength((&global_3.member)));
             if _e78 {
-                let _e79 = (_e77 < arrayLength((&global_4.member)));
-                if _e79 {
+                if _e78 {
+                } else {
+                    break;
+                }
+                let _e82 = global_3.member[_e77].member_2;
+                phi_177_ = _e82;
+            } else {
+                phi_177_ = 4294967295u;
+            }
+            let _e84 = phi_177_;
+            if _e78 {
+                let _e85 = (_e77 < arrayLength((&global_4.member)));
+                if _e85 {
                     if _e78 {
                     } else {
                         break;
                     }
-                    if _e78 {
-                    } else {
-                        break;
-                    }
-                    let _e83 = global_3.member[_e77].member_2;
-                    let _e93 = global_3.member[_e77].member.member_2[0u];
-                    let _e95 = (bitcast<u32>(_e93) & 2147483647u);
-                    let _e101 = global_3.member[_e77].member.member_2[1u];
-                    let _e103 = (bitcast<u32>(_e101) & 2147483647u);
-                    let _e109 = global_3.member[_e77].member.member_2[2u];
-                    let _e111 = (bitcast<u32>(_e109) & 2147483647u);
-                    let _e117 = global_3.member[_e77].member.member[0u];
-                    let _e119 = (bitcast<u32>(_e117) & 2147483647u);
-                    let _e125 = global_3.member[_e77].member.member[1u];
-                    let _e127 = (bitcast<u32>(_e125) & 2147483647u);
-                    let _e133 = global_3.member[_e77].member.member[2u];
-                    let _e135 = (bitcast<u32>(_e133) & 2147483647u);
-                    let _e137 = select(_e103, _e95, (_e103 < _e95));
-                    let _e139 = select(_e111, _e137, (_e111 < _e137));
-                    let _e141 = select(_e119, _e139, (_e119 < _e139));
-                    let _e143 = select(_e127, _e141, (_e127 < _e141));
-                    let _e145 = select(_e135, _e143, (_e135 < _e143));
-                    let _e150 = global_3.member[_e77].member.member_1;
-                    let _e152 = (bitcast<u32>(_e150) & 2147483647u);
-                    let _e160 = global_3.member[_e77].member.member_3;
-                    let _e166 = (((select(_e152, _e145, (_e152 < _e145)) < 2139095040u) && ((bitcast<u32>(_e160) & 2147483647u) <= 2139095040u)) && (_e139 > 0u));
-                    if _e166 {
-                        let _e169 = (bitcast<u32>(bitcast<f32>(_e139)) & 2147483647u);
-                        if (_e169 >= 8388608u) {
-                            phi_276_ = (bitcast<i32>((_e169 >> bitcast<u32>(23i))) - 127i);
+                    let _e95 = global_3.member[_e77].member.member_2[0u];
+                    let _e97 = (bitcast<u32>(_e95) & 2147483647u);
+                    let _e103 = global_3.member[_e77].member.member_2[1u];
+                    let _e105 = (bitcast<u32>(_e103) & 2147483647u);
+                    let _e111 = global_3.member[_e77].member.member_2[2u];
+                    let _e113 = (bitcast<u32>(_e111) & 2147483647u);
+                    let _e119 = global_3.member[_e77].member.member[0u];
+                    let _e121 = (bitcast<u32>(_e119) & 2147483647u);
+                    let _e127 = global_3.member[_e77].member.member[1u];
+                    let _e129 = (bitcast<u32>(_e127) & 2147483647u);
+                    let _e135 = global_3.member[_e77].member.member[2u];
+                    let _e137 = (bitcast<u32>(_e135) & 2147483647u);
+                    let _e139 = select(_e105, _e97, (_e105 < _e97));
+                    let _e141 = select(_e113, _e139, (_e113 < _e139));
+                    let _e143 = select(_e121, _e141, (_e121 < _e141));
+                    let _e145 = select(_e129, _e143, (_e129 < _e143));
+                    let _e147 = select(_e137, _e145, (_e137 < _e145));
+                    let _e152 = global_3.member[_e77].member.member_1;
+                    let _e154 = (bitcast<u32>(_e152) & 2147483647u);
+                    let _e162 = global_3.member[_e77].member.member_3;
+                    let _e168 = (((select(_e154, _e147, (_e154 < _e147)) < 2139095040u) && ((bitcast<u32>(_e162) & 2147483647u) <= 2139095040u)) && (_e141 > 0u));
+                    if _e168 {
+                        let _e171 = (bitcast<u32>(bitcast<f32>(_e141)) & 2147483647u);
+                        if (_e171 >= 8388608u) {
+                            phi_282_ = (bitcast<i32>((_e171 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_276_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e169)), 32u, (_e169 == 0u))));
+                            phi_282_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e171)), 32u, (_e171 == 0u))));
                         }
-                        let _e183 = phi_276_;
-                        phi_277_ = _e183;
+                        let _e185 = phi_282_;
+                        phi_283_ = _e185;
                     } else {
-                        phi_277_ = 0i;
+                        phi_283_ = 0i;
                     }
-                    let _e185 = phi_277_;
-                    let _e186 = (_e95 == _e139);
-                    if _e186 {
-                        phi_287_ = true;
+                    let _e187 = phi_283_;
+                    let _e188 = (_e97 == _e141);
+                    if _e188 {
+                        phi_293_ = true;
                     } else {
-                        phi_287_ = (_e103 == _e139);
+                        phi_293_ = (_e105 == _e141);
                     }
-                    let _e189 = phi_287_;
-                    let _e190 = select(1u, 0u, _e186);
-                    if _e189 {
-                        let _e191 = (_e190 + 1u);
-                        phi_297_ = _e191;
-                        phi_298_ = _e191;
-                        phi_300_ = select(true, false, (_e191 == 2u));
+                    let _e191 = phi_293_;
+                    let _e192 = select(1u, 0u, _e188);
+                    if _e191 {
+                        let _e193 = (_e192 + 1u);
+                        phi_303_ = _e193;
+                        phi_304_ = _e193;
+                        phi_306_ = select(true, false, (_e193 == 2u));
                     } else {
-                        phi_297_ = u32();
-                        phi_298_ = 0u;
-                        phi_300_ = true;
+                        phi_303_ = u32();
+                        phi_304_ = 0u;
+                        phi_306_ = true;
                     }
-                    let _e195 = phi_297_;
-                    let _e197 = phi_298_;
-                    let _e199 = phi_300_;
-                    if _e199 {
-                        phi_305_ = (_e197 + 1u);
+                    let _e197 = phi_303_;
+                    let _e199 = phi_304_;
+                    let _e201 = phi_306_;
+                    if _e201 {
+                        phi_311_ = (_e199 + 1u);
                     } else {
-                        phi_305_ = 0u;
+                        phi_311_ = 0u;
                     }
-                    let _e203 = phi_305_;
-                    let _e204 = select(_e195, _e197, _e199);
-                    let _e205 = select(_e190, select(2u, _e190, _e189), _e199);
-                    let _e206 = -(_e185);
-                    if (_e206 < -126i) {
-                        phi_337_ = -126i;
+                    let _e205 = phi_311_;
+                    let _e206 = select(_e197, _e199, _e201);
+                    let _e207 = select(_e192, select(2u, _e192, _e191), _e201);
+                    let _e208 = -(_e187);
+                    if (_e208 < -126i) {
+                        phi_343_ = -126i;
                     } else {
-                        phi_337_ = select(_e206, 127i, (_e206 > 127i));
+                        phi_343_ = select(_e208, 127i, (_e208 > 127i));
                     }
-                    let _e211 = phi_337_;
-                    let _e216 = bitcast<f32>((bitcast<u32>((_e211 + 127i)) << bitcast<u32>(23i)));
-                    let _e222 = bitcast<f32>((bitcast<u32>(((_e206 - _e211) + 127i)) << bitcast<u32>(23i)));
-                    let _e227 = global_3.member[_e77].member.member;
-                    let _e228 = (_e204 == 0u);
-                    if _e228 {
-                        phi_355_ = _e227[0];
+                    let _e213 = phi_343_;
+                    let _e218 = bitcast<f32>((bitcast<u32>((_e213 + 127i)) << bitcast<u32>(23i)));
+                    let _e224 = bitcast<f32>((bitcast<u32>(((_e208 - _e213) + 127i)) << bitcast<u32>(23i)));
+                    let _e229 = global_3.member[_e77].member.member;
+                    let _e230 = (_e206 == 0u);
+                    if _e230 {
+                        phi_361_ = _e229[0];
                     } else {
-                        phi_355_ = _e227[1];
+                        phi_361_ = _e229[1];
                     }
-                    let _e232 = phi_355_;
-                    let _e233 = (_e204 == 2u);
-                    if _e233 {
-                        phi_361_ = _e227[2];
+                    let _e234 = phi_361_;
+                    let _e235 = (_e206 == 2u);
+                    if _e235 {
+                        phi_367_ = _e229[2];
                     } else {
-                        phi_361_ = _e232;
+                        phi_367_ = _e234;
                     }
-                    let _e236 = phi_361_;
-                    let _e237 = global_3.member[_e77].member.member_2;
-                    if _e228 {
-                        phi_372_ = _e237[0];
+                    let _e238 = phi_367_;
+                    let _e239 = global_3.member[_e77].member.member_2;
+                    if _e230 {
+                        phi_378_ = _e239[0];
                     } else {
-                        phi_372_ = _e237[1];
+                        phi_378_ = _e239[1];
                     }
-                    let _e241 = phi_372_;
-                    if _e233 {
-                        phi_378_ = _e237[2];
+                    let _e243 = phi_378_;
+                    if _e235 {
+                        phi_384_ = _e239[2];
                     } else {
-                        phi_378_ = _e241;
+                        phi_384_ = _e243;
                     }
-                    let _e244 = phi_378_;
-                    let _e246 = ((_e244 * _e216) * _e222);
-                    let _e250 = (bitcast<f32>((bitcast<u32>(_e246) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e250 {
-                        let _e254 = (bitcast<f32>((bitcast<u32>(_e236) & 2147483647u)) * 0.00000011920929f);
-                        phi_401_ = select(0.00000000000011368684f, _e254, (_e254 > 0.00000000000011368684f));
+                    let _e246 = phi_384_;
+                    let _e248 = ((_e246 * _e218) * _e224);
+                    let _e252 = (bitcast<f32>((bitcast<u32>(_e248) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e252 {
+                        let _e256 = (bitcast<f32>((bitcast<u32>(_e238) & 2147483647u)) * 0.00000011920929f);
+                        phi_407_ = select(0.00000000000011368684f, _e256, (_e256 > 0.00000000000011368684f));
                     } else {
-                        phi_401_ = 0f;
+                        phi_407_ = 0f;
                     }
-                    let _e258 = phi_401_;
-                    let _e259 = (_e236 + _e258);
-                    let _e260 = (_e236 - _e258);
-                    let _e261 = select(_e246, 0f, _e250);
-                    if _e250 {
-                        phi_412_ = 38685626000000000000000000f;
+                    let _e260 = phi_407_;
+                    let _e261 = (_e238 + _e260);
+                    let _e262 = (_e238 - _e260);
+                    let _e263 = select(_e248, 0f, _e252);
+                    if _e252 {
+                        phi_418_ = 38685626000000000000000000f;
                     } else {
-                        phi_412_ = (1f / _e246);
+                        phi_418_ = (1f / _e248);
                     }
-                    let _e264 = phi_412_;
-                    let _e265 = (_e203 == 0u);
-                    if _e265 {
-                        phi_421_ = _e227[0];
+                    let _e266 = phi_418_;
+                    let _e267 = (_e205 == 0u);
+                    if _e267 {
+                        phi_427_ = _e229[0];
                     } else {
-                        phi_421_ = _e227[1];
+                        phi_427_ = _e229[1];
                     }
-                    let _e269 = phi_421_;
-                    let _e270 = (_e203 == 2u);
-                    if _e270 {
-                        phi_427_ = _e227[2];
+                    let _e271 = phi_427_;
+                    let _e272 = (_e205 == 2u);
+                    if _e272 {
+                        phi_433_ = _e229[2];
                     } else {
-                        phi_427_ = _e269;
+                        phi_433_ = _e271;
                     }
-                    let _e273 = phi_427_;
-                    if _e265 {
-                        phi_438_ = _e237[0];
+                    let _e275 = phi_433_;
+                    if _e267 {
+                        phi_444_ = _e239[0];
                     } else {
-                        phi_438_ = _e237[1];
+                        phi_444_ = _e239[1];
                     }
-                    let _e277 = phi_438_;
-                    if _e270 {
-                        phi_444_ = _e237[2];
+                    let _e279 = phi_444_;
+                    if _e272 {
+                        phi_450_ = _e239[2];
                     } else {
-                        phi_444_ = _e277;
+                        phi_450_ = _e279;
                     }
-                    let _e280 = phi_444_;
-                    let _e282 = ((_e280 * _e216) * _e222);
-                    let _e286 = (bitcast<f32>((bitcast<u32>(_e282) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e286 {
-                        let _e290 = (bitcast<f32>((bitcast<u32>(_e273) & 2147483647u)) * 0.00000011920929f);
-                        phi_467_ = select(0.00000000000011368684f, _e290, (_e290 > 0.00000000000011368684f));
+                    let _e282 = phi_450_;
+                    let _e284 = ((_e282 * _e218) * _e224);
+                    let _e288 = (bitcast<f32>((bitcast<u32>(_e284) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e288 {
+                        let _e292 = (bitcast<f32>((bitcast<u32>(_e275) & 2147483647u)) * 0.00000011920929f);
+                        phi_473_ = select(0.00000000000011368684f, _e292, (_e292 > 0.00000000000011368684f));
                     } else {
-                        phi_467_ = 0f;
+                        phi_473_ = 0f;
                     }
-                    let _e294 = phi_467_;
-                    let _e295 = (_e273 + _e294);
-                    let _e296 = (_e273 - _e294);
-                    let _e297 = select(_e282, 0f, _e286);
-                    if _e286 {
-                        phi_478_ = 38685626000000000000000000f;
+                    let _e296 = phi_473_;
+                    let _e297 = (_e275 + _e296);
+                    let _e298 = (_e275 - _e296);
+                    let _e299 = select(_e284, 0f, _e288);
+                    if _e288 {
+                        phi_484_ = 38685626000000000000000000f;
                     } else {
-                        phi_478_ = (1f / _e282);
+                        phi_484_ = (1f / _e284);
                     }
-                    let _e300 = phi_478_;
-                    let _e301 = (_e205 == 0u);
-                    if _e301 {
-                        phi_487_ = _e227[0];
+                    let _e302 = phi_484_;
+                    let _e303 = (_e207 == 0u);
+                    if _e303 {
+                        phi_493_ = _e229[0];
                     } else {
-                        phi_487_ = _e227[1];
+                        phi_493_ = _e229[1];
                     }
-                    let _e305 = phi_487_;
-                    let _e306 = (_e205 == 2u);
-                    if _e306 {
-                        phi_493_ = _e227[2];
+                    let _e307 = phi_493_;
+                    let _e308 = (_e207 == 2u);
+                    if _e308 {
+                        phi_499_ = _e229[2];
                     } else {
-                        phi_493_ = _e305;
+                        phi_499_ = _e307;
                     }
-                    let _e309 = phi_493_;
-                    if _e301 {
-                        phi_504_ = _e237[0];
+                    let _e311 = phi_499_;
+                    if _e303 {
+                        phi_510_ = _e239[0];
                     } else {
-                        phi_504_ = _e237[1];
+                        phi_510_ = _e239[1];
                     }
-                    let _e313 = phi_504_;
-                    if _e306 {
-                        phi_510_ = _e237[2];
+                    let _e315 = phi_510_;
+                    if _e308 {
+                        phi_516_ = _e239[2];
                     } else {
-                        phi_510_ = _e313;
+                        phi_516_ = _e315;
                     }
-                    let _e316 = phi_510_;
-                    let _e318 = ((_e316 * _e216) * _e222);
-                    let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e322 {
-                        let _e326 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_533_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
+                    let _e318 = phi_516_;
+                    let _e320 = ((_e318 * _e218) * _e224);
+                    let _e324 = (bitcast<f32>((bitcast<u32>(_e320) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e324 {
+                        let _e328 = (bitcast<f32>((bitcast<u32>(_e311) & 2147483647u)) * 0.00000011920929f);
+                        phi_539_ = select(0.00000000000011368684f, _e328, (_e328 > 0.00000000000011368684f));
                     } else {
-                        phi_533_ = 0f;
+                        phi_539_ = 0f;
                     }
-                    let _e330 = phi_533_;
-                    let _e331 = (_e309 + _e330);
-                    let _e332 = (_e309 - _e330);
-                    let _e333 = select(_e318, 0f, _e322);
-                    if _e322 {
-                        phi_544_ = 38685626000000000000000000f;
+                    let _e332 = phi_539_;
+                    let _e333 = (_e311 + _e332);
+                    let _e334 = (_e311 - _e332);
+                    let _e335 = select(_e320, 0f, _e324);
+                    if _e324 {
+                        phi_550_ = 38685626000000000000000000f;
                     } else {
-                        phi_544_ = (1f / _e318);
+                        phi_550_ = (1f / _e320);
                     }
-                    let _e336 = phi_544_;
-                    let _e339 = bitcast<f32>((bitcast<u32>(_e236) & 2147483647u));
-                    let _e342 = bitcast<f32>((bitcast<u32>(_e273) & 2147483647u));
-                    let _e344 = select(_e342, _e339, (_e339 > _e342));
-                    let _e347 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
-                    if (_e166 && (select(_e347, _e344, (_e344 > _e347)) <= 1099511600000f)) {
-                        let _e352 = (_e185 / 3i);
-                        let _e359 = bitcast<f32>((bitcast<u32>((_e352 + 127i)) << bitcast<u32>(23i)));
-                        let _e366 = bitcast<f32>((bitcast<u32>(((_e185 - (2i * _e352)) + 127i)) << bitcast<u32>(23i)));
-                        let _e367 = (((_e150 * _e359) * _e359) * _e366);
-                        let _e369 = select(340282350000000000000000000000000000000f, _e367, (_e367 < 340282350000000000000000000000000000000f));
-                        let _e374 = (((_e160 * _e359) * _e359) * _e366);
-                        let _e376 = select(340282350000000000000000000000000000000f, _e374, (_e374 < 340282350000000000000000000000000000000f));
-                        phi_644_ = select(-340282350000000000000000000000000000000f, _e376, (_e376 > -340282350000000000000000000000000000000f));
-                        phi_645_ = select(-340282350000000000000000000000000000000f, _e369, (_e369 > -340282350000000000000000000000000000000f));
+                    let _e338 = phi_550_;
+                    let _e341 = bitcast<f32>((bitcast<u32>(_e238) & 2147483647u));
+                    let _e344 = bitcast<f32>((bitcast<u32>(_e275) & 2147483647u));
+                    let _e346 = select(_e344, _e341, (_e341 > _e344));
+                    let _e349 = bitcast<f32>((bitcast<u32>(_e311) & 2147483647u));
+                    if (_e168 && (select(_e349, _e346, (_e346 > _e349)) <= 1099511600000f)) {
+                        let _e354 = (_e187 / 3i);
+                        let _e361 = bitcast<f32>((bitcast<u32>((_e354 + 127i)) << bitcast<u32>(23i)));
+                        let _e368 = bitcast<f32>((bitcast<u32>(((_e187 - (2i * _e354)) + 127i)) << bitcast<u32>(23i)));
+                        let _e369 = (((_e152 * _e361) * _e361) * _e368);
+                        let _e371 = select(340282350000000000000000000000000000000f, _e369, (_e369 < 340282350000000000000000000000000000000f));
+                        let _e376 = (((_e162 * _e361) * _e361) * _e368);
+                        let _e378 = select(340282350000000000000000000000000000000f, _e376, (_e376 < 340282350000000000000000000000000000000f));
+                        phi_650_ = select(-340282350000000000000000000000000000000f, _e378, (_e378 > -340282350000000000000000000000000000000f));
+                        phi_651_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_644_ = 0f;
-                        phi_645_ = 1f;
+                        phi_650_ = 0f;
+                        phi_651_ = 1f;
                     }
-                    let _e380 = phi_644_;
-                    let _e382 = phi_645_;
+                    let _e382 = phi_650_;
+                    let _e384 = phi_651_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2358_ = false;
-                    phi_919_ = type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e380);
-                    phi_922_ = select(0u, 2147483648u, (_e65 == 0u));
-                    phi_924_ = ((3u * _e65) + 1u);
-                    phi_926_ = (_e382 <= _e380);
-                    phi_928_ = 0u;
+                    phi_2364_ = false;
+                    phi_925_ = type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e382);
+                    phi_928_ = select(0u, 2147483648u, (_e65 == 0u));
+                    phi_930_ = ((3u * _e65) + 1u);
+                    phi_932_ = (_e384 <= _e382);
+                    phi_934_ = 0u;
                     loop {
-                        let _e390 = phi_2358_;
-                        let _e392 = phi_919_;
-                        let _e394 = phi_922_;
-                        let _e396 = phi_924_;
-                        let _e398 = phi_926_;
-                        let _e400 = phi_928_;
-                        local_2 = _e392;
-                        if _e398 {
-                            phi_939_ = true;
+                        let _e392 = phi_2364_;
+                        let _e394 = phi_925_;
+                        let _e396 = phi_928_;
+                        let _e398 = phi_930_;
+                        let _e400 = phi_932_;
+                        let _e402 = phi_934_;
+                        local_2 = _e394;
+                        if _e400 {
+                            phi_945_ = true;
                         } else {
-                            phi_939_ = (_e400 > 0u);
+                            phi_945_ = (_e402 > 0u);
                         }
-                        let _e403 = phi_939_;
-                        if _e403 {
-                            let _e404 = (_e396 > 0u);
-                            if _e404 {
-                                if _e398 {
-                                    phi_970_ = _e394;
-                                    phi_971_ = _e398;
-                                    phi_972_ = _e400;
+                        let _e405 = phi_945_;
+                        if _e405 {
+                            let _e406 = (_e398 > 0u);
+                            if _e406 {
+                                if _e400 {
+                                    phi_976_ = _e396;
+                                    phi_977_ = _e400;
+                                    phi_978_ = _e402;
                                 } else {
-                                    let _e405 = (_e400 - 1u);
-                                    let _e406 = (_e405 % 128u);
-                                    let _e407 = (_e406 < 128u);
-                                    if _e407 {
+                                    let _e407 = (_e402 - 1u);
+                                    let _e408 = (_e407 % 128u);
+                                    let _e409 = (_e408 < 128u);
+                                    if _e409 {
                                     } else {
-                                        phi_2466_ = true;
+                                        phi_2473_ = true;
                                         break;
                                     }
-                                    let _e409 = local_1[_e406];
-                                    if _e407 {
+                                    let _e411 = local_1[_e408];
+                                    if _e409 {
                                     } else {
-                                        phi_2466_ = true;
+                                        phi_2473_ = true;
                                         break;
                                     }
-                                    let _e411 = local[_e406];
-                                    phi_970_ = _e409;
-                                    phi_971_ = (_e411 <= _e392.member_1);
-                                    phi_972_ = _e405;
+                                    let _e413 = local[_e408];
+                                    phi_976_ = _e411;
+                                    phi_977_ = (_e413 <= _e394.member_1);
+                                    phi_978_ = _e407;
                                 }
-                                let _e415 = phi_970_;
-                                let _e417 = phi_971_;
-                                let _e419 = phi_972_;
-                                if _e417 {
-                                    if ((_e415 & 2147483648u) != 0u) {
-                                        phi_987_ = _e392;
-                                        phi_990_ = type_7(0u, ((_e415 >> bitcast<u32>(28u)) & 7u));
+                                let _e417 = phi_976_;
+                                let _e419 = phi_977_;
+                                let _e421 = phi_978_;
+                                if _e419 {
+                                    if ((_e417 & 2147483648u) != 0u) {
+                                        phi_993_ = _e394;
+                                        phi_996_ = type_7(0u, ((_e417 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e617 = phi_987_;
-                                            let _e619 = phi_990_;
-                                            local_3 = _e617;
-                                            if (_e619.member < _e619.member_1) {
-                                                phi_991_ = type_7((_e619.member + 1u), _e619.member_1);
-                                                phi_1013_ = type_7(1u, _e619.member);
+                                            let _e619 = phi_993_;
+                                            let _e621 = phi_996_;
+                                            local_3 = _e619;
+                                            if (_e621.member < _e621.member_1) {
+                                                phi_997_ = type_7((_e621.member + 1u), _e621.member_1);
+                                                phi_1019_ = type_7(1u, _e621.member);
                                             } else {
-                                                phi_991_ = _e619;
-                                                phi_1013_ = type_7(0u, type_7().member_1);
+                                                phi_997_ = _e621;
+                                                phi_1019_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e632 = phi_991_;
-                                            let _e634 = phi_1013_;
-                                            let _e638 = (bitcast<i32>(_e634.member) != 0i);
-                                            if _e638 {
-                                                let _e639 = ((_e415 & 268435455u) + _e634.member_1);
-                                                let _e640 = (_e639 < _e67);
-                                                if _e640 {
-                                                    if _e640 {
+                                            let _e634 = phi_997_;
+                                            let _e636 = phi_1019_;
+                                            let _e640 = (bitcast<i32>(_e636.member) != 0i);
+                                            if _e640 {
+                                                let _e641 = ((_e417 & 268435455u) + _e636.member_1);
+                                                let _e642 = (_e641 < _e67);
+                                                if _e642 {
+                                                    if _e642 {
                                                     } else {
-                                                        phi_2352_ = true;
+                                                        phi_2358_ = true;
                                                         break;
                                                     }
-                                                    let _e644 = global_1.member[_e639].member_1;
-                                                    phi_1034_ = _e644;
+                                                    let _e646 = global_1.member[_e641].member_1;
+                                                    phi_1040_ = _e646;
                                                 } else {
-                                                    phi_1034_ = 4294967295u;
+                                                    phi_1040_ = 4294967295u;
                                                 }
-                                                let _e646 = phi_1034_;
-                                                if (_e639 >= _e67) {
-                                                    phi_1123_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e648 = phi_1040_;
+                                                if (_e641 >= _e67) {
+                                                    phi_1129_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e640 {
+                                                    if _e642 {
                                                     } else {
-                                                        phi_2352_ = true;
+                                                        phi_2358_ = true;
                                                         break;
                                                     }
-                                                    let _e648 = (_e204 % 3u);
-                                                    let _e649 = (_e203 % 3u);
-                                                    let _e650 = (_e205 % 3u);
-                                                    if (_e648 < 9u) {
-                                                    } else {
-                                                        phi_2352_ = true;
-                                                        break;
-                                                    }
-                                                    let _e656 = global_1.member[_e639].member[_e648];
-                                                    if (_e649 < 9u) {
-                                                    } else {
-                                                        phi_2352_ = true;
-                                                        break;
-                                                    }
-                                                    let _e662 = global_1.member[_e639].member[_e649];
+                                                    let _e650 = (_e206 % 3u);
+                                                    let _e651 = (_e205 % 3u);
+                                                    let _e652 = (_e207 % 3u);
                                                     if (_e650 < 9u) {
                                                     } else {
-                                                        phi_2352_ = true;
+                                                        phi_2358_ = true;
                                                         break;
                                                     }
-                                                    let _e668 = global_1.member[_e639].member[_e650];
-                                                    let _e670 = (3u + _e648);
-                                                    if (_e670 < 9u) {
+                                                    let _e658 = global_1.member[_e641].member[_e650];
+                                                    if (_e651 < 9u) {
                                                     } else {
-                                                        phi_2352_ = true;
+                                                        phi_2358_ = true;
                                                         break;
                                                     }
-                                                    let _e676 = global_1.member[_e639].member[_e670];
-                                                    let _e677 = (3u + _e649);
-                                                    if (_e677 < 9u) {
+                                                    let _e664 = global_1.member[_e641].member[_e651];
+                                                    if (_e652 < 9u) {
                                                     } else {
-                                                        phi_2352_ = true;
+                                                        phi_2358_ = true;
                                                         break;
                                                     }
-                                                    let _e683 = global_1.member[_e639].member[_e677];
-                                                    let _e684 = (3u + _e650);
-                                                    if (_e684 < 9u) {
+                                                    let _e670 = global_1.member[_e641].member[_e652];
+                                                    let _e672 = (3u + _e650);
+                                                    if (_e672 < 9u) {
                                                     } else {
-                                                        phi_2352_ = true;
+                                                        phi_2358_ = true;
                                                         break;
                                                     }
-                                                    let _e690 = global_1.member[_e639].member[_e684];
-                                                    let _e692 = (6u + _e648);
-                                                    if (_e692 < 9u) {
+                                                    let _e678 = global_1.member[_e641].member[_e672];
+                                                    let _e679 = (3u + _e651);
+                                                    if (_e679 < 9u) {
                                                     } else {
-                                                        phi_2352_ = true;
+                                                        phi_2358_ = true;
                                                         break;
                                                     }
-                                                    let _e698 = global_1.member[_e639].member[_e692];
-                                                    let _e699 = (6u + _e649);
-                                                    if (_e699 < 9u) {
+                                                    let _e685 = global_1.member[_e641].member[_e679];
+                                                    let _e686 = (3u + _e652);
+                                                    if (_e686 < 9u) {
                                                     } else {
-                                                        phi_2352_ = true;
+                                                        phi_2358_ = true;
                                                         break;
                                                     }
-                                                    let _e705 = global_1.member[_e639].member[_e699];
-                                                    let _e706 = (6u + _e650);
-                                                    if (_e706 < 9u) {
+                                                    let _e692 = global_1.member[_e641].member[_e686];
+                                                    let _e694 = (6u + _e650);
+                                                    if (_e694 < 9u) {
                                                     } else {
-                                                        phi_2352_ = true;
+                                                        phi_2358_ = true;
                                                         break;
                                                     }
-                                                    let _e712 = global_1.member[_e639].member[_e706];
-                                                    phi_1123_ = array<array<f32, 3>, 3>(array<f32, 3>(_e656, _e662, _e668), array<f32, 3>(_e676, _e683, _e690), array<f32, 3>(_e698, _e705, _e712));
+                                                    let _e700 = global_1.member[_e641].member[_e694];
+                                                    let _e701 = (6u + _e651);
+                                                    if (_e701 < 9u) {
+                                                    } else {
+                                                        phi_2358_ = true;
+                                                        break;
+                                                    }
+                                                    let _e707 = global_1.member[_e641].member[_e701];
+                                                    let _e708 = (6u + _e652);
+                                                    if (_e708 < 9u) {
+                                                    } else {
+                                                        phi_2358_ = true;
+                                                        break;
+                                                    }
+                                                    let _e714 = global_1.member[_e641].member[_e708];
+                                                    phi_1129_ = array<array<f32, 3>, 3>(array<f32, 3>(_e658, _e664, _e670), array<f32, 3>(_e678, _e685, _e692), array<f32, 3>(_e700, _e707, _e714));
                                                 }
-                                                let _e716 = phi_1123_;
-                                                let _e724 = (_e716[0][2] - _e309);
-                                                let _e727 = (((_e716[0][0] - _e236) * _e333) - (_e724 * _e261));
-                                                let _e730 = (((_e716[0][1] - _e273) * _e333) - (_e724 * _e297));
-                                                let _e737 = (_e716[1][2] - _e309);
-                                                let _e740 = (((_e716[1][0] - _e236) * _e333) - (_e737 * _e261));
-                                                let _e743 = (((_e716[1][1] - _e273) * _e333) - (_e737 * _e297));
-                                                let _e750 = (_e716[2][2] - _e309);
-                                                let _e753 = (((_e716[2][0] - _e236) * _e333) - (_e750 * _e261));
-                                                let _e756 = (((_e716[2][1] - _e273) * _e333) - (_e750 * _e297));
-                                                let _e757 = (_e753 * _e743);
-                                                let _e758 = (_e756 * _e740);
-                                                let _e759 = (_e727 * _e756);
-                                                let _e760 = (_e730 * _e753);
-                                                let _e761 = (_e740 * _e730);
-                                                let _e762 = (_e743 * _e727);
-                                                let _e767 = (((_e757 >= _e758) && (_e759 >= _e760)) && (_e761 >= _e762));
-                                                if (_e767 || (((_e757 <= _e758) && (_e759 <= _e760)) && (_e761 <= _e762))) {
-                                                    let _e774 = select(-1f, 1f, _e767);
-                                                    let _e776 = ((_e757 - _e758) * _e774);
-                                                    let _e778 = select(0f, _e776, (_e776 > 0f));
-                                                    let _e780 = ((_e759 - _e760) * _e774);
-                                                    let _e782 = select(0f, _e780, (_e780 > 0f));
-                                                    let _e784 = ((_e761 - _e762) * _e774);
-                                                    let _e786 = select(0f, _e784, (_e784 > 0f));
-                                                    let _e788 = ((_e778 + _e782) + _e786);
-                                                    if (_e788 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1689_ = type_22();
-                                                        phi_1690_ = true;
+                                                let _e718 = phi_1129_;
+                                                let _e726 = (_e718[0][2] - _e311);
+                                                let _e729 = (((_e718[0][0] - _e238) * _e335) - (_e726 * _e263));
+                                                let _e732 = (((_e718[0][1] - _e275) * _e335) - (_e726 * _e299));
+                                                let _e739 = (_e718[1][2] - _e311);
+                                                let _e742 = (((_e718[1][0] - _e238) * _e335) - (_e739 * _e263));
+                                                let _e745 = (((_e718[1][1] - _e275) * _e335) - (_e739 * _e299));
+                                                let _e752 = (_e718[2][2] - _e311);
+                                                let _e755 = (((_e718[2][0] - _e238) * _e335) - (_e752 * _e263));
+                                                let _e758 = (((_e718[2][1] - _e275) * _e335) - (_e752 * _e299));
+                                                let _e759 = (_e755 * _e745);
+                                                let _e760 = (_e758 * _e742);
+                                                let _e761 = (_e729 * _e758);
+                                                let _e762 = (_e732 * _e755);
+                                                let _e763 = (_e742 * _e732);
+                                                let _e764 = (_e745 * _e729);
+                                                let _e769 = (((_e759 >= _e760) && (_e761 >= _e762)) && (_e763 >= _e764));
+                                                if (_e769 || (((_e759 <= _e760) && (_e761 <= _e762)) && (_e763 <= _e764))) {
+                                                    let _e776 = select(-1f, 1f, _e769);
+                                                    let _e778 = ((_e759 - _e760) * _e776);
+                                                    let _e780 = select(0f, _e778, (_e778 > 0f));
+                                                    let _e782 = ((_e761 - _e762) * _e776);
+                                                    let _e784 = select(0f, _e782, (_e782 > 0f));
+                                                    let _e786 = ((_e763 - _e764) * _e776);
+                                                    let _e788 = select(0f, _e786, (_e786 > 0f));
+                                                    let _e790 = ((_e780 + _e784) + _e788);
+                                                    if (_e790 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1695_ = type_22();
+                                                        phi_1696_ = true;
                                                     } else {
-                                                        let _e791 = select(_e716[1][0], _e716[0][0], (_e716[0][0] < _e716[1][0]));
-                                                        let _e795 = select(_e716[1][0], _e716[0][0], (_e716[0][0] > _e716[1][0]));
-                                                        let _e799 = select(_e716[1][1], _e716[0][1], (_e716[0][1] < _e716[1][1]));
-                                                        let _e803 = select(_e716[1][1], _e716[0][1], (_e716[0][1] > _e716[1][1]));
-                                                        let _e807 = select(_e716[1][2], _e716[0][2], (_e716[0][2] < _e716[1][2]));
-                                                        let _e811 = select(_e716[1][2], _e716[0][2], (_e716[0][2] > _e716[1][2]));
-                                                        let _e816 = ((select(_e716[2][0], _e791, (_e791 < _e716[2][0])) - _e259) * _e264);
-                                                        let _e817 = ((select(_e716[2][0], _e795, (_e795 > _e716[2][0])) - _e260) * _e264);
-                                                        let _e820 = ((select(_e716[2][1], _e799, (_e799 < _e716[2][1])) - _e295) * _e300);
-                                                        let _e821 = ((select(_e716[2][1], _e803, (_e803 > _e716[2][1])) - _e296) * _e300);
-                                                        let _e824 = ((select(_e716[2][2], _e807, (_e807 < _e716[2][2])) - _e331) * _e336);
-                                                        let _e825 = ((select(_e716[2][2], _e811, (_e811 > _e716[2][2])) - _e332) * _e336);
-                                                        let _e827 = select(_e825, _e824, (_e824 < _e825));
-                                                        let _e829 = select(_e825, _e824, (_e824 > _e825));
-                                                        let _e831 = select(_e817, _e816, (_e816 < _e817));
-                                                        let _e833 = select(_e821, _e820, (_e820 < _e821));
-                                                        let _e835 = select(_e833, _e831, (_e831 > _e833));
-                                                        let _e837 = select(_e827, _e835, (_e835 > _e827));
-                                                        let _e839 = select(_e817, _e816, (_e816 > _e817));
-                                                        let _e841 = select(_e821, _e820, (_e820 > _e821));
-                                                        let _e843 = select(_e841, _e839, (_e839 < _e841));
-                                                        let _e845 = select(_e829, _e843, (_e843 < _e829));
-                                                        let _e846 = -(_e827);
-                                                        let _e852 = select(_e382, _e837, (_e837 > _e382));
-                                                        if (_e852 > (_e845 + (select(_e846, _e829, (_e829 > _e846)) * 0.0000019073523f))) {
-                                                            phi_1684_ = type_22();
-                                                            phi_1685_ = true;
+                                                        let _e793 = select(_e718[1][0], _e718[0][0], (_e718[0][0] < _e718[1][0]));
+                                                        let _e797 = select(_e718[1][0], _e718[0][0], (_e718[0][0] > _e718[1][0]));
+                                                        let _e801 = select(_e718[1][1], _e718[0][1], (_e718[0][1] < _e718[1][1]));
+                                                        let _e805 = select(_e718[1][1], _e718[0][1], (_e718[0][1] > _e718[1][1]));
+                                                        let _e809 = select(_e718[1][2], _e718[0][2], (_e718[0][2] < _e718[1][2]));
+                                                        let _e813 = select(_e718[1][2], _e718[0][2], (_e718[0][2] > _e718[1][2]));
+                                                        let _e818 = ((select(_e718[2][0], _e793, (_e793 < _e718[2][0])) - _e261) * _e266);
+                                                        let _e819 = ((select(_e718[2][0], _e797, (_e797 > _e718[2][0])) - _e262) * _e266);
+                                                        let _e822 = ((select(_e718[2][1], _e801, (_e801 < _e718[2][1])) - _e297) * _e302);
+                                                        let _e823 = ((select(_e718[2][1], _e805, (_e805 > _e718[2][1])) - _e298) * _e302);
+                                                        let _e826 = ((select(_e718[2][2], _e809, (_e809 < _e718[2][2])) - _e333) * _e338);
+                                                        let _e827 = ((select(_e718[2][2], _e813, (_e813 > _e718[2][2])) - _e334) * _e338);
+                                                        let _e829 = select(_e827, _e826, (_e826 < _e827));
+                                                        let _e831 = select(_e827, _e826, (_e826 > _e827));
+                                                        let _e833 = select(_e819, _e818, (_e818 < _e819));
+                                                        let _e835 = select(_e823, _e822, (_e822 < _e823));
+                                                        let _e837 = select(_e835, _e833, (_e833 > _e835));
+                                                        let _e839 = select(_e829, _e837, (_e837 > _e829));
+                                                        let _e841 = select(_e819, _e818, (_e818 > _e819));
+                                                        let _e843 = select(_e823, _e822, (_e822 > _e823));
+                                                        let _e845 = select(_e843, _e841, (_e841 < _e843));
+                                                        let _e847 = select(_e831, _e845, (_e845 < _e831));
+                                                        let _e848 = -(_e829);
+                                                        let _e854 = select(_e384, _e839, (_e839 > _e384));
+                                                        if (_e854 > (_e847 + (select(_e848, _e831, (_e831 > _e848)) * 0.0000019073523f))) {
+                                                            phi_1690_ = type_22();
+                                                            phi_1691_ = true;
                                                         } else {
-                                                            let _e854 = (_e852 > _e617.member_1);
-                                                            if _e854 {
-                                                                phi_1683_ = type_22();
+                                                            let _e856 = (_e854 > _e619.member_1);
+                                                            if _e856 {
+                                                                phi_1689_ = type_22();
                                                             } else {
-                                                                let _e858 = (_e716[1][0] - _e716[0][0]);
-                                                                let _e859 = (_e716[1][1] - _e716[0][1]);
-                                                                let _e860 = (_e716[1][2] - _e716[0][2]);
-                                                                let _e861 = vec3<f32>(_e858, _e859, _e860);
-                                                                let _e862 = (_e716[2][0] - _e716[1][0]);
-                                                                let _e863 = (_e716[2][1] - _e716[1][1]);
-                                                                let _e864 = (_e716[2][2] - _e716[1][2]);
-                                                                let _e865 = vec3<f32>(_e862, _e863, _e864);
-                                                                let _e866 = (_e716[0][0] - _e716[2][0]);
-                                                                let _e867 = (_e716[0][1] - _e716[2][1]);
-                                                                let _e868 = (_e716[0][2] - _e716[2][2]);
-                                                                let _e869 = vec3<f32>(_e866, _e867, _e868);
-                                                                let _e872 = bitcast<f32>((bitcast<u32>(_e858) & 2147483647u));
-                                                                let _e875 = bitcast<f32>((bitcast<u32>(_e859) & 2147483647u));
-                                                                let _e877 = select(_e875, _e872, (_e872 > _e875));
-                                                                let _e880 = bitcast<f32>((bitcast<u32>(_e860) & 2147483647u));
-                                                                let _e882 = select(_e880, _e877, (_e877 > _e880));
-                                                                let _e885 = bitcast<f32>((bitcast<u32>(_e862) & 2147483647u));
-                                                                let _e888 = bitcast<f32>((bitcast<u32>(_e863) & 2147483647u));
-                                                                let _e890 = select(_e888, _e885, (_e885 > _e888));
-                                                                let _e893 = bitcast<f32>((bitcast<u32>(_e864) & 2147483647u));
-                                                                let _e895 = select(_e893, _e890, (_e890 > _e893));
-                                                                let _e898 = bitcast<f32>((bitcast<u32>(_e866) & 2147483647u));
-                                                                let _e901 = bitcast<f32>((bitcast<u32>(_e867) & 2147483647u));
-                                                                let _e903 = select(_e901, _e898, (_e898 > _e901));
-                                                                let _e906 = bitcast<f32>((bitcast<u32>(_e868) & 2147483647u));
-                                                                let _e908 = select(_e906, _e903, (_e903 > _e906));
-                                                                let _e910 = select(_e895, _e882, (_e882 > _e895));
-                                                                let _e912 = select(_e908, _e910, (_e910 > _e908));
-                                                                if (_e882 == _e912) {
-                                                                    phi_1594_ = _e865;
-                                                                    phi_1595_ = _e869;
+                                                                let _e860 = (_e718[1][0] - _e718[0][0]);
+                                                                let _e861 = (_e718[1][1] - _e718[0][1]);
+                                                                let _e862 = (_e718[1][2] - _e718[0][2]);
+                                                                let _e863 = vec3<f32>(_e860, _e861, _e862);
+                                                                let _e864 = (_e718[2][0] - _e718[1][0]);
+                                                                let _e865 = (_e718[2][1] - _e718[1][1]);
+                                                                let _e866 = (_e718[2][2] - _e718[1][2]);
+                                                                let _e867 = vec3<f32>(_e864, _e865, _e866);
+                                                                let _e868 = (_e718[0][0] - _e718[2][0]);
+                                                                let _e869 = (_e718[0][1] - _e718[2][1]);
+                                                                let _e870 = (_e718[0][2] - _e718[2][2]);
+                                                                let _e871 = vec3<f32>(_e868, _e869, _e870);
+                                                                let _e874 = bitcast<f32>((bitcast<u32>(_e860) & 2147483647u));
+                                                                let _e877 = bitcast<f32>((bitcast<u32>(_e861) & 2147483647u));
+                                                                let _e879 = select(_e877, _e874, (_e874 > _e877));
+                                                                let _e882 = bitcast<f32>((bitcast<u32>(_e862) & 2147483647u));
+                                                                let _e884 = select(_e882, _e879, (_e879 > _e882));
+                                                                let _e887 = bitcast<f32>((bitcast<u32>(_e864) & 2147483647u));
+                                                                let _e890 = bitcast<f32>((bitcast<u32>(_e865) & 2147483647u));
+                                                                let _e892 = select(_e890, _e887, (_e887 > _e890));
+                                                                let _e895 = bitcast<f32>((bitcast<u32>(_e866) & 2147483647u));
+                                                                let _e897 = select(_e895, _e892, (_e892 > _e895));
+                                                                let _e900 = bitcast<f32>((bitcast<u32>(_e868) & 2147483647u));
+                                                                let _e903 = bitcast<f32>((bitcast<u32>(_e869) & 2147483647u));
+                                                                let _e905 = select(_e903, _e900, (_e900 > _e903));
+                                                                let _e908 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
+                                                                let _e910 = select(_e908, _e905, (_e905 > _e908));
+                                                                let _e912 = select(_e897, _e884, (_e884 > _e897));
+                                                                let _e914 = select(_e910, _e912, (_e912 > _e910));
+                                                                if (_e884 == _e914) {
+                                                                    phi_1600_ = _e867;
+                                                                    phi_1601_ = _e871;
                                                                 } else {
-                                                                    let _e915 = vec3((_e895 == _e912));
-                                                                    phi_1594_ = select(_e861, _e869, _e915);
-                                                                    phi_1595_ = select(_e865, _e861, _e915);
+                                                                    let _e917 = vec3((_e897 == _e914));
+                                                                    phi_1600_ = select(_e863, _e871, _e917);
+                                                                    phi_1601_ = select(_e867, _e863, _e917);
                                                                 }
-                                                                let _e919 = phi_1594_;
-                                                                let _e921 = phi_1595_;
-                                                                let _e928 = ((_e919.y * _e921.z) - (_e921.y * _e919.z));
-                                                                let _e933 = ((_e919.z * _e921.x) - (_e921.z * _e919.x));
-                                                                let _e936 = ((_e919.x * _e921.y) - (_e921.x * _e919.y));
-                                                                if (_e778 >= _e782) {
-                                                                    phi_1626_ = select(true, false, (_e778 >= _e786));
+                                                                let _e921 = phi_1600_;
+                                                                let _e923 = phi_1601_;
+                                                                let _e930 = ((_e921.y * _e923.z) - (_e923.y * _e921.z));
+                                                                let _e935 = ((_e921.z * _e923.x) - (_e923.z * _e921.x));
+                                                                let _e938 = ((_e921.x * _e923.y) - (_e923.x * _e921.y));
+                                                                if (_e780 >= _e784) {
+                                                                    phi_1632_ = select(true, false, (_e780 >= _e788));
                                                                 } else {
-                                                                    phi_1626_ = true;
+                                                                    phi_1632_ = true;
                                                                 }
-                                                                let _e941 = phi_1626_;
-                                                                if _e941 {
-                                                                    phi_1635_ = select(vec3<f32>(_e716[2][0], _e716[2][1], _e716[2][2]), vec3<f32>(_e716[1][0], _e716[1][1], _e716[1][2]), vec3((_e782 >= _e786)));
+                                                                let _e943 = phi_1632_;
+                                                                if _e943 {
+                                                                    phi_1641_ = select(vec3<f32>(_e718[2][0], _e718[2][1], _e718[2][2]), vec3<f32>(_e718[1][0], _e718[1][1], _e718[1][2]), vec3((_e784 >= _e788)));
                                                                 } else {
-                                                                    phi_1635_ = vec3<f32>(_e716[0][0], _e716[0][1], _e716[0][2]);
+                                                                    phi_1641_ = vec3<f32>(_e718[0][0], _e718[0][1], _e718[0][2]);
                                                                 }
-                                                                let _e946 = phi_1635_;
-                                                                let _e963 = ((((_e928 * (_e946.x - _e236)) + (_e933 * (_e946.y - _e273))) + (_e936 * (_e946.z - _e309))) / (((_e928 * _e261) + (_e933 * _e297)) + (_e936 * _e333)));
-                                                                let _e965 = select(_e845, _e963, (_e963 < _e845));
-                                                                let _e967 = select(_e837, _e965, (_e965 > _e837));
-                                                                if (_e967 >= _e382) {
-                                                                    let _e969 = (_e967 <= _e617.member_1);
-                                                                    if _e969 {
-                                                                        let _e970 = (1f / _e788);
-                                                                        phi_1675_ = type_22(_e967, (_e782 * _e970), (_e786 * _e970), _e646);
+                                                                let _e948 = phi_1641_;
+                                                                let _e965 = ((((_e930 * (_e948.x - _e238)) + (_e935 * (_e948.y - _e275))) + (_e938 * (_e948.z - _e311))) / (((_e930 * _e263) + (_e935 * _e299)) + (_e938 * _e335)));
+                                                                let _e967 = select(_e847, _e965, (_e965 < _e847));
+                                                                let _e969 = select(_e839, _e967, (_e967 > _e839));
+                                                                if (_e969 >= _e384) {
+                                                                    let _e971 = (_e969 <= _e619.member_1);
+                                                                    if _e971 {
+                                                                        let _e972 = (1f / _e790);
+                                                                        phi_1681_ = type_22(_e969, (_e784 * _e972), (_e788 * _e972), _e648);
                                                                     } else {
-                                                                        phi_1675_ = type_22();
+                                                                        phi_1681_ = type_22();
                                                                     }
-                                                                    let _e975 = phi_1675_;
-                                                                    phi_1677_ = _e975;
-                                                                    phi_1678_ = select(true, false, _e969);
+                                                                    let _e977 = phi_1681_;
+                                                                    phi_1683_ = _e977;
+                                                                    phi_1684_ = select(true, false, _e971);
                                                                 } else {
-                                                                    phi_1677_ = type_22();
-                                                                    phi_1678_ = true;
+                                                                    phi_1683_ = type_22();
+                                                                    phi_1684_ = true;
                                                                 }
-                                                                let _e978 = phi_1677_;
-                                                                let _e980 = phi_1678_;
-                                                                if _e980 {
-                                                                    phi_1682_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e980 = phi_1683_;
+                                                                let _e982 = phi_1684_;
+                                                                if _e982 {
+                                                                    phi_1688_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1682_ = _e978;
+                                                                    phi_1688_ = _e980;
                                                                 }
-                                                                let _e982 = phi_1682_;
-                                                                phi_1683_ = _e982;
+                                                                let _e984 = phi_1688_;
+                                                                phi_1689_ = _e984;
                                                             }
-                                                            let _e984 = phi_1683_;
-                                                            phi_1684_ = _e984;
-                                                            phi_1685_ = _e854;
+                                                            let _e986 = phi_1689_;
+                                                            phi_1690_ = _e986;
+                                                            phi_1691_ = _e856;
                                                         }
-                                                        let _e986 = phi_1684_;
-                                                        let _e988 = phi_1685_;
-                                                        phi_1689_ = _e986;
-                                                        phi_1690_ = _e988;
+                                                        let _e988 = phi_1690_;
+                                                        let _e990 = phi_1691_;
+                                                        phi_1695_ = _e988;
+                                                        phi_1696_ = _e990;
                                                     }
-                                                    let _e990 = phi_1689_;
-                                                    let _e992 = phi_1690_;
-                                                    phi_1694_ = _e990;
-                                                    phi_1695_ = _e992;
+                                                    let _e992 = phi_1695_;
+                                                    let _e994 = phi_1696_;
+                                                    phi_1700_ = _e992;
+                                                    phi_1701_ = _e994;
                                                 } else {
-                                                    phi_1694_ = type_22();
-                                                    phi_1695_ = true;
+                                                    phi_1700_ = type_22();
+                                                    phi_1701_ = true;
                                                 }
-                                                let _e994 = phi_1694_;
-                                                let _e996 = phi_1695_;
-                                                if _e996 {
-                                                    phi_1699_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e996 = phi_1700_;
+                                                let _e998 = phi_1701_;
+                                                if _e998 {
+                                                    phi_1705_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1699_ = _e994;
+                                                    phi_1705_ = _e996;
                                                 }
-                                                let _e998 = phi_1699_;
-                                                if (_e998.member_3 != 4294967295u) {
-                                                    if (_e646 != _e83) {
-                                                        if (_e998.member < _e617.member.member) {
-                                                            phi_1725_ = true;
+                                                let _e1000 = phi_1705_;
+                                                if (_e1000.member_3 != 4294967295u) {
+                                                    if (_e648 != _e84) {
+                                                        if (_e1000.member < _e619.member.member) {
+                                                            phi_1731_ = true;
                                                         } else {
-                                                            if (_e998.member == _e617.member.member) {
-                                                                phi_1724_ = (_e998.member_3 < _e617.member.member_3);
+                                                            if (_e1000.member == _e619.member.member) {
+                                                                phi_1730_ = (_e1000.member_3 < _e619.member.member_3);
                                                             } else {
-                                                                phi_1724_ = false;
+                                                                phi_1730_ = false;
                                                             }
-                                                            let _e1011 = phi_1724_;
-                                                            phi_1725_ = _e1011;
+                                                            let _e1013 = phi_1730_;
+                                                            phi_1731_ = _e1013;
                                                         }
-                                                        let _e1013 = phi_1725_;
-                                                        if _e1013 {
-                                                            phi_1731_ = type_42(_e998, _e998.member);
+                                                        let _e1015 = phi_1731_;
+                                                        if _e1015 {
+                                                            phi_1737_ = type_42(_e1000, _e1000.member);
                                                         } else {
-                                                            phi_1731_ = _e617;
+                                                            phi_1737_ = _e619;
                                                         }
-                                                        let _e1016 = phi_1731_;
-                                                        phi_1732_ = _e1016;
+                                                        let _e1018 = phi_1737_;
+                                                        phi_1738_ = _e1018;
                                                     } else {
-                                                        phi_1732_ = _e617;
+                                                        phi_1738_ = _e619;
                                                     }
-                                                    let _e1018 = phi_1732_;
-                                                    phi_1733_ = _e1018;
+                                                    let _e1020 = phi_1738_;
+                                                    phi_1739_ = _e1020;
                                                 } else {
-                                                    phi_1733_ = _e617;
+                                                    phi_1739_ = _e619;
                                                 }
-                                                let _e1020 = phi_1733_;
-                                                phi_988_ = _e1020;
+                                                let _e1022 = phi_1739_;
+                                                phi_994_ = _e1022;
                                             } else {
-                                                phi_988_ = type_42();
+                                                phi_994_ = type_42();
                                             }
-                                            let _e1022 = phi_988_;
+                                            let _e1024 = phi_994_;
                                             continue;
                                             continuing {
-                                                phi_987_ = _e1022;
-                                                phi_990_ = _e632;
-                                                phi_2352_ = _e390;
-                                                break if !(_e638);
+                                                phi_993_ = _e1024;
+                                                phi_996_ = _e634;
+                                                phi_2358_ = _e392;
+                                                break if !(_e640);
                                             }
                                         }
-                                        let _e1025 = phi_2352_;
-                                        phi_2466_ = _e1025;
-                                        if _e1025 {
+                                        let _e1027 = phi_2358_;
+                                        phi_2473_ = _e1027;
+                                        if _e1027 {
                                             break;
                                         }
-                                        phi_2470_ = _e1025;
-                                        let _e1218 = local_3;
-                                        phi_2187_ = _e1218;
-                                        phi_2188_ = _e415;
-                                        phi_2189_ = false;
-                                        phi_2190_ = _e419;
+                                        phi_2477_ = _e1027;
+                                        let _e1221 = local_3;
+                                        phi_2193_ = _e1221;
+                                        phi_2194_ = _e417;
+                                        phi_2195_ = false;
+                                        phi_2196_ = _e421;
                                     } else {
-                                        if (_e415 >= _e65) {
-                                            phi_1793_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e417 >= _e65) {
+                                            phi_1799_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e415 < _e65) {
+                                            if (_e417 < _e65) {
                                             } else {
-                                                phi_2466_ = true;
+                                                phi_2473_ = true;
                                                 break;
                                             }
-                                            let _e429 = (_e204 % 3u);
-                                            if (_e429 < 3u) {
+                                            let _e431 = (_e206 % 3u);
+                                            if (_e431 < 3u) {
                                             } else {
-                                                phi_2466_ = true;
+                                                phi_2473_ = true;
                                                 break;
                                             }
-                                            let _e435 = global_2.member[_e415].member[_e429];
-                                            let _e441 = (_e203 % 3u);
-                                            if (_e441 < 3u) {
+                                            let _e437 = global_2.member[_e417].member[_e431];
+                                            let _e443 = (_e205 % 3u);
+                                            if (_e443 < 3u) {
                                             } else {
-                                                phi_2466_ = true;
+                                                phi_2473_ = true;
                                                 break;
                                             }
-                                            let _e447 = global_2.member[_e415].member[_e441];
-                                            let _e453 = (_e205 % 3u);
-                                            if (_e453 < 3u) {
+                                            let _e449 = global_2.member[_e417].member[_e443];
+                                            let _e455 = (_e207 % 3u);
+                                            if (_e455 < 3u) {
                                             } else {
-                                                phi_2466_ = true;
+                                                phi_2473_ = true;
                                                 break;
                                             }
-                                            let _e459 = global_2.member[_e415].member[_e453];
-                                            let _e469 = global_2.member[_e415].member_1;
-                                            let _e473 = global_2.member[_e415].member_2;
-                                            phi_1793_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e435[0], _e435[1], _e435[2], _e435[3]), vec4<f32>(_e447[0], _e447[1], _e447[2], _e447[3]), vec4<f32>(_e459[0], _e459[1], _e459[2], _e459[3])), _e469, _e473);
+                                            let _e461 = global_2.member[_e417].member[_e455];
+                                            let _e471 = global_2.member[_e417].member_1;
+                                            let _e475 = global_2.member[_e417].member_2;
+                                            phi_1799_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e437[0], _e437[1], _e437[2], _e437[3]), vec4<f32>(_e449[0], _e449[1], _e449[2], _e449[3]), vec4<f32>(_e461[0], _e461[1], _e461[2], _e461[3])), _e471, _e475);
                                         }
-                                        let _e476 = phi_1793_;
-                                        let _e488 = ((_e476.member[0].x - _e259) * _e264);
-                                        let _e489 = ((_e476.member[0].y - _e259) * _e264);
-                                        let _e490 = ((_e476.member[0].z - _e260) * _e264);
-                                        let _e491 = ((_e476.member[0].w - _e260) * _e264);
-                                        let _e501 = ((_e476.member[1].x - _e295) * _e300);
-                                        let _e502 = ((_e476.member[1].y - _e295) * _e300);
-                                        let _e503 = ((_e476.member[1].z - _e296) * _e300);
-                                        let _e504 = ((_e476.member[1].w - _e296) * _e300);
-                                        let _e514 = ((_e476.member[2].x - _e331) * _e336);
-                                        let _e515 = ((_e476.member[2].y - _e331) * _e336);
-                                        let _e516 = ((_e476.member[2].z - _e332) * _e336);
-                                        let _e517 = ((_e476.member[2].w - _e332) * _e336);
-                                        let _e519 = select(_e516, _e514, (_e514 < _e516));
-                                        let _e521 = select(_e517, _e515, (_e515 < _e517));
-                                        let _e523 = select(_e516, _e514, (_e514 > _e516));
-                                        let _e525 = select(_e517, _e515, (_e515 > _e517));
-                                        let _e527 = select(_e490, _e488, (_e488 < _e490));
-                                        let _e529 = select(_e491, _e489, (_e489 < _e491));
-                                        let _e531 = select(_e503, _e501, (_e501 < _e503));
-                                        let _e533 = select(_e504, _e502, (_e502 < _e504));
-                                        let _e535 = select(_e531, _e527, (_e527 > _e531));
+                                        let _e478 = phi_1799_;
+                                        let _e490 = ((_e478.member[0].x - _e261) * _e266);
+                                        let _e491 = ((_e478.member[0].y - _e261) * _e266);
+                                        let _e492 = ((_e478.member[0].z - _e262) * _e266);
+                                        let _e493 = ((_e478.member[0].w - _e262) * _e266);
+                                        let _e503 = ((_e478.member[1].x - _e297) * _e302);
+                                        let _e504 = ((_e478.member[1].y - _e297) * _e302);
+                                        let _e505 = ((_e478.member[1].z - _e298) * _e302);
+                                        let _e506 = ((_e478.member[1].w - _e298) * _e302);
+                                        let _e516 = ((_e478.member[2].x - _e333) * _e338);
+                                        let _e517 = ((_e478.member[2].y - _e333) * _e338);
+                                        let _e518 = ((_e478.member[2].z - _e334) * _e338);
+                                        let _e519 = ((_e478.member[2].w - _e334) * _e338);
+                                        let _e521 = select(_e518, _e516, (_e516 < _e518));
+                                        let _e523 = select(_e519, _e517, (_e517 < _e519));
+                                        let _e525 = select(_e518, _e516, (_e516 > _e518));
+                                        let _e527 = select(_e519, _e517, (_e517 > _e519));
+                                        let _e529 = select(_e492, _e490, (_e490 < _e492));
+                                        let _e531 = select(_e493, _e491, (_e491 < _e493));
+                                        let _e533 = select(_e505, _e503, (_e503 < _e505));
+                                        let _e535 = select(_e506, _e504, (_e504 < _e506));
                                         let _e537 = select(_e533, _e529, (_e529 > _e533));
-                                        let _e539 = select(_e519, _e535, (_e535 > _e519));
+                                        let _e539 = select(_e535, _e531, (_e531 > _e535));
                                         let _e541 = select(_e521, _e537, (_e537 > _e521));
-                                        let _e543 = select(_e490, _e488, (_e488 > _e490));
-                                        let _e545 = select(_e491, _e489, (_e489 > _e491));
-                                        let _e547 = select(_e503, _e501, (_e501 > _e503));
-                                        let _e549 = select(_e504, _e502, (_e502 > _e504));
-                                        let _e551 = select(_e547, _e543, (_e543 < _e547));
+                                        let _e543 = select(_e523, _e539, (_e539 > _e523));
+                                        let _e545 = select(_e492, _e490, (_e490 > _e492));
+                                        let _e547 = select(_e493, _e491, (_e491 > _e493));
+                                        let _e549 = select(_e505, _e503, (_e503 > _e505));
+                                        let _e551 = select(_e506, _e504, (_e504 > _e506));
                                         let _e553 = select(_e549, _e545, (_e545 < _e549));
-                                        let _e558 = -(_e519);
-                                        let _e559 = -(_e521);
-                                        let _e566 = (select(_e523, _e551, (_e551 < _e523)) + (select(_e558, _e523, (_e523 > _e558)) * 0.0000019073523f));
-                                        let _e567 = (select(_e525, _e553, (_e553 < _e525)) + (select(_e559, _e525, (_e525 > _e559)) * 0.0000019073523f));
-                                        let _e569 = select(_e382, _e539, (_e539 > _e382));
-                                        let _e571 = select(_e382, _e541, (_e541 > _e382));
-                                        let _e576 = (_e569 <= select(_e392.member_1, _e566, (_e566 < _e392.member_1)));
-                                        let _e577 = (_e571 <= select(_e392.member_1, _e567, (_e567 < _e392.member_1)));
-                                        let _e578 = (_e569 <= _e571);
-                                        if _e576 {
-                                            if _e577 {
-                                                if _e578 {
-                                                    phi_2137_ = _e476.member_2;
+                                        let _e555 = select(_e551, _e547, (_e547 < _e551));
+                                        let _e560 = -(_e521);
+                                        let _e561 = -(_e523);
+                                        let _e568 = (select(_e525, _e553, (_e553 < _e525)) + (select(_e560, _e525, (_e525 > _e560)) * 0.0000019073523f));
+                                        let _e569 = (select(_e527, _e555, (_e555 < _e527)) + (select(_e561, _e527, (_e527 > _e561)) * 0.0000019073523f));
+                                        let _e571 = select(_e384, _e541, (_e541 > _e384));
+                                        let _e573 = select(_e384, _e543, (_e543 > _e384));
+                                        let _e578 = (_e571 <= select(_e394.member_1, _e568, (_e568 < _e394.member_1)));
+                                        let _e579 = (_e573 <= select(_e394.member_1, _e569, (_e569 < _e394.member_1)));
+                                        let _e580 = (_e571 <= _e573);
+                                        if _e578 {
+                                            if _e579 {
+                                                if _e580 {
+                                                    phi_2143_ = _e478.member_2;
                                                 } else {
-                                                    phi_2137_ = _e476.member_1;
+                                                    phi_2143_ = _e478.member_1;
                                                 }
-                                                let _e582 = phi_2137_;
-                                                let _e583 = (_e419 % 128u);
-                                                let _e584 = (_e583 < 128u);
-                                                if _e584 {
+                                                let _e584 = phi_2143_;
+                                                let _e585 = (_e421 % 128u);
+                                                let _e586 = (_e585 < 128u);
+                                                if _e586 {
                                                 } else {
-                                                    phi_2466_ = true;
+                                                    phi_2473_ = true;
                                                     break;
                                                 }
-                                                local_1[_e583] = _e582;
-                                                if _e584 {
+                                                local_1[_e585] = _e584;
+                                                if _e586 {
                                                 } else {
-                                                    phi_2466_ = true;
+                                                    phi_2473_ = true;
                                                     break;
                                                 }
-                                                local[_e583] = select(_e571, _e569, (_e569 > _e571));
-                                                if _e578 {
-                                                    phi_2164_ = _e476.member_1;
+                                                local[_e585] = select(_e573, _e571, (_e571 > _e573));
+                                                if _e580 {
+                                                    phi_2170_ = _e478.member_1;
                                                 } else {
-                                                    phi_2164_ = _e476.member_2;
+                                                    phi_2170_ = _e478.member_2;
                                                 }
-                                                let _e593 = phi_2164_;
-                                                phi_2165_ = _e593;
-                                                phi_2166_ = (_e419 + 1u);
+                                                let _e595 = phi_2170_;
+                                                phi_2171_ = _e595;
+                                                phi_2172_ = (_e421 + 1u);
                                             } else {
-                                                phi_2165_ = u32();
-                                                phi_2166_ = u32();
+                                                phi_2171_ = u32();
+                                                phi_2172_ = u32();
                                             }
-                                            let _e595 = phi_2165_;
-                                            let _e597 = phi_2166_;
-                                            phi_2168_ = _e595;
-                                            phi_2169_ = _e597;
-                                            phi_2170_ = select(true, false, _e577);
+                                            let _e597 = phi_2171_;
+                                            let _e599 = phi_2172_;
+                                            phi_2174_ = _e597;
+                                            phi_2175_ = _e599;
+                                            phi_2176_ = select(true, false, _e579);
                                         } else {
-                                            phi_2168_ = u32();
-                                            phi_2169_ = u32();
-                                            phi_2170_ = true;
+                                            phi_2174_ = u32();
+                                            phi_2175_ = u32();
+                                            phi_2176_ = true;
                                         }
-                                        let _e600 = phi_2168_;
-                                        let _e602 = phi_2169_;
-                                        let _e604 = phi_2170_;
-                                        if _e604 {
-                                            if _e576 {
-                                                phi_2179_ = _e476.member_1;
+                                        let _e602 = phi_2174_;
+                                        let _e604 = phi_2175_;
+                                        let _e606 = phi_2176_;
+                                        if _e606 {
+                                            if _e578 {
+                                                phi_2185_ = _e478.member_1;
                                             } else {
-                                                phi_2179_ = _e476.member_2;
+                                                phi_2185_ = _e478.member_2;
                                             }
-                                            let _e608 = phi_2179_;
-                                            phi_2184_ = _e608;
-                                            phi_2185_ = select(_e577, true, _e576);
+                                            let _e610 = phi_2185_;
+                                            phi_2190_ = _e610;
+                                            phi_2191_ = select(_e579, true, _e578);
                                         } else {
-                                            phi_2184_ = _e600;
-                                            phi_2185_ = _e417;
+                                            phi_2190_ = _e602;
+                                            phi_2191_ = _e419;
                                         }
-                                        let _e611 = phi_2184_;
-                                        let _e613 = phi_2185_;
-                                        phi_2470_ = _e390;
-                                        phi_2187_ = _e392;
-                                        phi_2188_ = _e611;
-                                        phi_2189_ = _e613;
-                                        phi_2190_ = select(_e602, _e419, _e604);
+                                        let _e613 = phi_2190_;
+                                        let _e615 = phi_2191_;
+                                        phi_2477_ = _e392;
+                                        phi_2193_ = _e394;
+                                        phi_2194_ = _e613;
+                                        phi_2195_ = _e615;
+                                        phi_2196_ = select(_e604, _e421, _e606);
                                     }
-                                    let _e1027 = phi_2470_;
-                                    let _e1029 = phi_2187_;
-                                    let _e1031 = phi_2188_;
-                                    let _e1033 = phi_2189_;
-                                    let _e1035 = phi_2190_;
-                                    phi_2469_ = _e1027;
-                                    phi_2191_ = _e1029;
-                                    phi_2192_ = _e1031;
-                                    phi_2193_ = (_e396 - 1u);
-                                    phi_2194_ = _e1033;
-                                    phi_2195_ = _e1035;
+                                    let _e1029 = phi_2477_;
+                                    let _e1031 = phi_2193_;
+                                    let _e1033 = phi_2194_;
+                                    let _e1035 = phi_2195_;
+                                    let _e1037 = phi_2196_;
+                                    phi_2476_ = _e1029;
+                                    phi_2197_ = _e1031;
+                                    phi_2198_ = _e1033;
+                                    phi_2199_ = (_e398 - 1u);
+                                    phi_2200_ = _e1035;
+                                    phi_2201_ = _e1037;
                                 } else {
-                                    phi_2469_ = _e390;
-                                    phi_2191_ = _e392;
-                                    phi_2192_ = _e415;
-                                    phi_2193_ = _e396;
-                                    phi_2194_ = _e417;
-                                    phi_2195_ = _e419;
+                                    phi_2476_ = _e392;
+                                    phi_2197_ = _e394;
+                                    phi_2198_ = _e417;
+                                    phi_2199_ = _e398;
+                                    phi_2200_ = _e419;
+                                    phi_2201_ = _e421;
                                 }
-                                let _e1037 = phi_2469_;
-                                let _e1039 = phi_2191_;
-                                let _e1041 = phi_2192_;
-                                let _e1043 = phi_2193_;
-                                let _e1045 = phi_2194_;
-                                let _e1047 = phi_2195_;
-                                phi_2468_ = _e1037;
-                                phi_2196_ = _e1039;
-                                phi_2197_ = _e1041;
-                                phi_2198_ = _e1043;
-                                phi_2199_ = _e1045;
-                                phi_2200_ = _e1047;
+                                let _e1039 = phi_2476_;
+                                let _e1041 = phi_2197_;
+                                let _e1043 = phi_2198_;
+                                let _e1045 = phi_2199_;
+                                let _e1047 = phi_2200_;
+                                let _e1049 = phi_2201_;
+                                phi_2475_ = _e1039;
+                                phi_2202_ = _e1041;
+                                phi_2203_ = _e1043;
+                                phi_2204_ = _e1045;
+                                phi_2205_ = _e1047;
+                                phi_2206_ = _e1049;
                             } else {
-                                phi_2468_ = _e390;
-                                phi_2196_ = type_42();
-                                phi_2197_ = u32();
-                                phi_2198_ = u32();
-                                phi_2199_ = bool();
-                                phi_2200_ = u32();
+                                phi_2475_ = _e392;
+                                phi_2202_ = type_42();
+                                phi_2203_ = u32();
+                                phi_2204_ = u32();
+                                phi_2205_ = bool();
+                                phi_2206_ = u32();
                             }
-                            let _e1049 = phi_2468_;
-                            let _e1051 = phi_2196_;
-                            let _e1053 = phi_2197_;
-                            let _e1055 = phi_2198_;
-                            let _e1057 = phi_2199_;
-                            let _e1059 = phi_2200_;
-                            phi_2467_ = _e1049;
-                            phi_920_ = _e1051;
-                            phi_923_ = _e1053;
-                            phi_925_ = _e1055;
-                            phi_927_ = _e1057;
-                            phi_929_ = _e1059;
-                            phi_2201_ = _e404;
+                            let _e1051 = phi_2475_;
+                            let _e1053 = phi_2202_;
+                            let _e1055 = phi_2203_;
+                            let _e1057 = phi_2204_;
+                            let _e1059 = phi_2205_;
+                            let _e1061 = phi_2206_;
+                            phi_2474_ = _e1051;
+                            phi_926_ = _e1053;
+                            phi_929_ = _e1055;
+                            phi_931_ = _e1057;
+                            phi_933_ = _e1059;
+                            phi_935_ = _e1061;
+                            phi_2207_ = _e406;
                         } else {
-                            phi_2467_ = _e390;
-                            phi_920_ = type_42();
-                            phi_923_ = u32();
-                            phi_925_ = u32();
-                            phi_927_ = bool();
+                            phi_2474_ = _e392;
+                            phi_926_ = type_42();
                             phi_929_ = u32();
-                            phi_2201_ = false;
+                            phi_931_ = u32();
+                            phi_933_ = bool();
+                            phi_935_ = u32();
+                            phi_2207_ = false;
                         }
-                        let _e1061 = phi_2467_;
-                        let _e1063 = phi_920_;
-                        let _e1065 = phi_923_;
-                        let _e1067 = phi_925_;
-                        let _e1069 = phi_927_;
-                        let _e1071 = phi_929_;
-                        let _e1073 = phi_2201_;
+                        let _e1063 = phi_2474_;
+                        let _e1065 = phi_926_;
+                        let _e1067 = phi_929_;
+                        let _e1069 = phi_931_;
+                        let _e1071 = phi_933_;
+                        let _e1073 = phi_935_;
+                        let _e1075 = phi_2207_;
                         continue;
                         continuing {
-                            phi_2358_ = _e1061;
-                            phi_919_ = _e1063;
-                            phi_922_ = _e1065;
-                            phi_924_ = _e1067;
-                            phi_926_ = _e1069;
-                            phi_928_ = _e1071;
-                            phi_2466_ = _e1061;
-                            break if !(_e1073);
+                            phi_2364_ = _e1063;
+                            phi_925_ = _e1065;
+                            phi_928_ = _e1067;
+                            phi_930_ = _e1069;
+                            phi_932_ = _e1071;
+                            phi_934_ = _e1073;
+                            phi_2473_ = _e1063;
+                            break if !(_e1075);
                         }
                     }
-                    let _e1076 = phi_2466_;
-                    if _e1076 {
+                    let _e1078 = phi_2473_;
+                    if _e1078 {
                         break;
                     }
-                    let _e1078 = local_2;
-                    if (_e1078.member.member_3 != 4294967295u) {
-                        let _e1083 = (_e206 / 3i);
-                        let _e1090 = bitcast<f32>((bitcast<u32>((_e1083 + 127i)) << bitcast<u32>(23i)));
-                        let _e1098 = (((_e1078.member.member * _e1090) * _e1090) * bitcast<f32>((bitcast<u32>(((_e206 - (2i * _e1083)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1100 = select(340282350000000000000000000000000000000f, _e1098, (_e1098 < 340282350000000000000000000000000000000f));
-                        phi_2253_ = type_22(select(-340282350000000000000000000000000000000f, _e1100, (_e1100 > -340282350000000000000000000000000000000f)), _e1078.member.member_1, _e1078.member.member_2, _e1078.member.member_3);
+                    let _e1080 = local_2;
+                    if (_e1080.member.member_3 != 4294967295u) {
+                        let _e1085 = (_e208 / 3i);
+                        let _e1092 = bitcast<f32>((bitcast<u32>((_e1085 + 127i)) << bitcast<u32>(23i)));
+                        let _e1100 = (((_e1080.member.member * _e1092) * _e1092) * bitcast<f32>((bitcast<u32>(((_e208 - (2i * _e1085)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1102 = select(340282350000000000000000000000000000000f, _e1100, (_e1100 < 340282350000000000000000000000000000000f));
+                        phi_2259_ = type_22(select(-340282350000000000000000000000000000000f, _e1102, (_e1102 > -340282350000000000000000000000000000000f)), _e1080.member.member_1, _e1080.member.member_2, _e1080.member.member_3);
                     } else {
-                        phi_2253_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2259_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1107 = phi_2253_;
-                    if _e79 {
+                    let _e1109 = phi_2259_;
+                    if _e85 {
                     } else {
                         break;
                     }
-                    global_4.member[_e77] = _e1107;
+                    global_4.member[_e77] = _e1109;
                     if _e78 {
                     } else {
                         break;
                     }
-                    let _e1111 = select(0u, 1u, (_e150 <= _e160));
-                    if (_e1111 > 0u) {
-                        let _e1113 = (1u < _e73);
-                        if _e1113 {
+                    let _e1113 = select(0u, 1u, (_e152 <= _e162));
+                    if (_e1113 > 0u) {
+                        let _e1115 = (1u < _e73);
+                        if _e1115 {
                             if (0u < _e73) {
                             } else {
                                 break;
                             }
-                            let _e1117 = atomicAdd((&global_5.member[0u]), _e1111);
-                            if ((_e1117 + _e1111) < _e1117) {
-                                if _e1113 {
+                            let _e1119 = atomicAdd((&global_5.member[0u]), _e1113);
+                            if ((_e1119 + _e1113) < _e1119) {
+                                if _e1115 {
                                 } else {
                                     break;
                                 }
-                                let _e1122 = atomicAdd((&global_5.member[1u]), 1u);
+                                let _e1124 = atomicAdd((&global_5.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1125 = select(0u, 1u, (_e1107.member_3 != 4294967295u));
-                    if (_e1125 > 0u) {
-                        let _e1127 = (3u < _e73);
-                        if _e1127 {
+                    let _e1127 = select(0u, 1u, (_e1109.member_3 != 4294967295u));
+                    if (_e1127 > 0u) {
+                        let _e1129 = (3u < _e73);
+                        if _e1129 {
                             if (2u < _e73) {
                             } else {
                                 break;
                             }
-                            let _e1131 = atomicAdd((&global_5.member[2u]), _e1125);
-                            if ((_e1131 + _e1125) < _e1131) {
-                                if _e1127 {
+                            let _e1133 = atomicAdd((&global_5.member[2u]), _e1127);
+                            if ((_e1133 + _e1127) < _e1133) {
+                                if _e1129 {
                                 } else {
                                     break;
                                 }
-                                let _e1136 = atomicAdd((&global_5.member[3u]), 1u);
+                                let _e1138 = atomicAdd((&global_5.member[3u]), 1u);
                             }
                         }
                     }

@@ -115,125 +115,126 @@ var<storage, read_write> global_9: type_66;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_250_: i32;
-    var phi_274_: type_46;
-    var phi_384_: i32;
-    var phi_385_: i32;
-    var phi_395_: bool;
-    var phi_405_: u32;
-    var phi_406_: u32;
-    var phi_408_: bool;
-    var phi_413_: u32;
-    var phi_445_: i32;
-    var phi_463_: f32;
+    var phi_216_: u32;
+    var phi_260_: i32;
+    var phi_284_: type_46;
+    var phi_390_: i32;
+    var phi_391_: i32;
+    var phi_401_: bool;
+    var phi_411_: u32;
+    var phi_412_: u32;
+    var phi_414_: bool;
+    var phi_419_: u32;
+    var phi_451_: i32;
     var phi_469_: f32;
-    var phi_480_: f32;
+    var phi_475_: f32;
     var phi_486_: f32;
-    var phi_509_: f32;
-    var phi_520_: f32;
-    var phi_529_: f32;
+    var phi_492_: f32;
+    var phi_515_: f32;
+    var phi_526_: f32;
     var phi_535_: f32;
-    var phi_546_: f32;
+    var phi_541_: f32;
     var phi_552_: f32;
-    var phi_575_: f32;
-    var phi_586_: f32;
-    var phi_595_: f32;
+    var phi_558_: f32;
+    var phi_581_: f32;
+    var phi_592_: f32;
     var phi_601_: f32;
-    var phi_612_: f32;
+    var phi_607_: f32;
     var phi_618_: f32;
-    var phi_641_: f32;
-    var phi_652_: f32;
-    var phi_752_: f32;
-    var phi_753_: f32;
-    var phi_2789_: bool;
-    var phi_1027_: type_49;
-    var phi_1030_: u32;
-    var phi_1032_: u32;
-    var phi_1034_: bool;
+    var phi_624_: f32;
+    var phi_647_: f32;
+    var phi_658_: f32;
+    var phi_758_: f32;
+    var phi_759_: f32;
+    var phi_2795_: bool;
+    var phi_1033_: type_49;
     var phi_1036_: u32;
-    var phi_1047_: bool;
-    var phi_1078_: u32;
-    var phi_1079_: bool;
-    var phi_1080_: u32;
-    var phi_2224_: type_53;
-    var phi_2568_: u32;
-    var phi_2595_: u32;
-    var phi_2596_: u32;
-    var phi_2597_: u32;
-    var phi_2599_: u32;
-    var phi_2600_: u32;
-    var phi_2601_: bool;
-    var phi_2610_: u32;
-    var phi_2615_: u32;
-    var phi_2616_: bool;
-    var phi_1095_: type_49;
-    var phi_1098_: type_8;
-    var phi_1099_: type_8;
-    var phi_1121_: type_8;
-    var phi_1142_: u32;
-    var phi_1231_: array<array<f32, 3>, 3>;
-    var phi_1702_: vec3<f32>;
-    var phi_1703_: vec3<f32>;
-    var phi_1734_: bool;
-    var phi_1743_: vec3<f32>;
-    var phi_1783_: type_28;
-    var phi_1785_: type_28;
-    var phi_1786_: bool;
-    var phi_1790_: type_28;
-    var phi_1791_: type_28;
-    var phi_1792_: type_28;
-    var phi_1793_: bool;
-    var phi_1797_: type_28;
-    var phi_1798_: bool;
-    var phi_1802_: type_28;
-    var phi_1803_: bool;
-    var phi_1807_: type_28;
-    var phi_1830_: u32;
-    var phi_1844_: i32;
-    var phi_1864_: vec3<f32>;
-    var phi_1865_: vec3<f32>;
-    var phi_1881_: vec3<f32>;
-    var phi_1882_: vec3<f32>;
-    var phi_1898_: vec3<f32>;
-    var phi_1899_: vec3<f32>;
-    var phi_1935_: vec3<f32>;
-    var phi_2117_: f32;
-    var phi_2135_: bool;
-    var phi_2136_: bool;
-    var phi_2155_: bool;
-    var phi_2156_: bool;
-    var phi_2162_: type_49;
-    var phi_2163_: type_49;
-    var phi_2164_: type_49;
-    var phi_1096_: type_49;
-    var phi_2783_: bool;
-    var phi_2924_: bool;
-    var phi_2618_: type_49;
-    var phi_2619_: u32;
-    var phi_2620_: bool;
+    var phi_1038_: u32;
+    var phi_1040_: bool;
+    var phi_1042_: u32;
+    var phi_1053_: bool;
+    var phi_1084_: u32;
+    var phi_1085_: bool;
+    var phi_1086_: u32;
+    var phi_2230_: type_53;
+    var phi_2574_: u32;
+    var phi_2601_: u32;
+    var phi_2602_: u32;
+    var phi_2603_: u32;
+    var phi_2605_: u32;
+    var phi_2606_: u32;
+    var phi_2607_: bool;
+    var phi_2616_: u32;
     var phi_2621_: u32;
-    var phi_2923_: bool;
-    var phi_2622_: type_49;
-    var phi_2623_: u32;
-    var phi_2624_: u32;
-    var phi_2625_: bool;
-    var phi_2626_: u32;
-    var phi_2922_: bool;
-    var phi_2627_: type_49;
-    var phi_2628_: u32;
+    var phi_2622_: bool;
+    var phi_1101_: type_49;
+    var phi_1104_: type_8;
+    var phi_1105_: type_8;
+    var phi_1127_: type_8;
+    var phi_1148_: u32;
+    var phi_1237_: array<array<f32, 3>, 3>;
+    var phi_1708_: vec3<f32>;
+    var phi_1709_: vec3<f32>;
+    var phi_1740_: bool;
+    var phi_1749_: vec3<f32>;
+    var phi_1789_: type_28;
+    var phi_1791_: type_28;
+    var phi_1792_: bool;
+    var phi_1796_: type_28;
+    var phi_1797_: type_28;
+    var phi_1798_: type_28;
+    var phi_1799_: bool;
+    var phi_1803_: type_28;
+    var phi_1804_: bool;
+    var phi_1808_: type_28;
+    var phi_1809_: bool;
+    var phi_1813_: type_28;
+    var phi_1836_: u32;
+    var phi_1850_: i32;
+    var phi_1870_: vec3<f32>;
+    var phi_1871_: vec3<f32>;
+    var phi_1887_: vec3<f32>;
+    var phi_1888_: vec3<f32>;
+    var phi_1904_: vec3<f32>;
+    var phi_1905_: vec3<f32>;
+    var phi_1941_: vec3<f32>;
+    var phi_2123_: f32;
+    var phi_2141_: bool;
+    var phi_2142_: bool;
+    var phi_2161_: bool;
+    var phi_2162_: bool;
+    var phi_2168_: type_49;
+    var phi_2169_: type_49;
+    var phi_2170_: type_49;
+    var phi_1102_: type_49;
+    var phi_2789_: bool;
+    var phi_2931_: bool;
+    var phi_2624_: type_49;
+    var phi_2625_: u32;
+    var phi_2626_: bool;
+    var phi_2627_: u32;
+    var phi_2930_: bool;
+    var phi_2628_: type_49;
     var phi_2629_: u32;
-    var phi_2630_: bool;
-    var phi_2631_: u32;
-    var phi_2921_: bool;
-    var phi_1028_: type_49;
-    var phi_1031_: u32;
-    var phi_1033_: u32;
-    var phi_1035_: bool;
+    var phi_2630_: u32;
+    var phi_2631_: bool;
+    var phi_2632_: u32;
+    var phi_2929_: bool;
+    var phi_2633_: type_49;
+    var phi_2634_: u32;
+    var phi_2635_: u32;
+    var phi_2636_: bool;
+    var phi_2637_: u32;
+    var phi_2928_: bool;
+    var phi_1034_: type_49;
     var phi_1037_: u32;
-    var phi_2632_: bool;
-    var phi_2920_: bool;
+    var phi_1039_: u32;
+    var phi_1041_: bool;
+    var phi_1043_: u32;
+    var phi_2638_: bool;
+    var phi_2927_: bool;
     var local_2: type_49;
-    var phi_2684_: type_28;
+    var phi_2690_: type_28;
     var local_3: type_49;
 
     switch bitcast<i32>(0u) {
@@ -245,1045 +246,1051 @@ fn function_() {
             let _e93 = (_e73.x + (_e73.y * 2097152u));
             let _e94 = (_e93 < arrayLength((&global_7.member)));
             if _e94 {
-                let _e95 = (_e93 < arrayLength((&global_8.member)));
-                if _e95 {
-                    let _e98 = global_1.member[0u];
-                    let _e102 = global_2.member[0u][0u];
-                    let _e106 = global_2.member[0u][1u];
-                    let _e110 = global_2.member[0u][2u];
-                    let _e114 = global_2.member[0u][3u];
-                    let _e118 = global_2.member[1u][0u];
-                    let _e122 = global_2.member[1u][1u];
-                    let _e126 = global_2.member[1u][2u];
-                    let _e130 = global_2.member[1u][3u];
-                    let _e131 = bitcast<f32>(_e102);
-                    let _e132 = bitcast<f32>(_e106);
-                    let _e133 = bitcast<f32>(_e110);
-                    let _e135 = bitcast<f32>(_e118);
-                    let _e136 = array<u32, 3>(_e122, _e126, _e130);
-                    let _e138 = bitcast<i32>(_e98);
-                    if (_e138 < -126i) {
-                        phi_250_ = -126i;
-                    } else {
-                        phi_250_ = select(_e138, 127i, (_e138 > 127i));
-                    }
-                    let _e143 = phi_250_;
-                    let _e148 = bitcast<f32>((bitcast<u32>((_e143 + 127i)) << bitcast<u32>(23i)));
-                    let _e154 = bitcast<f32>((bitcast<u32>(((_e138 - _e143) + 127i)) << bitcast<u32>(23i)));
-                    if (_e114 == 0u) {
-                        phi_274_ = type_46(array<f32, 3>(_e131, _e132, _e133), _e114, _e135, _e136);
-                    } else {
-                        phi_274_ = type_46(array<f32, 3>(((_e131 * _e148) * _e154), ((_e132 * _e148) * _e154), ((_e133 * _e148) * _e154)), _e114, ((_e135 * _e148) * _e154), _e136);
-                    }
-                    let _e167 = phi_274_;
+                if _e94 {
+                } else {
+                    break;
+                }
+                let _e98 = global_7.member[_e93].member_2;
+                phi_216_ = _e98;
+            } else {
+                phi_216_ = 4294967295u;
+            }
+            let _e100 = phi_216_;
+            let _e103 = global_1.member[0u];
+            let _e107 = global_2.member[0u][0u];
+            let _e111 = global_2.member[0u][1u];
+            let _e115 = global_2.member[0u][2u];
+            let _e119 = global_2.member[0u][3u];
+            let _e123 = global_2.member[1u][0u];
+            let _e127 = global_2.member[1u][1u];
+            let _e131 = global_2.member[1u][2u];
+            let _e135 = global_2.member[1u][3u];
+            let _e136 = bitcast<f32>(_e107);
+            let _e137 = bitcast<f32>(_e111);
+            let _e138 = bitcast<f32>(_e115);
+            let _e140 = bitcast<f32>(_e123);
+            let _e141 = array<u32, 3>(_e127, _e131, _e135);
+            let _e143 = bitcast<i32>(_e103);
+            if (_e143 < -126i) {
+                phi_260_ = -126i;
+            } else {
+                phi_260_ = select(_e143, 127i, (_e143 > 127i));
+            }
+            let _e148 = phi_260_;
+            let _e153 = bitcast<f32>((bitcast<u32>((_e148 + 127i)) << bitcast<u32>(23i)));
+            let _e159 = bitcast<f32>((bitcast<u32>(((_e143 - _e148) + 127i)) << bitcast<u32>(23i)));
+            if (_e119 == 0u) {
+                phi_284_ = type_46(array<f32, 3>(_e136, _e137, _e138), _e119, _e140, _e141);
+            } else {
+                phi_284_ = type_46(array<f32, 3>(((_e136 * _e153) * _e159), ((_e137 * _e153) * _e159), ((_e138 * _e153) * _e159)), _e119, ((_e140 * _e153) * _e159), _e141);
+            }
+            let _e172 = phi_284_;
+            if _e94 {
+                let _e173 = (_e93 < arrayLength((&global_8.member)));
+                if _e173 {
                     if _e94 {
                     } else {
                         break;
                     }
-                    if _e94 {
-                    } else {
-                        break;
-                    }
-                    let _e171 = global_7.member[_e93].member_2;
-                    let _e181 = global_7.member[_e93].member.member_2[0u];
-                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
-                    let _e189 = global_7.member[_e93].member.member_2[1u];
-                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
-                    let _e197 = global_7.member[_e93].member.member_2[2u];
-                    let _e199 = (bitcast<u32>(_e197) & 2147483647u);
-                    let _e205 = global_7.member[_e93].member.member[0u];
-                    let _e207 = (bitcast<u32>(_e205) & 2147483647u);
-                    let _e213 = global_7.member[_e93].member.member[1u];
-                    let _e215 = (bitcast<u32>(_e213) & 2147483647u);
-                    let _e221 = global_7.member[_e93].member.member[2u];
-                    let _e223 = (bitcast<u32>(_e221) & 2147483647u);
-                    let _e225 = select(_e191, _e183, (_e191 < _e183));
-                    let _e227 = select(_e199, _e225, (_e199 < _e225));
-                    let _e229 = select(_e207, _e227, (_e207 < _e227));
-                    let _e231 = select(_e215, _e229, (_e215 < _e229));
-                    let _e233 = select(_e223, _e231, (_e223 < _e231));
-                    let _e238 = global_7.member[_e93].member.member_1;
-                    let _e240 = (bitcast<u32>(_e238) & 2147483647u);
-                    let _e248 = global_7.member[_e93].member.member_3;
-                    let _e254 = (((select(_e240, _e233, (_e240 < _e233)) < 2139095040u) && ((bitcast<u32>(_e248) & 2147483647u) <= 2139095040u)) && (_e227 > 0u));
-                    if _e254 {
-                        let _e257 = (bitcast<u32>(bitcast<f32>(_e227)) & 2147483647u);
-                        if (_e257 >= 8388608u) {
-                            phi_384_ = (bitcast<i32>((_e257 >> bitcast<u32>(23i))) - 127i);
+                    let _e183 = global_7.member[_e93].member.member_2[0u];
+                    let _e185 = (bitcast<u32>(_e183) & 2147483647u);
+                    let _e191 = global_7.member[_e93].member.member_2[1u];
+                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
+                    let _e199 = global_7.member[_e93].member.member_2[2u];
+                    let _e201 = (bitcast<u32>(_e199) & 2147483647u);
+                    let _e207 = global_7.member[_e93].member.member[0u];
+                    let _e209 = (bitcast<u32>(_e207) & 2147483647u);
+                    let _e215 = global_7.member[_e93].member.member[1u];
+                    let _e217 = (bitcast<u32>(_e215) & 2147483647u);
+                    let _e223 = global_7.member[_e93].member.member[2u];
+                    let _e225 = (bitcast<u32>(_e223) & 2147483647u);
+                    let _e227 = select(_e193, _e185, (_e193 < _e185));
+                    let _e229 = select(_e201, _e227, (_e201 < _e227));
+                    let _e231 = select(_e209, _e229, (_e209 < _e229));
+                    let _e233 = select(_e217, _e231, (_e217 < _e231));
+                    let _e235 = select(_e225, _e233, (_e225 < _e233));
+                    let _e240 = global_7.member[_e93].member.member_1;
+                    let _e242 = (bitcast<u32>(_e240) & 2147483647u);
+                    let _e250 = global_7.member[_e93].member.member_3;
+                    let _e256 = (((select(_e242, _e235, (_e242 < _e235)) < 2139095040u) && ((bitcast<u32>(_e250) & 2147483647u) <= 2139095040u)) && (_e229 > 0u));
+                    if _e256 {
+                        let _e259 = (bitcast<u32>(bitcast<f32>(_e229)) & 2147483647u);
+                        if (_e259 >= 8388608u) {
+                            phi_390_ = (bitcast<i32>((_e259 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_384_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e257)), 32u, (_e257 == 0u))));
+                            phi_390_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e259)), 32u, (_e259 == 0u))));
                         }
-                        let _e271 = phi_384_;
-                        phi_385_ = _e271;
+                        let _e273 = phi_390_;
+                        phi_391_ = _e273;
                     } else {
-                        phi_385_ = 0i;
+                        phi_391_ = 0i;
                     }
-                    let _e273 = phi_385_;
-                    let _e274 = (_e183 == _e227);
-                    if _e274 {
-                        phi_395_ = true;
+                    let _e275 = phi_391_;
+                    let _e276 = (_e185 == _e229);
+                    if _e276 {
+                        phi_401_ = true;
                     } else {
-                        phi_395_ = (_e191 == _e227);
+                        phi_401_ = (_e193 == _e229);
                     }
-                    let _e277 = phi_395_;
-                    let _e278 = select(1u, 0u, _e274);
-                    if _e277 {
-                        let _e279 = (_e278 + 1u);
-                        phi_405_ = _e279;
-                        phi_406_ = _e279;
-                        phi_408_ = select(true, false, (_e279 == 2u));
+                    let _e279 = phi_401_;
+                    let _e280 = select(1u, 0u, _e276);
+                    if _e279 {
+                        let _e281 = (_e280 + 1u);
+                        phi_411_ = _e281;
+                        phi_412_ = _e281;
+                        phi_414_ = select(true, false, (_e281 == 2u));
                     } else {
-                        phi_405_ = u32();
-                        phi_406_ = 0u;
-                        phi_408_ = true;
+                        phi_411_ = u32();
+                        phi_412_ = 0u;
+                        phi_414_ = true;
                     }
-                    let _e283 = phi_405_;
-                    let _e285 = phi_406_;
-                    let _e287 = phi_408_;
-                    if _e287 {
-                        phi_413_ = (_e285 + 1u);
+                    let _e285 = phi_411_;
+                    let _e287 = phi_412_;
+                    let _e289 = phi_414_;
+                    if _e289 {
+                        phi_419_ = (_e287 + 1u);
                     } else {
-                        phi_413_ = 0u;
+                        phi_419_ = 0u;
                     }
-                    let _e291 = phi_413_;
-                    let _e292 = select(_e283, _e285, _e287);
-                    let _e293 = select(_e278, select(2u, _e278, _e277), _e287);
-                    let _e294 = -(_e273);
-                    if (_e294 < -126i) {
-                        phi_445_ = -126i;
+                    let _e293 = phi_419_;
+                    let _e294 = select(_e285, _e287, _e289);
+                    let _e295 = select(_e280, select(2u, _e280, _e279), _e289);
+                    let _e296 = -(_e275);
+                    if (_e296 < -126i) {
+                        phi_451_ = -126i;
                     } else {
-                        phi_445_ = select(_e294, 127i, (_e294 > 127i));
+                        phi_451_ = select(_e296, 127i, (_e296 > 127i));
                     }
-                    let _e299 = phi_445_;
-                    let _e304 = bitcast<f32>((bitcast<u32>((_e299 + 127i)) << bitcast<u32>(23i)));
-                    let _e310 = bitcast<f32>((bitcast<u32>(((_e294 - _e299) + 127i)) << bitcast<u32>(23i)));
-                    let _e315 = global_7.member[_e93].member.member;
-                    let _e316 = (_e292 == 0u);
-                    if _e316 {
-                        phi_463_ = _e315[0];
+                    let _e301 = phi_451_;
+                    let _e306 = bitcast<f32>((bitcast<u32>((_e301 + 127i)) << bitcast<u32>(23i)));
+                    let _e312 = bitcast<f32>((bitcast<u32>(((_e296 - _e301) + 127i)) << bitcast<u32>(23i)));
+                    let _e317 = global_7.member[_e93].member.member;
+                    let _e318 = (_e294 == 0u);
+                    if _e318 {
+                        phi_469_ = _e317[0];
                     } else {
-                        phi_463_ = _e315[1];
+                        phi_469_ = _e317[1];
                     }
-                    let _e320 = phi_463_;
-                    let _e321 = (_e292 == 2u);
-                    if _e321 {
-                        phi_469_ = _e315[2];
+                    let _e322 = phi_469_;
+                    let _e323 = (_e294 == 2u);
+                    if _e323 {
+                        phi_475_ = _e317[2];
                     } else {
-                        phi_469_ = _e320;
+                        phi_475_ = _e322;
                     }
-                    let _e324 = phi_469_;
-                    let _e325 = global_7.member[_e93].member.member_2;
-                    if _e316 {
-                        phi_480_ = _e325[0];
+                    let _e326 = phi_475_;
+                    let _e327 = global_7.member[_e93].member.member_2;
+                    if _e318 {
+                        phi_486_ = _e327[0];
                     } else {
-                        phi_480_ = _e325[1];
+                        phi_486_ = _e327[1];
                     }
-                    let _e329 = phi_480_;
-                    if _e321 {
-                        phi_486_ = _e325[2];
+                    let _e331 = phi_486_;
+                    if _e323 {
+                        phi_492_ = _e327[2];
                     } else {
-                        phi_486_ = _e329;
+                        phi_492_ = _e331;
                     }
-                    let _e332 = phi_486_;
-                    let _e334 = ((_e332 * _e304) * _e310);
-                    let _e338 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e338 {
-                        let _e342 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) * 0.00000011920929f);
-                        phi_509_ = select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f));
+                    let _e334 = phi_492_;
+                    let _e336 = ((_e334 * _e306) * _e312);
+                    let _e340 = (bitcast<f32>((bitcast<u32>(_e336) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e340 {
+                        let _e344 = (bitcast<f32>((bitcast<u32>(_e326) & 2147483647u)) * 0.00000011920929f);
+                        phi_515_ = select(0.00000000000011368684f, _e344, (_e344 > 0.00000000000011368684f));
                     } else {
-                        phi_509_ = 0f;
+                        phi_515_ = 0f;
                     }
-                    let _e346 = phi_509_;
-                    let _e347 = (_e324 + _e346);
-                    let _e348 = (_e324 - _e346);
-                    let _e349 = select(_e334, 0f, _e338);
-                    if _e338 {
-                        phi_520_ = 38685626000000000000000000f;
+                    let _e348 = phi_515_;
+                    let _e349 = (_e326 + _e348);
+                    let _e350 = (_e326 - _e348);
+                    let _e351 = select(_e336, 0f, _e340);
+                    if _e340 {
+                        phi_526_ = 38685626000000000000000000f;
                     } else {
-                        phi_520_ = (1f / _e334);
+                        phi_526_ = (1f / _e336);
                     }
-                    let _e352 = phi_520_;
-                    let _e353 = (_e291 == 0u);
-                    if _e353 {
-                        phi_529_ = _e315[0];
+                    let _e354 = phi_526_;
+                    let _e355 = (_e293 == 0u);
+                    if _e355 {
+                        phi_535_ = _e317[0];
                     } else {
-                        phi_529_ = _e315[1];
+                        phi_535_ = _e317[1];
                     }
-                    let _e357 = phi_529_;
-                    let _e358 = (_e291 == 2u);
-                    if _e358 {
-                        phi_535_ = _e315[2];
+                    let _e359 = phi_535_;
+                    let _e360 = (_e293 == 2u);
+                    if _e360 {
+                        phi_541_ = _e317[2];
                     } else {
-                        phi_535_ = _e357;
+                        phi_541_ = _e359;
                     }
-                    let _e361 = phi_535_;
-                    if _e353 {
-                        phi_546_ = _e325[0];
+                    let _e363 = phi_541_;
+                    if _e355 {
+                        phi_552_ = _e327[0];
                     } else {
-                        phi_546_ = _e325[1];
+                        phi_552_ = _e327[1];
                     }
-                    let _e365 = phi_546_;
-                    if _e358 {
-                        phi_552_ = _e325[2];
+                    let _e367 = phi_552_;
+                    if _e360 {
+                        phi_558_ = _e327[2];
                     } else {
-                        phi_552_ = _e365;
+                        phi_558_ = _e367;
                     }
-                    let _e368 = phi_552_;
-                    let _e370 = ((_e368 * _e304) * _e310);
-                    let _e374 = (bitcast<f32>((bitcast<u32>(_e370) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e374 {
-                        let _e378 = (bitcast<f32>((bitcast<u32>(_e361) & 2147483647u)) * 0.00000011920929f);
-                        phi_575_ = select(0.00000000000011368684f, _e378, (_e378 > 0.00000000000011368684f));
+                    let _e370 = phi_558_;
+                    let _e372 = ((_e370 * _e306) * _e312);
+                    let _e376 = (bitcast<f32>((bitcast<u32>(_e372) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e376 {
+                        let _e380 = (bitcast<f32>((bitcast<u32>(_e363) & 2147483647u)) * 0.00000011920929f);
+                        phi_581_ = select(0.00000000000011368684f, _e380, (_e380 > 0.00000000000011368684f));
                     } else {
-                        phi_575_ = 0f;
+                        phi_581_ = 0f;
                     }
-                    let _e382 = phi_575_;
-                    let _e383 = (_e361 + _e382);
-                    let _e384 = (_e361 - _e382);
-                    let _e385 = select(_e370, 0f, _e374);
-                    if _e374 {
-                        phi_586_ = 38685626000000000000000000f;
+                    let _e384 = phi_581_;
+                    let _e385 = (_e363 + _e384);
+                    let _e386 = (_e363 - _e384);
+                    let _e387 = select(_e372, 0f, _e376);
+                    if _e376 {
+                        phi_592_ = 38685626000000000000000000f;
                     } else {
-                        phi_586_ = (1f / _e370);
+                        phi_592_ = (1f / _e372);
                     }
-                    let _e388 = phi_586_;
-                    let _e389 = (_e293 == 0u);
-                    if _e389 {
-                        phi_595_ = _e315[0];
+                    let _e390 = phi_592_;
+                    let _e391 = (_e295 == 0u);
+                    if _e391 {
+                        phi_601_ = _e317[0];
                     } else {
-                        phi_595_ = _e315[1];
+                        phi_601_ = _e317[1];
                     }
-                    let _e393 = phi_595_;
-                    let _e394 = (_e293 == 2u);
-                    if _e394 {
-                        phi_601_ = _e315[2];
+                    let _e395 = phi_601_;
+                    let _e396 = (_e295 == 2u);
+                    if _e396 {
+                        phi_607_ = _e317[2];
                     } else {
-                        phi_601_ = _e393;
+                        phi_607_ = _e395;
                     }
-                    let _e397 = phi_601_;
-                    if _e389 {
-                        phi_612_ = _e325[0];
+                    let _e399 = phi_607_;
+                    if _e391 {
+                        phi_618_ = _e327[0];
                     } else {
-                        phi_612_ = _e325[1];
+                        phi_618_ = _e327[1];
                     }
-                    let _e401 = phi_612_;
-                    if _e394 {
-                        phi_618_ = _e325[2];
+                    let _e403 = phi_618_;
+                    if _e396 {
+                        phi_624_ = _e327[2];
                     } else {
-                        phi_618_ = _e401;
+                        phi_624_ = _e403;
                     }
-                    let _e404 = phi_618_;
-                    let _e406 = ((_e404 * _e304) * _e310);
-                    let _e410 = (bitcast<f32>((bitcast<u32>(_e406) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e410 {
-                        let _e414 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) * 0.00000011920929f);
-                        phi_641_ = select(0.00000000000011368684f, _e414, (_e414 > 0.00000000000011368684f));
+                    let _e406 = phi_624_;
+                    let _e408 = ((_e406 * _e306) * _e312);
+                    let _e412 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e412 {
+                        let _e416 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) * 0.00000011920929f);
+                        phi_647_ = select(0.00000000000011368684f, _e416, (_e416 > 0.00000000000011368684f));
                     } else {
-                        phi_641_ = 0f;
+                        phi_647_ = 0f;
                     }
-                    let _e418 = phi_641_;
-                    let _e419 = (_e397 + _e418);
-                    let _e420 = (_e397 - _e418);
-                    let _e421 = select(_e406, 0f, _e410);
-                    if _e410 {
-                        phi_652_ = 38685626000000000000000000f;
+                    let _e420 = phi_647_;
+                    let _e421 = (_e399 + _e420);
+                    let _e422 = (_e399 - _e420);
+                    let _e423 = select(_e408, 0f, _e412);
+                    if _e412 {
+                        phi_658_ = 38685626000000000000000000f;
                     } else {
-                        phi_652_ = (1f / _e406);
+                        phi_658_ = (1f / _e408);
                     }
-                    let _e424 = phi_652_;
-                    let _e427 = bitcast<f32>((bitcast<u32>(_e324) & 2147483647u));
-                    let _e430 = bitcast<f32>((bitcast<u32>(_e361) & 2147483647u));
-                    let _e432 = select(_e430, _e427, (_e427 > _e430));
-                    let _e435 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
-                    if (_e254 && (select(_e435, _e432, (_e432 > _e435)) <= 1099511600000f)) {
-                        let _e440 = (_e273 / 3i);
-                        let _e447 = bitcast<f32>((bitcast<u32>((_e440 + 127i)) << bitcast<u32>(23i)));
-                        let _e454 = bitcast<f32>((bitcast<u32>(((_e273 - (2i * _e440)) + 127i)) << bitcast<u32>(23i)));
-                        let _e455 = (((_e238 * _e447) * _e447) * _e454);
-                        let _e457 = select(340282350000000000000000000000000000000f, _e455, (_e455 < 340282350000000000000000000000000000000f));
-                        let _e462 = (((_e248 * _e447) * _e447) * _e454);
-                        let _e464 = select(340282350000000000000000000000000000000f, _e462, (_e462 < 340282350000000000000000000000000000000f));
-                        phi_752_ = select(-340282350000000000000000000000000000000f, _e464, (_e464 > -340282350000000000000000000000000000000f));
-                        phi_753_ = select(-340282350000000000000000000000000000000f, _e457, (_e457 > -340282350000000000000000000000000000000f));
+                    let _e426 = phi_658_;
+                    let _e429 = bitcast<f32>((bitcast<u32>(_e326) & 2147483647u));
+                    let _e432 = bitcast<f32>((bitcast<u32>(_e363) & 2147483647u));
+                    let _e434 = select(_e432, _e429, (_e429 > _e432));
+                    let _e437 = bitcast<f32>((bitcast<u32>(_e399) & 2147483647u));
+                    if (_e256 && (select(_e437, _e434, (_e434 > _e437)) <= 1099511600000f)) {
+                        let _e442 = (_e275 / 3i);
+                        let _e449 = bitcast<f32>((bitcast<u32>((_e442 + 127i)) << bitcast<u32>(23i)));
+                        let _e456 = bitcast<f32>((bitcast<u32>(((_e275 - (2i * _e442)) + 127i)) << bitcast<u32>(23i)));
+                        let _e457 = (((_e240 * _e449) * _e449) * _e456);
+                        let _e459 = select(340282350000000000000000000000000000000f, _e457, (_e457 < 340282350000000000000000000000000000000f));
+                        let _e464 = (((_e250 * _e449) * _e449) * _e456);
+                        let _e466 = select(340282350000000000000000000000000000000f, _e464, (_e464 < 340282350000000000000000000000000000000f));
+                        phi_758_ = select(-340282350000000000000000000000000000000f, _e466, (_e466 > -340282350000000000000000000000000000000f));
+                        phi_759_ = select(-340282350000000000000000000000000000000f, _e459, (_e459 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_752_ = 0f;
-                        phi_753_ = 1f;
+                        phi_758_ = 0f;
+                        phi_759_ = 1f;
                     }
-                    let _e468 = phi_752_;
-                    let _e470 = phi_753_;
+                    let _e470 = phi_758_;
+                    let _e472 = phi_759_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2789_ = false;
-                    phi_1027_ = type_49(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e468);
-                    phi_1030_ = select(0u, 2147483648u, (_e75 == 0u));
-                    phi_1032_ = ((3u * _e75) + 1u);
-                    phi_1034_ = (_e470 <= _e468);
-                    phi_1036_ = 0u;
+                    phi_2795_ = false;
+                    phi_1033_ = type_49(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e470);
+                    phi_1036_ = select(0u, 2147483648u, (_e75 == 0u));
+                    phi_1038_ = ((3u * _e75) + 1u);
+                    phi_1040_ = (_e472 <= _e470);
+                    phi_1042_ = 0u;
                     loop {
-                        let _e478 = phi_2789_;
-                        let _e480 = phi_1027_;
-                        let _e482 = phi_1030_;
-                        let _e484 = phi_1032_;
-                        let _e486 = phi_1034_;
-                        let _e488 = phi_1036_;
-                        local_2 = _e480;
-                        if _e486 {
-                            phi_1047_ = true;
+                        let _e480 = phi_2795_;
+                        let _e482 = phi_1033_;
+                        let _e484 = phi_1036_;
+                        let _e486 = phi_1038_;
+                        let _e488 = phi_1040_;
+                        let _e490 = phi_1042_;
+                        local_2 = _e482;
+                        if _e488 {
+                            phi_1053_ = true;
                         } else {
-                            phi_1047_ = (_e488 > 0u);
+                            phi_1053_ = (_e490 > 0u);
                         }
-                        let _e491 = phi_1047_;
-                        if _e491 {
-                            let _e492 = (_e484 > 0u);
-                            if _e492 {
-                                if _e486 {
-                                    phi_1078_ = _e482;
-                                    phi_1079_ = _e486;
-                                    phi_1080_ = _e488;
+                        let _e493 = phi_1053_;
+                        if _e493 {
+                            let _e494 = (_e486 > 0u);
+                            if _e494 {
+                                if _e488 {
+                                    phi_1084_ = _e484;
+                                    phi_1085_ = _e488;
+                                    phi_1086_ = _e490;
                                 } else {
-                                    let _e493 = (_e488 - 1u);
-                                    let _e494 = (_e493 % 128u);
-                                    let _e495 = (_e494 < 128u);
-                                    if _e495 {
+                                    let _e495 = (_e490 - 1u);
+                                    let _e496 = (_e495 % 128u);
+                                    let _e497 = (_e496 < 128u);
+                                    if _e497 {
                                     } else {
-                                        phi_2920_ = true;
+                                        phi_2927_ = true;
                                         break;
                                     }
-                                    let _e497 = local_1[_e494];
-                                    if _e495 {
+                                    let _e499 = local_1[_e496];
+                                    if _e497 {
                                     } else {
-                                        phi_2920_ = true;
+                                        phi_2927_ = true;
                                         break;
                                     }
-                                    let _e499 = local[_e494];
-                                    phi_1078_ = _e497;
-                                    phi_1079_ = (_e499 <= _e480.member_1);
-                                    phi_1080_ = _e493;
+                                    let _e501 = local[_e496];
+                                    phi_1084_ = _e499;
+                                    phi_1085_ = (_e501 <= _e482.member_1);
+                                    phi_1086_ = _e495;
                                 }
-                                let _e503 = phi_1078_;
-                                let _e505 = phi_1079_;
-                                let _e507 = phi_1080_;
-                                if _e505 {
-                                    if ((_e503 & 2147483648u) != 0u) {
-                                        phi_1095_ = _e480;
-                                        phi_1098_ = type_8(0u, ((_e503 >> bitcast<u32>(28u)) & 7u));
+                                let _e505 = phi_1084_;
+                                let _e507 = phi_1085_;
+                                let _e509 = phi_1086_;
+                                if _e507 {
+                                    if ((_e505 & 2147483648u) != 0u) {
+                                        phi_1101_ = _e482;
+                                        phi_1104_ = type_8(0u, ((_e505 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e705 = phi_1095_;
-                                            let _e707 = phi_1098_;
-                                            local_3 = _e705;
-                                            if (_e707.member < _e707.member_1) {
-                                                phi_1099_ = type_8((_e707.member + 1u), _e707.member_1);
-                                                phi_1121_ = type_8(1u, _e707.member);
+                                            let _e707 = phi_1101_;
+                                            let _e709 = phi_1104_;
+                                            local_3 = _e707;
+                                            if (_e709.member < _e709.member_1) {
+                                                phi_1105_ = type_8((_e709.member + 1u), _e709.member_1);
+                                                phi_1127_ = type_8(1u, _e709.member);
                                             } else {
-                                                phi_1099_ = _e707;
-                                                phi_1121_ = type_8(0u, type_8().member_1);
+                                                phi_1105_ = _e709;
+                                                phi_1127_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e720 = phi_1099_;
-                                            let _e722 = phi_1121_;
-                                            let _e726 = (bitcast<i32>(_e722.member) != 0i);
-                                            if _e726 {
-                                                let _e727 = ((_e503 & 268435455u) + _e722.member_1);
-                                                let _e728 = (_e727 < _e77);
-                                                if _e728 {
-                                                    if _e728 {
+                                            let _e722 = phi_1105_;
+                                            let _e724 = phi_1127_;
+                                            let _e728 = (bitcast<i32>(_e724.member) != 0i);
+                                            if _e728 {
+                                                let _e729 = ((_e505 & 268435455u) + _e724.member_1);
+                                                let _e730 = (_e729 < _e77);
+                                                if _e730 {
+                                                    if _e730 {
                                                     } else {
-                                                        phi_2783_ = true;
+                                                        phi_2789_ = true;
                                                         break;
                                                     }
-                                                    let _e732 = global_4.member[_e727].member_1;
-                                                    phi_1142_ = _e732;
+                                                    let _e734 = global_4.member[_e729].member_1;
+                                                    phi_1148_ = _e734;
                                                 } else {
-                                                    phi_1142_ = 4294967295u;
+                                                    phi_1148_ = 4294967295u;
                                                 }
-                                                let _e734 = phi_1142_;
-                                                if (_e727 >= _e77) {
-                                                    phi_1231_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e736 = phi_1148_;
+                                                if (_e729 >= _e77) {
+                                                    phi_1237_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e728 {
+                                                    if _e730 {
                                                     } else {
-                                                        phi_2783_ = true;
+                                                        phi_2789_ = true;
                                                         break;
                                                     }
-                                                    let _e736 = (_e292 % 3u);
-                                                    let _e737 = (_e291 % 3u);
-                                                    let _e738 = (_e293 % 3u);
-                                                    if (_e736 < 9u) {
-                                                    } else {
-                                                        phi_2783_ = true;
-                                                        break;
-                                                    }
-                                                    let _e744 = global_4.member[_e727].member[_e736];
-                                                    if (_e737 < 9u) {
-                                                    } else {
-                                                        phi_2783_ = true;
-                                                        break;
-                                                    }
-                                                    let _e750 = global_4.member[_e727].member[_e737];
+                                                    let _e738 = (_e294 % 3u);
+                                                    let _e739 = (_e293 % 3u);
+                                                    let _e740 = (_e295 % 3u);
                                                     if (_e738 < 9u) {
                                                     } else {
-                                                        phi_2783_ = true;
+                                                        phi_2789_ = true;
                                                         break;
                                                     }
-                                                    let _e756 = global_4.member[_e727].member[_e738];
-                                                    let _e758 = (3u + _e736);
-                                                    if (_e758 < 9u) {
+                                                    let _e746 = global_4.member[_e729].member[_e738];
+                                                    if (_e739 < 9u) {
                                                     } else {
-                                                        phi_2783_ = true;
+                                                        phi_2789_ = true;
                                                         break;
                                                     }
-                                                    let _e764 = global_4.member[_e727].member[_e758];
-                                                    let _e765 = (3u + _e737);
-                                                    if (_e765 < 9u) {
+                                                    let _e752 = global_4.member[_e729].member[_e739];
+                                                    if (_e740 < 9u) {
                                                     } else {
-                                                        phi_2783_ = true;
+                                                        phi_2789_ = true;
                                                         break;
                                                     }
-                                                    let _e771 = global_4.member[_e727].member[_e765];
-                                                    let _e772 = (3u + _e738);
-                                                    if (_e772 < 9u) {
+                                                    let _e758 = global_4.member[_e729].member[_e740];
+                                                    let _e760 = (3u + _e738);
+                                                    if (_e760 < 9u) {
                                                     } else {
-                                                        phi_2783_ = true;
+                                                        phi_2789_ = true;
                                                         break;
                                                     }
-                                                    let _e778 = global_4.member[_e727].member[_e772];
-                                                    let _e780 = (6u + _e736);
-                                                    if (_e780 < 9u) {
+                                                    let _e766 = global_4.member[_e729].member[_e760];
+                                                    let _e767 = (3u + _e739);
+                                                    if (_e767 < 9u) {
                                                     } else {
-                                                        phi_2783_ = true;
+                                                        phi_2789_ = true;
                                                         break;
                                                     }
-                                                    let _e786 = global_4.member[_e727].member[_e780];
-                                                    let _e787 = (6u + _e737);
-                                                    if (_e787 < 9u) {
+                                                    let _e773 = global_4.member[_e729].member[_e767];
+                                                    let _e774 = (3u + _e740);
+                                                    if (_e774 < 9u) {
                                                     } else {
-                                                        phi_2783_ = true;
+                                                        phi_2789_ = true;
                                                         break;
                                                     }
-                                                    let _e793 = global_4.member[_e727].member[_e787];
-                                                    let _e794 = (6u + _e738);
-                                                    if (_e794 < 9u) {
+                                                    let _e780 = global_4.member[_e729].member[_e774];
+                                                    let _e782 = (6u + _e738);
+                                                    if (_e782 < 9u) {
                                                     } else {
-                                                        phi_2783_ = true;
+                                                        phi_2789_ = true;
                                                         break;
                                                     }
-                                                    let _e800 = global_4.member[_e727].member[_e794];
-                                                    phi_1231_ = array<array<f32, 3>, 3>(array<f32, 3>(_e744, _e750, _e756), array<f32, 3>(_e764, _e771, _e778), array<f32, 3>(_e786, _e793, _e800));
+                                                    let _e788 = global_4.member[_e729].member[_e782];
+                                                    let _e789 = (6u + _e739);
+                                                    if (_e789 < 9u) {
+                                                    } else {
+                                                        phi_2789_ = true;
+                                                        break;
+                                                    }
+                                                    let _e795 = global_4.member[_e729].member[_e789];
+                                                    let _e796 = (6u + _e740);
+                                                    if (_e796 < 9u) {
+                                                    } else {
+                                                        phi_2789_ = true;
+                                                        break;
+                                                    }
+                                                    let _e802 = global_4.member[_e729].member[_e796];
+                                                    phi_1237_ = array<array<f32, 3>, 3>(array<f32, 3>(_e746, _e752, _e758), array<f32, 3>(_e766, _e773, _e780), array<f32, 3>(_e788, _e795, _e802));
                                                 }
-                                                let _e804 = phi_1231_;
-                                                let _e812 = (_e804[0][2] - _e397);
-                                                let _e815 = (((_e804[0][0] - _e324) * _e421) - (_e812 * _e349));
-                                                let _e818 = (((_e804[0][1] - _e361) * _e421) - (_e812 * _e385));
-                                                let _e825 = (_e804[1][2] - _e397);
-                                                let _e828 = (((_e804[1][0] - _e324) * _e421) - (_e825 * _e349));
-                                                let _e831 = (((_e804[1][1] - _e361) * _e421) - (_e825 * _e385));
-                                                let _e838 = (_e804[2][2] - _e397);
-                                                let _e841 = (((_e804[2][0] - _e324) * _e421) - (_e838 * _e349));
-                                                let _e844 = (((_e804[2][1] - _e361) * _e421) - (_e838 * _e385));
-                                                let _e845 = (_e841 * _e831);
-                                                let _e846 = (_e844 * _e828);
-                                                let _e847 = (_e815 * _e844);
-                                                let _e848 = (_e818 * _e841);
-                                                let _e849 = (_e828 * _e818);
-                                                let _e850 = (_e831 * _e815);
-                                                let _e855 = (((_e845 >= _e846) && (_e847 >= _e848)) && (_e849 >= _e850));
-                                                if (_e855 || (((_e845 <= _e846) && (_e847 <= _e848)) && (_e849 <= _e850))) {
-                                                    let _e862 = select(-1f, 1f, _e855);
-                                                    let _e864 = ((_e845 - _e846) * _e862);
-                                                    let _e866 = select(0f, _e864, (_e864 > 0f));
-                                                    let _e868 = ((_e847 - _e848) * _e862);
-                                                    let _e870 = select(0f, _e868, (_e868 > 0f));
-                                                    let _e872 = ((_e849 - _e850) * _e862);
-                                                    let _e874 = select(0f, _e872, (_e872 > 0f));
-                                                    let _e876 = ((_e866 + _e870) + _e874);
-                                                    if (_e876 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1797_ = type_28();
-                                                        phi_1798_ = true;
+                                                let _e806 = phi_1237_;
+                                                let _e814 = (_e806[0][2] - _e399);
+                                                let _e817 = (((_e806[0][0] - _e326) * _e423) - (_e814 * _e351));
+                                                let _e820 = (((_e806[0][1] - _e363) * _e423) - (_e814 * _e387));
+                                                let _e827 = (_e806[1][2] - _e399);
+                                                let _e830 = (((_e806[1][0] - _e326) * _e423) - (_e827 * _e351));
+                                                let _e833 = (((_e806[1][1] - _e363) * _e423) - (_e827 * _e387));
+                                                let _e840 = (_e806[2][2] - _e399);
+                                                let _e843 = (((_e806[2][0] - _e326) * _e423) - (_e840 * _e351));
+                                                let _e846 = (((_e806[2][1] - _e363) * _e423) - (_e840 * _e387));
+                                                let _e847 = (_e843 * _e833);
+                                                let _e848 = (_e846 * _e830);
+                                                let _e849 = (_e817 * _e846);
+                                                let _e850 = (_e820 * _e843);
+                                                let _e851 = (_e830 * _e820);
+                                                let _e852 = (_e833 * _e817);
+                                                let _e857 = (((_e847 >= _e848) && (_e849 >= _e850)) && (_e851 >= _e852));
+                                                if (_e857 || (((_e847 <= _e848) && (_e849 <= _e850)) && (_e851 <= _e852))) {
+                                                    let _e864 = select(-1f, 1f, _e857);
+                                                    let _e866 = ((_e847 - _e848) * _e864);
+                                                    let _e868 = select(0f, _e866, (_e866 > 0f));
+                                                    let _e870 = ((_e849 - _e850) * _e864);
+                                                    let _e872 = select(0f, _e870, (_e870 > 0f));
+                                                    let _e874 = ((_e851 - _e852) * _e864);
+                                                    let _e876 = select(0f, _e874, (_e874 > 0f));
+                                                    let _e878 = ((_e868 + _e872) + _e876);
+                                                    if (_e878 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1803_ = type_28();
+                                                        phi_1804_ = true;
                                                     } else {
-                                                        let _e879 = select(_e804[1][0], _e804[0][0], (_e804[0][0] < _e804[1][0]));
-                                                        let _e883 = select(_e804[1][0], _e804[0][0], (_e804[0][0] > _e804[1][0]));
-                                                        let _e887 = select(_e804[1][1], _e804[0][1], (_e804[0][1] < _e804[1][1]));
-                                                        let _e891 = select(_e804[1][1], _e804[0][1], (_e804[0][1] > _e804[1][1]));
-                                                        let _e895 = select(_e804[1][2], _e804[0][2], (_e804[0][2] < _e804[1][2]));
-                                                        let _e899 = select(_e804[1][2], _e804[0][2], (_e804[0][2] > _e804[1][2]));
-                                                        let _e904 = ((select(_e804[2][0], _e879, (_e879 < _e804[2][0])) - _e347) * _e352);
-                                                        let _e905 = ((select(_e804[2][0], _e883, (_e883 > _e804[2][0])) - _e348) * _e352);
-                                                        let _e908 = ((select(_e804[2][1], _e887, (_e887 < _e804[2][1])) - _e383) * _e388);
-                                                        let _e909 = ((select(_e804[2][1], _e891, (_e891 > _e804[2][1])) - _e384) * _e388);
-                                                        let _e912 = ((select(_e804[2][2], _e895, (_e895 < _e804[2][2])) - _e419) * _e424);
-                                                        let _e913 = ((select(_e804[2][2], _e899, (_e899 > _e804[2][2])) - _e420) * _e424);
-                                                        let _e915 = select(_e913, _e912, (_e912 < _e913));
-                                                        let _e917 = select(_e913, _e912, (_e912 > _e913));
-                                                        let _e919 = select(_e905, _e904, (_e904 < _e905));
-                                                        let _e921 = select(_e909, _e908, (_e908 < _e909));
-                                                        let _e923 = select(_e921, _e919, (_e919 > _e921));
-                                                        let _e925 = select(_e915, _e923, (_e923 > _e915));
-                                                        let _e927 = select(_e905, _e904, (_e904 > _e905));
-                                                        let _e929 = select(_e909, _e908, (_e908 > _e909));
-                                                        let _e931 = select(_e929, _e927, (_e927 < _e929));
-                                                        let _e933 = select(_e917, _e931, (_e931 < _e917));
-                                                        let _e934 = -(_e915);
-                                                        let _e940 = select(_e470, _e925, (_e925 > _e470));
-                                                        if (_e940 > (_e933 + (select(_e934, _e917, (_e917 > _e934)) * 0.0000019073523f))) {
-                                                            phi_1792_ = type_28();
-                                                            phi_1793_ = true;
+                                                        let _e881 = select(_e806[1][0], _e806[0][0], (_e806[0][0] < _e806[1][0]));
+                                                        let _e885 = select(_e806[1][0], _e806[0][0], (_e806[0][0] > _e806[1][0]));
+                                                        let _e889 = select(_e806[1][1], _e806[0][1], (_e806[0][1] < _e806[1][1]));
+                                                        let _e893 = select(_e806[1][1], _e806[0][1], (_e806[0][1] > _e806[1][1]));
+                                                        let _e897 = select(_e806[1][2], _e806[0][2], (_e806[0][2] < _e806[1][2]));
+                                                        let _e901 = select(_e806[1][2], _e806[0][2], (_e806[0][2] > _e806[1][2]));
+                                                        let _e906 = ((select(_e806[2][0], _e881, (_e881 < _e806[2][0])) - _e349) * _e354);
+                                                        let _e907 = ((select(_e806[2][0], _e885, (_e885 > _e806[2][0])) - _e350) * _e354);
+                                                        let _e910 = ((select(_e806[2][1], _e889, (_e889 < _e806[2][1])) - _e385) * _e390);
+                                                        let _e911 = ((select(_e806[2][1], _e893, (_e893 > _e806[2][1])) - _e386) * _e390);
+                                                        let _e914 = ((select(_e806[2][2], _e897, (_e897 < _e806[2][2])) - _e421) * _e426);
+                                                        let _e915 = ((select(_e806[2][2], _e901, (_e901 > _e806[2][2])) - _e422) * _e426);
+                                                        let _e917 = select(_e915, _e914, (_e914 < _e915));
+                                                        let _e919 = select(_e915, _e914, (_e914 > _e915));
+                                                        let _e921 = select(_e907, _e906, (_e906 < _e907));
+                                                        let _e923 = select(_e911, _e910, (_e910 < _e911));
+                                                        let _e925 = select(_e923, _e921, (_e921 > _e923));
+                                                        let _e927 = select(_e917, _e925, (_e925 > _e917));
+                                                        let _e929 = select(_e907, _e906, (_e906 > _e907));
+                                                        let _e931 = select(_e911, _e910, (_e910 > _e911));
+                                                        let _e933 = select(_e931, _e929, (_e929 < _e931));
+                                                        let _e935 = select(_e919, _e933, (_e933 < _e919));
+                                                        let _e936 = -(_e917);
+                                                        let _e942 = select(_e472, _e927, (_e927 > _e472));
+                                                        if (_e942 > (_e935 + (select(_e936, _e919, (_e919 > _e936)) * 0.0000019073523f))) {
+                                                            phi_1798_ = type_28();
+                                                            phi_1799_ = true;
                                                         } else {
-                                                            let _e942 = (_e940 > _e705.member_1);
-                                                            if _e942 {
-                                                                phi_1791_ = type_28();
+                                                            let _e944 = (_e942 > _e707.member_1);
+                                                            if _e944 {
+                                                                phi_1797_ = type_28();
                                                             } else {
-                                                                let _e946 = (_e804[1][0] - _e804[0][0]);
-                                                                let _e947 = (_e804[1][1] - _e804[0][1]);
-                                                                let _e948 = (_e804[1][2] - _e804[0][2]);
-                                                                let _e949 = vec3<f32>(_e946, _e947, _e948);
-                                                                let _e950 = (_e804[2][0] - _e804[1][0]);
-                                                                let _e951 = (_e804[2][1] - _e804[1][1]);
-                                                                let _e952 = (_e804[2][2] - _e804[1][2]);
-                                                                let _e953 = vec3<f32>(_e950, _e951, _e952);
-                                                                let _e954 = (_e804[0][0] - _e804[2][0]);
-                                                                let _e955 = (_e804[0][1] - _e804[2][1]);
-                                                                let _e956 = (_e804[0][2] - _e804[2][2]);
-                                                                let _e957 = vec3<f32>(_e954, _e955, _e956);
-                                                                let _e960 = bitcast<f32>((bitcast<u32>(_e946) & 2147483647u));
-                                                                let _e963 = bitcast<f32>((bitcast<u32>(_e947) & 2147483647u));
-                                                                let _e965 = select(_e963, _e960, (_e960 > _e963));
-                                                                let _e968 = bitcast<f32>((bitcast<u32>(_e948) & 2147483647u));
-                                                                let _e970 = select(_e968, _e965, (_e965 > _e968));
-                                                                let _e973 = bitcast<f32>((bitcast<u32>(_e950) & 2147483647u));
-                                                                let _e976 = bitcast<f32>((bitcast<u32>(_e951) & 2147483647u));
-                                                                let _e978 = select(_e976, _e973, (_e973 > _e976));
-                                                                let _e981 = bitcast<f32>((bitcast<u32>(_e952) & 2147483647u));
-                                                                let _e983 = select(_e981, _e978, (_e978 > _e981));
-                                                                let _e986 = bitcast<f32>((bitcast<u32>(_e954) & 2147483647u));
-                                                                let _e989 = bitcast<f32>((bitcast<u32>(_e955) & 2147483647u));
-                                                                let _e991 = select(_e989, _e986, (_e986 > _e989));
-                                                                let _e994 = bitcast<f32>((bitcast<u32>(_e956) & 2147483647u));
-                                                                let _e996 = select(_e994, _e991, (_e991 > _e994));
-                                                                let _e998 = select(_e983, _e970, (_e970 > _e983));
-                                                                let _e1000 = select(_e996, _e998, (_e998 > _e996));
-                                                                if (_e970 == _e1000) {
-                                                                    phi_1702_ = _e953;
-                                                                    phi_1703_ = _e957;
+                                                                let _e948 = (_e806[1][0] - _e806[0][0]);
+                                                                let _e949 = (_e806[1][1] - _e806[0][1]);
+                                                                let _e950 = (_e806[1][2] - _e806[0][2]);
+                                                                let _e951 = vec3<f32>(_e948, _e949, _e950);
+                                                                let _e952 = (_e806[2][0] - _e806[1][0]);
+                                                                let _e953 = (_e806[2][1] - _e806[1][1]);
+                                                                let _e954 = (_e806[2][2] - _e806[1][2]);
+                                                                let _e955 = vec3<f32>(_e952, _e953, _e954);
+                                                                let _e956 = (_e806[0][0] - _e806[2][0]);
+                                                                let _e957 = (_e806[0][1] - _e806[2][1]);
+                                                                let _e958 = (_e806[0][2] - _e806[2][2]);
+                                                                let _e959 = vec3<f32>(_e956, _e957, _e958);
+                                                                let _e962 = bitcast<f32>((bitcast<u32>(_e948) & 2147483647u));
+                                                                let _e965 = bitcast<f32>((bitcast<u32>(_e949) & 2147483647u));
+                                                                let _e967 = select(_e965, _e962, (_e962 > _e965));
+                                                                let _e970 = bitcast<f32>((bitcast<u32>(_e950) & 2147483647u));
+                                                                let _e972 = select(_e970, _e967, (_e967 > _e970));
+                                                                let _e975 = bitcast<f32>((bitcast<u32>(_e952) & 2147483647u));
+                                                                let _e978 = bitcast<f32>((bitcast<u32>(_e953) & 2147483647u));
+                                                                let _e980 = select(_e978, _e975, (_e975 > _e978));
+                                                                let _e983 = bitcast<f32>((bitcast<u32>(_e954) & 2147483647u));
+                                                                let _e985 = select(_e983, _e980, (_e980 > _e983));
+                                                                let _e988 = bitcast<f32>((bitcast<u32>(_e956) & 2147483647u));
+                                                                let _e991 = bitcast<f32>((bitcast<u32>(_e957) & 2147483647u));
+                                                                let _e993 = select(_e991, _e988, (_e988 > _e991));
+                                                                let _e996 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
+                                                                let _e998 = select(_e996, _e993, (_e993 > _e996));
+                                                                let _e1000 = select(_e985, _e972, (_e972 > _e985));
+                                                                let _e1002 = select(_e998, _e1000, (_e1000 > _e998));
+                                                                if (_e972 == _e1002) {
+                                                                    phi_1708_ = _e955;
+                                                                    phi_1709_ = _e959;
                                                                 } else {
-                                                                    let _e1003 = vec3((_e983 == _e1000));
-                                                                    phi_1702_ = select(_e949, _e957, _e1003);
-                                                                    phi_1703_ = select(_e953, _e949, _e1003);
+                                                                    let _e1005 = vec3((_e985 == _e1002));
+                                                                    phi_1708_ = select(_e951, _e959, _e1005);
+                                                                    phi_1709_ = select(_e955, _e951, _e1005);
                                                                 }
-                                                                let _e1007 = phi_1702_;
-                                                                let _e1009 = phi_1703_;
-                                                                let _e1016 = ((_e1007.y * _e1009.z) - (_e1009.y * _e1007.z));
-                                                                let _e1021 = ((_e1007.z * _e1009.x) - (_e1009.z * _e1007.x));
-                                                                let _e1024 = ((_e1007.x * _e1009.y) - (_e1009.x * _e1007.y));
-                                                                if (_e866 >= _e870) {
-                                                                    phi_1734_ = select(true, false, (_e866 >= _e874));
+                                                                let _e1009 = phi_1708_;
+                                                                let _e1011 = phi_1709_;
+                                                                let _e1018 = ((_e1009.y * _e1011.z) - (_e1011.y * _e1009.z));
+                                                                let _e1023 = ((_e1009.z * _e1011.x) - (_e1011.z * _e1009.x));
+                                                                let _e1026 = ((_e1009.x * _e1011.y) - (_e1011.x * _e1009.y));
+                                                                if (_e868 >= _e872) {
+                                                                    phi_1740_ = select(true, false, (_e868 >= _e876));
                                                                 } else {
-                                                                    phi_1734_ = true;
+                                                                    phi_1740_ = true;
                                                                 }
-                                                                let _e1029 = phi_1734_;
-                                                                if _e1029 {
-                                                                    phi_1743_ = select(vec3<f32>(_e804[2][0], _e804[2][1], _e804[2][2]), vec3<f32>(_e804[1][0], _e804[1][1], _e804[1][2]), vec3((_e870 >= _e874)));
+                                                                let _e1031 = phi_1740_;
+                                                                if _e1031 {
+                                                                    phi_1749_ = select(vec3<f32>(_e806[2][0], _e806[2][1], _e806[2][2]), vec3<f32>(_e806[1][0], _e806[1][1], _e806[1][2]), vec3((_e872 >= _e876)));
                                                                 } else {
-                                                                    phi_1743_ = vec3<f32>(_e804[0][0], _e804[0][1], _e804[0][2]);
+                                                                    phi_1749_ = vec3<f32>(_e806[0][0], _e806[0][1], _e806[0][2]);
                                                                 }
-                                                                let _e1034 = phi_1743_;
-                                                                let _e1051 = ((((_e1016 * (_e1034.x - _e324)) + (_e1021 * (_e1034.y - _e361))) + (_e1024 * (_e1034.z - _e397))) / (((_e1016 * _e349) + (_e1021 * _e385)) + (_e1024 * _e421)));
-                                                                let _e1053 = select(_e933, _e1051, (_e1051 < _e933));
-                                                                let _e1055 = select(_e925, _e1053, (_e1053 > _e925));
-                                                                if (_e1055 >= _e470) {
-                                                                    let _e1057 = (_e1055 <= _e705.member_1);
-                                                                    if _e1057 {
-                                                                        let _e1058 = (1f / _e876);
-                                                                        phi_1783_ = type_28(_e1055, (_e870 * _e1058), (_e874 * _e1058), _e734);
+                                                                let _e1036 = phi_1749_;
+                                                                let _e1053 = ((((_e1018 * (_e1036.x - _e326)) + (_e1023 * (_e1036.y - _e363))) + (_e1026 * (_e1036.z - _e399))) / (((_e1018 * _e351) + (_e1023 * _e387)) + (_e1026 * _e423)));
+                                                                let _e1055 = select(_e935, _e1053, (_e1053 < _e935));
+                                                                let _e1057 = select(_e927, _e1055, (_e1055 > _e927));
+                                                                if (_e1057 >= _e472) {
+                                                                    let _e1059 = (_e1057 <= _e707.member_1);
+                                                                    if _e1059 {
+                                                                        let _e1060 = (1f / _e878);
+                                                                        phi_1789_ = type_28(_e1057, (_e872 * _e1060), (_e876 * _e1060), _e736);
                                                                     } else {
-                                                                        phi_1783_ = type_28();
+                                                                        phi_1789_ = type_28();
                                                                     }
-                                                                    let _e1063 = phi_1783_;
-                                                                    phi_1785_ = _e1063;
-                                                                    phi_1786_ = select(true, false, _e1057);
+                                                                    let _e1065 = phi_1789_;
+                                                                    phi_1791_ = _e1065;
+                                                                    phi_1792_ = select(true, false, _e1059);
                                                                 } else {
-                                                                    phi_1785_ = type_28();
-                                                                    phi_1786_ = true;
+                                                                    phi_1791_ = type_28();
+                                                                    phi_1792_ = true;
                                                                 }
-                                                                let _e1066 = phi_1785_;
-                                                                let _e1068 = phi_1786_;
-                                                                if _e1068 {
-                                                                    phi_1790_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1068 = phi_1791_;
+                                                                let _e1070 = phi_1792_;
+                                                                if _e1070 {
+                                                                    phi_1796_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1790_ = _e1066;
+                                                                    phi_1796_ = _e1068;
                                                                 }
-                                                                let _e1070 = phi_1790_;
-                                                                phi_1791_ = _e1070;
+                                                                let _e1072 = phi_1796_;
+                                                                phi_1797_ = _e1072;
                                                             }
-                                                            let _e1072 = phi_1791_;
-                                                            phi_1792_ = _e1072;
-                                                            phi_1793_ = _e942;
+                                                            let _e1074 = phi_1797_;
+                                                            phi_1798_ = _e1074;
+                                                            phi_1799_ = _e944;
                                                         }
-                                                        let _e1074 = phi_1792_;
-                                                        let _e1076 = phi_1793_;
-                                                        phi_1797_ = _e1074;
-                                                        phi_1798_ = _e1076;
+                                                        let _e1076 = phi_1798_;
+                                                        let _e1078 = phi_1799_;
+                                                        phi_1803_ = _e1076;
+                                                        phi_1804_ = _e1078;
                                                     }
-                                                    let _e1078 = phi_1797_;
-                                                    let _e1080 = phi_1798_;
-                                                    phi_1802_ = _e1078;
-                                                    phi_1803_ = _e1080;
+                                                    let _e1080 = phi_1803_;
+                                                    let _e1082 = phi_1804_;
+                                                    phi_1808_ = _e1080;
+                                                    phi_1809_ = _e1082;
                                                 } else {
-                                                    phi_1802_ = type_28();
-                                                    phi_1803_ = true;
+                                                    phi_1808_ = type_28();
+                                                    phi_1809_ = true;
                                                 }
-                                                let _e1082 = phi_1802_;
-                                                let _e1084 = phi_1803_;
-                                                if _e1084 {
-                                                    phi_1807_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1084 = phi_1808_;
+                                                let _e1086 = phi_1809_;
+                                                if _e1086 {
+                                                    phi_1813_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1807_ = _e1082;
+                                                    phi_1813_ = _e1084;
                                                 }
-                                                let _e1086 = phi_1807_;
-                                                if (_e1086.member_3 != 4294967295u) {
-                                                    if (_e734 == _e171) {
-                                                        phi_2136_ = false;
+                                                let _e1088 = phi_1813_;
+                                                if (_e1088.member_3 != 4294967295u) {
+                                                    if (_e736 == _e100) {
+                                                        phi_2142_ = false;
                                                     } else {
-                                                        let _e1090 = (_e734 < arrayLength((&global_5.member)));
-                                                        if _e1090 {
-                                                            if _e1090 {
+                                                        let _e1092 = (_e736 < arrayLength((&global_5.member)));
+                                                        if _e1092 {
+                                                            if _e1092 {
                                                             } else {
-                                                                phi_2783_ = true;
+                                                                phi_2789_ = true;
                                                                 break;
                                                             }
-                                                            let _e1092 = global_5.member[_e734];
-                                                            phi_1830_ = _e1092;
+                                                            let _e1094 = global_5.member[_e736];
+                                                            phi_1836_ = _e1094;
                                                         } else {
-                                                            phi_1830_ = 4294967295u;
+                                                            phi_1836_ = 4294967295u;
                                                         }
-                                                        let _e1094 = phi_1830_;
-                                                        let _e1095 = (_e1094 < arrayLength((&global_6.member)));
-                                                        if _e1095 {
-                                                            if _e1095 {
+                                                        let _e1096 = phi_1836_;
+                                                        let _e1097 = (_e1096 < arrayLength((&global_6.member)));
+                                                        if _e1097 {
+                                                            if _e1097 {
                                                             } else {
-                                                                phi_2783_ = true;
+                                                                phi_2789_ = true;
                                                                 break;
                                                             }
-                                                            let _e1097 = global_6.member[_e1094];
-                                                            phi_1844_ = _e1097;
+                                                            let _e1099 = global_6.member[_e1096];
+                                                            phi_1850_ = _e1099;
                                                         } else {
-                                                            phi_1844_ = 0i;
+                                                            phi_1850_ = 0i;
                                                         }
-                                                        let _e1099 = phi_1844_;
-                                                        let _e1100 = (_e1099 == 0i);
-                                                        if _e1100 {
-                                                            phi_2135_ = true;
+                                                        let _e1101 = phi_1850_;
+                                                        let _e1102 = (_e1101 == 0i);
+                                                        if _e1102 {
+                                                            phi_2141_ = true;
                                                         } else {
-                                                            if _e316 {
-                                                                phi_1865_ = vec3<f32>(_e804[0][0], _e804[0][1], _e804[0][2]);
+                                                            if _e318 {
+                                                                phi_1871_ = vec3<f32>(_e806[0][0], _e806[0][1], _e806[0][2]);
                                                             } else {
-                                                                if (_e292 == 1u) {
-                                                                    phi_1864_ = vec3<f32>(_e804[0][2], _e804[0][0], _e804[0][1]);
+                                                                if (_e294 == 1u) {
+                                                                    phi_1870_ = vec3<f32>(_e806[0][2], _e806[0][0], _e806[0][1]);
                                                                 } else {
-                                                                    phi_1864_ = vec3<f32>(_e804[0][1], _e804[0][2], _e804[0][0]);
+                                                                    phi_1870_ = vec3<f32>(_e806[0][1], _e806[0][2], _e806[0][0]);
                                                                 }
-                                                                let _e1105 = phi_1864_;
-                                                                phi_1865_ = _e1105;
+                                                                let _e1107 = phi_1870_;
+                                                                phi_1871_ = _e1107;
                                                             }
-                                                            let _e1108 = phi_1865_;
-                                                            if _e316 {
-                                                                phi_1882_ = vec3<f32>(_e804[1][0], _e804[1][1], _e804[1][2]);
+                                                            let _e1110 = phi_1871_;
+                                                            if _e318 {
+                                                                phi_1888_ = vec3<f32>(_e806[1][0], _e806[1][1], _e806[1][2]);
                                                             } else {
-                                                                if (_e292 == 1u) {
-                                                                    phi_1881_ = vec3<f32>(_e804[1][2], _e804[1][0], _e804[1][1]);
+                                                                if (_e294 == 1u) {
+                                                                    phi_1887_ = vec3<f32>(_e806[1][2], _e806[1][0], _e806[1][1]);
                                                                 } else {
-                                                                    phi_1881_ = vec3<f32>(_e804[1][1], _e804[1][2], _e804[1][0]);
+                                                                    phi_1887_ = vec3<f32>(_e806[1][1], _e806[1][2], _e806[1][0]);
                                                                 }
-                                                                let _e1113 = phi_1881_;
-                                                                phi_1882_ = _e1113;
+                                                                let _e1115 = phi_1887_;
+                                                                phi_1888_ = _e1115;
                                                             }
-                                                            let _e1116 = phi_1882_;
-                                                            if _e316 {
-                                                                phi_1899_ = vec3<f32>(_e804[2][0], _e804[2][1], _e804[2][2]);
+                                                            let _e1118 = phi_1888_;
+                                                            if _e318 {
+                                                                phi_1905_ = vec3<f32>(_e806[2][0], _e806[2][1], _e806[2][2]);
                                                             } else {
-                                                                if (_e292 == 1u) {
-                                                                    phi_1898_ = vec3<f32>(_e804[2][2], _e804[2][0], _e804[2][1]);
+                                                                if (_e294 == 1u) {
+                                                                    phi_1904_ = vec3<f32>(_e806[2][2], _e806[2][0], _e806[2][1]);
                                                                 } else {
-                                                                    phi_1898_ = vec3<f32>(_e804[2][1], _e804[2][2], _e804[2][0]);
+                                                                    phi_1904_ = vec3<f32>(_e806[2][1], _e806[2][2], _e806[2][0]);
                                                                 }
-                                                                let _e1121 = phi_1898_;
-                                                                phi_1899_ = _e1121;
+                                                                let _e1123 = phi_1904_;
+                                                                phi_1905_ = _e1123;
                                                             }
-                                                            let _e1124 = phi_1899_;
-                                                            let _e1127 = (_e1116.x - _e1108.x);
-                                                            let _e1130 = (_e1116.y - _e1108.y);
-                                                            let _e1133 = (_e1116.z - _e1108.z);
-                                                            let _e1135 = (_e1124.x - _e1108.x);
-                                                            let _e1137 = (_e1124.y - _e1108.y);
-                                                            let _e1139 = (_e1124.z - _e1108.z);
-                                                            if (_e167.member_1 == 1u) {
-                                                                phi_1935_ = (vec3<f32>(_e167.member[0], _e167.member[1], _e167.member[2]) - _e1108);
+                                                            let _e1126 = phi_1905_;
+                                                            let _e1129 = (_e1118.x - _e1110.x);
+                                                            let _e1132 = (_e1118.y - _e1110.y);
+                                                            let _e1135 = (_e1118.z - _e1110.z);
+                                                            let _e1137 = (_e1126.x - _e1110.x);
+                                                            let _e1139 = (_e1126.y - _e1110.y);
+                                                            let _e1141 = (_e1126.z - _e1110.z);
+                                                            if (_e172.member_1 == 1u) {
+                                                                phi_1941_ = (vec3<f32>(_e172.member[0], _e172.member[1], _e172.member[2]) - _e1110);
                                                             } else {
-                                                                phi_1935_ = vec3<f32>(_e167.member[0], _e167.member[1], _e167.member[2]);
+                                                                phi_1941_ = vec3<f32>(_e172.member[0], _e172.member[1], _e172.member[2]);
                                                             }
-                                                            let _e1154 = phi_1935_;
-                                                            let _e1160 = bitcast<f32>((bitcast<u32>((_e1127 * _e1137)) ^ _e167.member_3[0]));
-                                                            let _e1164 = bitcast<f32>((bitcast<u32>((_e1130 * _e1135)) ^ _e167.member_3[0]));
-                                                            let _e1168 = bitcast<f32>((bitcast<u32>((_e1130 * _e1139)) ^ _e167.member_3[0]));
-                                                            let _e1172 = bitcast<f32>((bitcast<u32>((_e1133 * _e1137)) ^ _e167.member_3[0]));
-                                                            let _e1176 = bitcast<f32>((bitcast<u32>((_e1133 * _e1135)) ^ _e167.member_3[0]));
-                                                            let _e1180 = bitcast<f32>((bitcast<u32>((_e1127 * _e1139)) ^ _e167.member_3[0]));
-                                                            let _e1181 = (_e1168 - _e1172);
-                                                            let _e1182 = (_e1176 - _e1180);
-                                                            let _e1183 = (_e1160 - _e1164);
-                                                            let _e1207 = (bitcast<f32>((bitcast<u32>(_e1168) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1172) & 2147483647u)));
-                                                            let _e1214 = (bitcast<f32>((bitcast<u32>(_e1176) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1180) & 2147483647u)));
-                                                            let _e1221 = (bitcast<f32>((bitcast<u32>(_e1160) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1164) & 2147483647u)));
-                                                            if (_e167.member_2 == 0f) {
-                                                                phi_2117_ = 0f;
+                                                            let _e1156 = phi_1941_;
+                                                            let _e1162 = bitcast<f32>((bitcast<u32>((_e1129 * _e1139)) ^ _e172.member_3[0]));
+                                                            let _e1166 = bitcast<f32>((bitcast<u32>((_e1132 * _e1137)) ^ _e172.member_3[0]));
+                                                            let _e1170 = bitcast<f32>((bitcast<u32>((_e1132 * _e1141)) ^ _e172.member_3[0]));
+                                                            let _e1174 = bitcast<f32>((bitcast<u32>((_e1135 * _e1139)) ^ _e172.member_3[0]));
+                                                            let _e1178 = bitcast<f32>((bitcast<u32>((_e1135 * _e1137)) ^ _e172.member_3[0]));
+                                                            let _e1182 = bitcast<f32>((bitcast<u32>((_e1129 * _e1141)) ^ _e172.member_3[0]));
+                                                            let _e1183 = (_e1170 - _e1174);
+                                                            let _e1184 = (_e1178 - _e1182);
+                                                            let _e1185 = (_e1162 - _e1166);
+                                                            let _e1209 = (bitcast<f32>((bitcast<u32>(_e1170) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1174) & 2147483647u)));
+                                                            let _e1216 = (bitcast<f32>((bitcast<u32>(_e1178) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1182) & 2147483647u)));
+                                                            let _e1223 = (bitcast<f32>((bitcast<u32>(_e1162) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1166) & 2147483647u)));
+                                                            if (_e172.member_2 == 0f) {
+                                                                phi_2123_ = 0f;
                                                             } else {
-                                                                let _e1251 = bitcast<f32>((bitcast<u32>(_e1181) & 2147483647u));
-                                                                let _e1254 = bitcast<f32>((bitcast<u32>(_e1182) & 2147483647u));
-                                                                let _e1257 = bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u));
-                                                                let _e1259 = select(_e1257, _e1254, (_e1254 > _e1257));
-                                                                let _e1263 = select(_e1257, _e1254, (_e1254 < _e1257));
-                                                                let _e1267 = select(_e1254, _e1251, (_e1251 < _e1254));
-                                                                let _e1269 = select(_e1254, _e1251, (_e1251 > _e1254));
-                                                                let _e1271 = select(_e1257, _e1269, (_e1269 < _e1257));
-                                                                phi_2117_ = bitcast<f32>((bitcast<u32>((_e167.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1259, _e1251, (_e1251 > _e1259)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1271, _e1267, (_e1267 > _e1271)))) ^ _e167.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1263, _e1251, (_e1251 < _e1263)))) ^ _e167.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1207 + _e1214) + _e1221))) ^ _e167.member_3[0]))) * 1.0000005f)) ^ _e167.member_3[0])))) ^ _e167.member_3[0]));
+                                                                let _e1253 = bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u));
+                                                                let _e1256 = bitcast<f32>((bitcast<u32>(_e1184) & 2147483647u));
+                                                                let _e1259 = bitcast<f32>((bitcast<u32>(_e1185) & 2147483647u));
+                                                                let _e1261 = select(_e1259, _e1256, (_e1256 > _e1259));
+                                                                let _e1265 = select(_e1259, _e1256, (_e1256 < _e1259));
+                                                                let _e1269 = select(_e1256, _e1253, (_e1253 < _e1256));
+                                                                let _e1271 = select(_e1256, _e1253, (_e1253 > _e1256));
+                                                                let _e1273 = select(_e1259, _e1271, (_e1271 < _e1259));
+                                                                phi_2123_ = bitcast<f32>((bitcast<u32>((_e172.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1261, _e1253, (_e1253 > _e1261)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1273, _e1269, (_e1269 > _e1273)))) ^ _e172.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1265, _e1253, (_e1253 < _e1265)))) ^ _e172.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1209 + _e1216) + _e1223))) ^ _e172.member_3[0]))) * 1.0000005f)) ^ _e172.member_3[0])))) ^ _e172.member_3[0]));
                                                             }
-                                                            let _e1298 = phi_2117_;
-                                                            phi_2135_ = (_e1100 || !(((((bitcast<f32>((bitcast<u32>((_e1154.x * _e1181)) ^ _e167.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1154.y * _e1182)) ^ _e167.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1154.z * _e1183)) ^ _e167.member_3[0]))) * f32(-(_e1099))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1154.x) & 2147483647u)) * _e1207)) ^ _e167.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1154.y) & 2147483647u)) * _e1214)) ^ _e167.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1154.z) & 2147483647u)) * _e1221)) ^ _e167.member_3[0]))))) ^ _e167.member_3[0])) + _e1298) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1300 = phi_2123_;
+                                                            phi_2141_ = (_e1102 || !(((((bitcast<f32>((bitcast<u32>((_e1156.x * _e1183)) ^ _e172.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1156.y * _e1184)) ^ _e172.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1156.z * _e1185)) ^ _e172.member_3[0]))) * f32(-(_e1101))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1156.x) & 2147483647u)) * _e1209)) ^ _e172.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1156.y) & 2147483647u)) * _e1216)) ^ _e172.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1156.z) & 2147483647u)) * _e1223)) ^ _e172.member_3[0]))))) ^ _e172.member_3[0])) + _e1300) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1312 = phi_2135_;
-                                                        phi_2136_ = _e1312;
+                                                        let _e1314 = phi_2141_;
+                                                        phi_2142_ = _e1314;
                                                     }
-                                                    let _e1314 = phi_2136_;
-                                                    if _e1314 {
-                                                        if (_e1086.member < _e705.member.member) {
-                                                            phi_2156_ = true;
+                                                    let _e1316 = phi_2142_;
+                                                    if _e1316 {
+                                                        if (_e1088.member < _e707.member.member) {
+                                                            phi_2162_ = true;
                                                         } else {
-                                                            if (_e1086.member == _e705.member.member) {
-                                                                phi_2155_ = (_e1086.member_3 < _e705.member.member_3);
+                                                            if (_e1088.member == _e707.member.member) {
+                                                                phi_2161_ = (_e1088.member_3 < _e707.member.member_3);
                                                             } else {
-                                                                phi_2155_ = false;
+                                                                phi_2161_ = false;
                                                             }
-                                                            let _e1324 = phi_2155_;
-                                                            phi_2156_ = _e1324;
+                                                            let _e1326 = phi_2161_;
+                                                            phi_2162_ = _e1326;
                                                         }
-                                                        let _e1326 = phi_2156_;
-                                                        if _e1326 {
-                                                            phi_2162_ = type_49(_e1086, _e1086.member);
+                                                        let _e1328 = phi_2162_;
+                                                        if _e1328 {
+                                                            phi_2168_ = type_49(_e1088, _e1088.member);
                                                         } else {
-                                                            phi_2162_ = _e705;
+                                                            phi_2168_ = _e707;
                                                         }
-                                                        let _e1329 = phi_2162_;
-                                                        phi_2163_ = _e1329;
+                                                        let _e1331 = phi_2168_;
+                                                        phi_2169_ = _e1331;
                                                     } else {
-                                                        phi_2163_ = _e705;
+                                                        phi_2169_ = _e707;
                                                     }
-                                                    let _e1331 = phi_2163_;
-                                                    phi_2164_ = _e1331;
+                                                    let _e1333 = phi_2169_;
+                                                    phi_2170_ = _e1333;
                                                 } else {
-                                                    phi_2164_ = _e705;
+                                                    phi_2170_ = _e707;
                                                 }
-                                                let _e1333 = phi_2164_;
-                                                phi_1096_ = _e1333;
+                                                let _e1335 = phi_2170_;
+                                                phi_1102_ = _e1335;
                                             } else {
-                                                phi_1096_ = type_49();
+                                                phi_1102_ = type_49();
                                             }
-                                            let _e1335 = phi_1096_;
+                                            let _e1337 = phi_1102_;
                                             continue;
                                             continuing {
-                                                phi_1095_ = _e1335;
-                                                phi_1098_ = _e720;
-                                                phi_2783_ = _e478;
-                                                break if !(_e726);
+                                                phi_1101_ = _e1337;
+                                                phi_1104_ = _e722;
+                                                phi_2789_ = _e480;
+                                                break if !(_e728);
                                             }
                                         }
-                                        let _e1338 = phi_2783_;
-                                        phi_2920_ = _e1338;
-                                        if _e1338 {
+                                        let _e1340 = phi_2789_;
+                                        phi_2927_ = _e1340;
+                                        if _e1340 {
                                             break;
                                         }
-                                        phi_2924_ = _e1338;
-                                        let _e1545 = local_3;
-                                        phi_2618_ = _e1545;
-                                        phi_2619_ = _e503;
-                                        phi_2620_ = false;
-                                        phi_2621_ = _e507;
+                                        phi_2931_ = _e1340;
+                                        let _e1548 = local_3;
+                                        phi_2624_ = _e1548;
+                                        phi_2625_ = _e505;
+                                        phi_2626_ = false;
+                                        phi_2627_ = _e509;
                                     } else {
-                                        if (_e503 >= _e75) {
-                                            phi_2224_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e505 >= _e75) {
+                                            phi_2230_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e503 < _e75) {
+                                            if (_e505 < _e75) {
                                             } else {
-                                                phi_2920_ = true;
+                                                phi_2927_ = true;
                                                 break;
                                             }
-                                            let _e517 = (_e292 % 3u);
-                                            if (_e517 < 3u) {
+                                            let _e519 = (_e294 % 3u);
+                                            if (_e519 < 3u) {
                                             } else {
-                                                phi_2920_ = true;
+                                                phi_2927_ = true;
                                                 break;
                                             }
-                                            let _e523 = global_3.member[_e503].member[_e517];
-                                            let _e529 = (_e291 % 3u);
-                                            if (_e529 < 3u) {
+                                            let _e525 = global_3.member[_e505].member[_e519];
+                                            let _e531 = (_e293 % 3u);
+                                            if (_e531 < 3u) {
                                             } else {
-                                                phi_2920_ = true;
+                                                phi_2927_ = true;
                                                 break;
                                             }
-                                            let _e535 = global_3.member[_e503].member[_e529];
-                                            let _e541 = (_e293 % 3u);
-                                            if (_e541 < 3u) {
+                                            let _e537 = global_3.member[_e505].member[_e531];
+                                            let _e543 = (_e295 % 3u);
+                                            if (_e543 < 3u) {
                                             } else {
-                                                phi_2920_ = true;
+                                                phi_2927_ = true;
                                                 break;
                                             }
-                                            let _e547 = global_3.member[_e503].member[_e541];
-                                            let _e557 = global_3.member[_e503].member_1;
-                                            let _e561 = global_3.member[_e503].member_2;
-                                            phi_2224_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e523[0], _e523[1], _e523[2], _e523[3]), vec4<f32>(_e535[0], _e535[1], _e535[2], _e535[3]), vec4<f32>(_e547[0], _e547[1], _e547[2], _e547[3])), _e557, _e561);
+                                            let _e549 = global_3.member[_e505].member[_e543];
+                                            let _e559 = global_3.member[_e505].member_1;
+                                            let _e563 = global_3.member[_e505].member_2;
+                                            phi_2230_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e525[0], _e525[1], _e525[2], _e525[3]), vec4<f32>(_e537[0], _e537[1], _e537[2], _e537[3]), vec4<f32>(_e549[0], _e549[1], _e549[2], _e549[3])), _e559, _e563);
                                         }
-                                        let _e564 = phi_2224_;
-                                        let _e576 = ((_e564.member[0].x - _e347) * _e352);
-                                        let _e577 = ((_e564.member[0].y - _e347) * _e352);
-                                        let _e578 = ((_e564.member[0].z - _e348) * _e352);
-                                        let _e579 = ((_e564.member[0].w - _e348) * _e352);
-                                        let _e589 = ((_e564.member[1].x - _e383) * _e388);
-                                        let _e590 = ((_e564.member[1].y - _e383) * _e388);
-                                        let _e591 = ((_e564.member[1].z - _e384) * _e388);
-                                        let _e592 = ((_e564.member[1].w - _e384) * _e388);
-                                        let _e602 = ((_e564.member[2].x - _e419) * _e424);
-                                        let _e603 = ((_e564.member[2].y - _e419) * _e424);
-                                        let _e604 = ((_e564.member[2].z - _e420) * _e424);
-                                        let _e605 = ((_e564.member[2].w - _e420) * _e424);
-                                        let _e607 = select(_e604, _e602, (_e602 < _e604));
-                                        let _e609 = select(_e605, _e603, (_e603 < _e605));
-                                        let _e611 = select(_e604, _e602, (_e602 > _e604));
-                                        let _e613 = select(_e605, _e603, (_e603 > _e605));
-                                        let _e615 = select(_e578, _e576, (_e576 < _e578));
-                                        let _e617 = select(_e579, _e577, (_e577 < _e579));
-                                        let _e619 = select(_e591, _e589, (_e589 < _e591));
-                                        let _e621 = select(_e592, _e590, (_e590 < _e592));
-                                        let _e623 = select(_e619, _e615, (_e615 > _e619));
+                                        let _e566 = phi_2230_;
+                                        let _e578 = ((_e566.member[0].x - _e349) * _e354);
+                                        let _e579 = ((_e566.member[0].y - _e349) * _e354);
+                                        let _e580 = ((_e566.member[0].z - _e350) * _e354);
+                                        let _e581 = ((_e566.member[0].w - _e350) * _e354);
+                                        let _e591 = ((_e566.member[1].x - _e385) * _e390);
+                                        let _e592 = ((_e566.member[1].y - _e385) * _e390);
+                                        let _e593 = ((_e566.member[1].z - _e386) * _e390);
+                                        let _e594 = ((_e566.member[1].w - _e386) * _e390);
+                                        let _e604 = ((_e566.member[2].x - _e421) * _e426);
+                                        let _e605 = ((_e566.member[2].y - _e421) * _e426);
+                                        let _e606 = ((_e566.member[2].z - _e422) * _e426);
+                                        let _e607 = ((_e566.member[2].w - _e422) * _e426);
+                                        let _e609 = select(_e606, _e604, (_e604 < _e606));
+                                        let _e611 = select(_e607, _e605, (_e605 < _e607));
+                                        let _e613 = select(_e606, _e604, (_e604 > _e606));
+                                        let _e615 = select(_e607, _e605, (_e605 > _e607));
+                                        let _e617 = select(_e580, _e578, (_e578 < _e580));
+                                        let _e619 = select(_e581, _e579, (_e579 < _e581));
+                                        let _e621 = select(_e593, _e591, (_e591 < _e593));
+                                        let _e623 = select(_e594, _e592, (_e592 < _e594));
                                         let _e625 = select(_e621, _e617, (_e617 > _e621));
-                                        let _e627 = select(_e607, _e623, (_e623 > _e607));
+                                        let _e627 = select(_e623, _e619, (_e619 > _e623));
                                         let _e629 = select(_e609, _e625, (_e625 > _e609));
-                                        let _e631 = select(_e578, _e576, (_e576 > _e578));
-                                        let _e633 = select(_e579, _e577, (_e577 > _e579));
-                                        let _e635 = select(_e591, _e589, (_e589 > _e591));
-                                        let _e637 = select(_e592, _e590, (_e590 > _e592));
-                                        let _e639 = select(_e635, _e631, (_e631 < _e635));
+                                        let _e631 = select(_e611, _e627, (_e627 > _e611));
+                                        let _e633 = select(_e580, _e578, (_e578 > _e580));
+                                        let _e635 = select(_e581, _e579, (_e579 > _e581));
+                                        let _e637 = select(_e593, _e591, (_e591 > _e593));
+                                        let _e639 = select(_e594, _e592, (_e592 > _e594));
                                         let _e641 = select(_e637, _e633, (_e633 < _e637));
-                                        let _e646 = -(_e607);
-                                        let _e647 = -(_e609);
-                                        let _e654 = (select(_e611, _e639, (_e639 < _e611)) + (select(_e646, _e611, (_e611 > _e646)) * 0.0000019073523f));
-                                        let _e655 = (select(_e613, _e641, (_e641 < _e613)) + (select(_e647, _e613, (_e613 > _e647)) * 0.0000019073523f));
-                                        let _e657 = select(_e470, _e627, (_e627 > _e470));
-                                        let _e659 = select(_e470, _e629, (_e629 > _e470));
-                                        let _e664 = (_e657 <= select(_e480.member_1, _e654, (_e654 < _e480.member_1)));
-                                        let _e665 = (_e659 <= select(_e480.member_1, _e655, (_e655 < _e480.member_1)));
-                                        let _e666 = (_e657 <= _e659);
-                                        if _e664 {
-                                            if _e665 {
-                                                if _e666 {
-                                                    phi_2568_ = _e564.member_2;
+                                        let _e643 = select(_e639, _e635, (_e635 < _e639));
+                                        let _e648 = -(_e609);
+                                        let _e649 = -(_e611);
+                                        let _e656 = (select(_e613, _e641, (_e641 < _e613)) + (select(_e648, _e613, (_e613 > _e648)) * 0.0000019073523f));
+                                        let _e657 = (select(_e615, _e643, (_e643 < _e615)) + (select(_e649, _e615, (_e615 > _e649)) * 0.0000019073523f));
+                                        let _e659 = select(_e472, _e629, (_e629 > _e472));
+                                        let _e661 = select(_e472, _e631, (_e631 > _e472));
+                                        let _e666 = (_e659 <= select(_e482.member_1, _e656, (_e656 < _e482.member_1)));
+                                        let _e667 = (_e661 <= select(_e482.member_1, _e657, (_e657 < _e482.member_1)));
+                                        let _e668 = (_e659 <= _e661);
+                                        if _e666 {
+                                            if _e667 {
+                                                if _e668 {
+                                                    phi_2574_ = _e566.member_2;
                                                 } else {
-                                                    phi_2568_ = _e564.member_1;
+                                                    phi_2574_ = _e566.member_1;
                                                 }
-                                                let _e670 = phi_2568_;
-                                                let _e671 = (_e507 % 128u);
-                                                let _e672 = (_e671 < 128u);
-                                                if _e672 {
+                                                let _e672 = phi_2574_;
+                                                let _e673 = (_e509 % 128u);
+                                                let _e674 = (_e673 < 128u);
+                                                if _e674 {
                                                 } else {
-                                                    phi_2920_ = true;
+                                                    phi_2927_ = true;
                                                     break;
                                                 }
-                                                local_1[_e671] = _e670;
-                                                if _e672 {
+                                                local_1[_e673] = _e672;
+                                                if _e674 {
                                                 } else {
-                                                    phi_2920_ = true;
+                                                    phi_2927_ = true;
                                                     break;
                                                 }
-                                                local[_e671] = select(_e659, _e657, (_e657 > _e659));
-                                                if _e666 {
-                                                    phi_2595_ = _e564.member_1;
+                                                local[_e673] = select(_e661, _e659, (_e659 > _e661));
+                                                if _e668 {
+                                                    phi_2601_ = _e566.member_1;
                                                 } else {
-                                                    phi_2595_ = _e564.member_2;
+                                                    phi_2601_ = _e566.member_2;
                                                 }
-                                                let _e681 = phi_2595_;
-                                                phi_2596_ = _e681;
-                                                phi_2597_ = (_e507 + 1u);
+                                                let _e683 = phi_2601_;
+                                                phi_2602_ = _e683;
+                                                phi_2603_ = (_e509 + 1u);
                                             } else {
-                                                phi_2596_ = u32();
-                                                phi_2597_ = u32();
+                                                phi_2602_ = u32();
+                                                phi_2603_ = u32();
                                             }
-                                            let _e683 = phi_2596_;
-                                            let _e685 = phi_2597_;
-                                            phi_2599_ = _e683;
-                                            phi_2600_ = _e685;
-                                            phi_2601_ = select(true, false, _e665);
+                                            let _e685 = phi_2602_;
+                                            let _e687 = phi_2603_;
+                                            phi_2605_ = _e685;
+                                            phi_2606_ = _e687;
+                                            phi_2607_ = select(true, false, _e667);
                                         } else {
-                                            phi_2599_ = u32();
-                                            phi_2600_ = u32();
-                                            phi_2601_ = true;
+                                            phi_2605_ = u32();
+                                            phi_2606_ = u32();
+                                            phi_2607_ = true;
                                         }
-                                        let _e688 = phi_2599_;
-                                        let _e690 = phi_2600_;
-                                        let _e692 = phi_2601_;
-                                        if _e692 {
-                                            if _e664 {
-                                                phi_2610_ = _e564.member_1;
+                                        let _e690 = phi_2605_;
+                                        let _e692 = phi_2606_;
+                                        let _e694 = phi_2607_;
+                                        if _e694 {
+                                            if _e666 {
+                                                phi_2616_ = _e566.member_1;
                                             } else {
-                                                phi_2610_ = _e564.member_2;
+                                                phi_2616_ = _e566.member_2;
                                             }
-                                            let _e696 = phi_2610_;
-                                            phi_2615_ = _e696;
-                                            phi_2616_ = select(_e665, true, _e664);
+                                            let _e698 = phi_2616_;
+                                            phi_2621_ = _e698;
+                                            phi_2622_ = select(_e667, true, _e666);
                                         } else {
-                                            phi_2615_ = _e688;
-                                            phi_2616_ = _e505;
+                                            phi_2621_ = _e690;
+                                            phi_2622_ = _e507;
                                         }
-                                        let _e699 = phi_2615_;
-                                        let _e701 = phi_2616_;
-                                        phi_2924_ = _e478;
-                                        phi_2618_ = _e480;
-                                        phi_2619_ = _e699;
-                                        phi_2620_ = _e701;
-                                        phi_2621_ = select(_e690, _e507, _e692);
+                                        let _e701 = phi_2621_;
+                                        let _e703 = phi_2622_;
+                                        phi_2931_ = _e480;
+                                        phi_2624_ = _e482;
+                                        phi_2625_ = _e701;
+                                        phi_2626_ = _e703;
+                                        phi_2627_ = select(_e692, _e509, _e694);
                                     }
-                                    let _e1340 = phi_2924_;
-                                    let _e1342 = phi_2618_;
-                                    let _e1344 = phi_2619_;
-                                    let _e1346 = phi_2620_;
-                                    let _e1348 = phi_2621_;
-                                    phi_2923_ = _e1340;
-                                    phi_2622_ = _e1342;
-                                    phi_2623_ = _e1344;
-                                    phi_2624_ = (_e484 - 1u);
-                                    phi_2625_ = _e1346;
-                                    phi_2626_ = _e1348;
+                                    let _e1342 = phi_2931_;
+                                    let _e1344 = phi_2624_;
+                                    let _e1346 = phi_2625_;
+                                    let _e1348 = phi_2626_;
+                                    let _e1350 = phi_2627_;
+                                    phi_2930_ = _e1342;
+                                    phi_2628_ = _e1344;
+                                    phi_2629_ = _e1346;
+                                    phi_2630_ = (_e486 - 1u);
+                                    phi_2631_ = _e1348;
+                                    phi_2632_ = _e1350;
                                 } else {
-                                    phi_2923_ = _e478;
-                                    phi_2622_ = _e480;
-                                    phi_2623_ = _e503;
-                                    phi_2624_ = _e484;
-                                    phi_2625_ = _e505;
-                                    phi_2626_ = _e507;
+                                    phi_2930_ = _e480;
+                                    phi_2628_ = _e482;
+                                    phi_2629_ = _e505;
+                                    phi_2630_ = _e486;
+                                    phi_2631_ = _e507;
+                                    phi_2632_ = _e509;
                                 }
-                                let _e1350 = phi_2923_;
-                                let _e1352 = phi_2622_;
-                                let _e1354 = phi_2623_;
-                                let _e1356 = phi_2624_;
-                                let _e1358 = phi_2625_;
-                                let _e1360 = phi_2626_;
-                                phi_2922_ = _e1350;
-                                phi_2627_ = _e1352;
-                                phi_2628_ = _e1354;
-                                phi_2629_ = _e1356;
-                                phi_2630_ = _e1358;
-                                phi_2631_ = _e1360;
+                                let _e1352 = phi_2930_;
+                                let _e1354 = phi_2628_;
+                                let _e1356 = phi_2629_;
+                                let _e1358 = phi_2630_;
+                                let _e1360 = phi_2631_;
+                                let _e1362 = phi_2632_;
+                                phi_2929_ = _e1352;
+                                phi_2633_ = _e1354;
+                                phi_2634_ = _e1356;
+                                phi_2635_ = _e1358;
+                                phi_2636_ = _e1360;
+                                phi_2637_ = _e1362;
                             } else {
-                                phi_2922_ = _e478;
-                                phi_2627_ = type_49();
-                                phi_2628_ = u32();
-                                phi_2629_ = u32();
-                                phi_2630_ = bool();
-                                phi_2631_ = u32();
+                                phi_2929_ = _e480;
+                                phi_2633_ = type_49();
+                                phi_2634_ = u32();
+                                phi_2635_ = u32();
+                                phi_2636_ = bool();
+                                phi_2637_ = u32();
                             }
-                            let _e1362 = phi_2922_;
-                            let _e1364 = phi_2627_;
-                            let _e1366 = phi_2628_;
-                            let _e1368 = phi_2629_;
-                            let _e1370 = phi_2630_;
-                            let _e1372 = phi_2631_;
-                            phi_2921_ = _e1362;
-                            phi_1028_ = _e1364;
-                            phi_1031_ = _e1366;
-                            phi_1033_ = _e1368;
-                            phi_1035_ = _e1370;
-                            phi_1037_ = _e1372;
-                            phi_2632_ = _e492;
+                            let _e1364 = phi_2929_;
+                            let _e1366 = phi_2633_;
+                            let _e1368 = phi_2634_;
+                            let _e1370 = phi_2635_;
+                            let _e1372 = phi_2636_;
+                            let _e1374 = phi_2637_;
+                            phi_2928_ = _e1364;
+                            phi_1034_ = _e1366;
+                            phi_1037_ = _e1368;
+                            phi_1039_ = _e1370;
+                            phi_1041_ = _e1372;
+                            phi_1043_ = _e1374;
+                            phi_2638_ = _e494;
                         } else {
-                            phi_2921_ = _e478;
-                            phi_1028_ = type_49();
-                            phi_1031_ = u32();
-                            phi_1033_ = u32();
-                            phi_1035_ = bool();
+                            phi_2928_ = _e480;
+                            phi_1034_ = type_49();
                             phi_1037_ = u32();
-                            phi_2632_ = false;
+                            phi_1039_ = u32();
+                            phi_1041_ = bool();
+                            phi_1043_ = u32();
+                            phi_2638_ = false;
                         }
-                        let _e1374 = phi_2921_;
-                        let _e1376 = phi_1028_;
-                        let _e1378 = phi_1031_;
-                        let _e1380 = phi_1033_;
-                        let _e1382 = phi_1035_;
-                        let _e1384 = phi_1037_;
-                        let _e1386 = phi_2632_;
+                        let _e1376 = phi_2928_;
+                        let _e1378 = phi_1034_;
+                        let _e1380 = phi_1037_;
+                        let _e1382 = phi_1039_;
+                        let _e1384 = phi_1041_;
+                        let _e1386 = phi_1043_;
+                        let _e1388 = phi_2638_;
                         continue;
                         continuing {
-                            phi_2789_ = _e1374;
-                            phi_1027_ = _e1376;
-                            phi_1030_ = _e1378;
-                            phi_1032_ = _e1380;
-                            phi_1034_ = _e1382;
-                            phi_1036_ = _e1384;
-                            phi_2920_ = _e1374;
-                            break if !(_e1386);
+                            phi_2795_ = _e1376;
+                            phi_1033_ = _e1378;
+                            phi_1036_ = _e1380;
+                            phi_1038_ = _e1382;
+                            phi_1040_ = _e1384;
+                            phi_1042_ = _e1386;
+                            phi_2927_ = _e1376;
+                            break if !(_e1388);
                         }
                     }
-                    let _e1389 = phi_2920_;
-                    if _e1389 {
+                    let _e1391 = phi_2927_;
+                    if _e1391 {
                         break;
                     }
-                    let _e1391 = local_2;
-                    if (_e1391.member.member_3 != 4294967295u) {
-                        let _e1396 = (_e294 / 3i);
-                        let _e1403 = bitcast<f32>((bitcast<u32>((_e1396 + 127i)) << bitcast<u32>(23i)));
-                        let _e1411 = (((_e1391.member.member * _e1403) * _e1403) * bitcast<f32>((bitcast<u32>(((_e294 - (2i * _e1396)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1413 = select(340282350000000000000000000000000000000f, _e1411, (_e1411 < 340282350000000000000000000000000000000f));
-                        phi_2684_ = type_28(select(-340282350000000000000000000000000000000f, _e1413, (_e1413 > -340282350000000000000000000000000000000f)), _e1391.member.member_1, _e1391.member.member_2, _e1391.member.member_3);
+                    let _e1393 = local_2;
+                    if (_e1393.member.member_3 != 4294967295u) {
+                        let _e1398 = (_e296 / 3i);
+                        let _e1405 = bitcast<f32>((bitcast<u32>((_e1398 + 127i)) << bitcast<u32>(23i)));
+                        let _e1413 = (((_e1393.member.member * _e1405) * _e1405) * bitcast<f32>((bitcast<u32>(((_e296 - (2i * _e1398)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1415 = select(340282350000000000000000000000000000000f, _e1413, (_e1413 < 340282350000000000000000000000000000000f));
+                        phi_2690_ = type_28(select(-340282350000000000000000000000000000000f, _e1415, (_e1415 > -340282350000000000000000000000000000000f)), _e1393.member.member_1, _e1393.member.member_2, _e1393.member.member_3);
                     } else {
-                        phi_2684_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2690_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1420 = phi_2684_;
-                    if _e95 {
+                    let _e1422 = phi_2690_;
+                    if _e173 {
                     } else {
                         break;
                     }
-                    global_8.member[_e93] = _e1420;
+                    global_8.member[_e93] = _e1422;
                     if _e94 {
                     } else {
                         break;
                     }
-                    let _e1424 = select(0u, 1u, (_e238 <= _e248));
-                    if (_e1424 > 0u) {
-                        let _e1426 = (1u < _e89);
-                        if _e1426 {
+                    let _e1426 = select(0u, 1u, (_e240 <= _e250));
+                    if (_e1426 > 0u) {
+                        let _e1428 = (1u < _e89);
+                        if _e1428 {
                             if (0u < _e89) {
                             } else {
                                 break;
                             }
-                            let _e1430 = atomicAdd((&global_9.member[0u]), _e1424);
-                            if ((_e1430 + _e1424) < _e1430) {
-                                if _e1426 {
+                            let _e1432 = atomicAdd((&global_9.member[0u]), _e1426);
+                            if ((_e1432 + _e1426) < _e1432) {
+                                if _e1428 {
                                 } else {
                                     break;
                                 }
-                                let _e1435 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e1437 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1438 = select(0u, 1u, (_e1420.member_3 != 4294967295u));
-                    if (_e1438 > 0u) {
-                        let _e1440 = (3u < _e89);
-                        if _e1440 {
+                    let _e1440 = select(0u, 1u, (_e1422.member_3 != 4294967295u));
+                    if (_e1440 > 0u) {
+                        let _e1442 = (3u < _e89);
+                        if _e1442 {
                             if (2u < _e89) {
                             } else {
                                 break;
                             }
-                            let _e1444 = atomicAdd((&global_9.member[2u]), _e1438);
-                            if ((_e1444 + _e1438) < _e1444) {
-                                if _e1440 {
+                            let _e1446 = atomicAdd((&global_9.member[2u]), _e1440);
+                            if ((_e1446 + _e1440) < _e1446) {
+                                if _e1442 {
                                 } else {
                                     break;
                                 }
-                                let _e1449 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e1451 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

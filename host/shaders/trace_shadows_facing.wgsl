@@ -121,121 +121,122 @@ var<storage, read_write> global_9: type_32;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_295_: i32;
-    var phi_319_: type_47;
-    var phi_429_: i32;
-    var phi_430_: i32;
-    var phi_440_: bool;
-    var phi_450_: u32;
-    var phi_451_: u32;
-    var phi_453_: bool;
-    var phi_458_: u32;
-    var phi_490_: i32;
-    var phi_508_: f32;
+    var phi_217_: u32;
+    var phi_261_: i32;
+    var phi_285_: type_47;
+    var phi_435_: i32;
+    var phi_436_: i32;
+    var phi_446_: bool;
+    var phi_456_: u32;
+    var phi_457_: u32;
+    var phi_459_: bool;
+    var phi_464_: u32;
+    var phi_496_: i32;
     var phi_514_: f32;
-    var phi_525_: f32;
+    var phi_520_: f32;
     var phi_531_: f32;
-    var phi_554_: f32;
-    var phi_565_: f32;
-    var phi_574_: f32;
+    var phi_537_: f32;
+    var phi_560_: f32;
+    var phi_571_: f32;
     var phi_580_: f32;
-    var phi_591_: f32;
+    var phi_586_: f32;
     var phi_597_: f32;
-    var phi_620_: f32;
-    var phi_631_: f32;
-    var phi_640_: f32;
+    var phi_603_: f32;
+    var phi_626_: f32;
+    var phi_637_: f32;
     var phi_646_: f32;
-    var phi_657_: f32;
+    var phi_652_: f32;
     var phi_663_: f32;
-    var phi_686_: f32;
-    var phi_697_: f32;
-    var phi_797_: f32;
-    var phi_798_: f32;
-    var phi_2732_: bool;
-    var phi_1072_: type_54;
-    var phi_1075_: u32;
-    var phi_1077_: u32;
-    var phi_1079_: bool;
+    var phi_669_: f32;
+    var phi_692_: f32;
+    var phi_703_: f32;
+    var phi_803_: f32;
+    var phi_804_: f32;
+    var phi_2738_: bool;
+    var phi_1078_: type_54;
     var phi_1081_: u32;
-    var phi_1092_: bool;
-    var phi_1123_: u32;
-    var phi_1124_: bool;
-    var phi_1125_: u32;
-    var phi_2248_: type_53;
-    var phi_2592_: u32;
-    var phi_2619_: u32;
-    var phi_2620_: u32;
-    var phi_2621_: u32;
-    var phi_2623_: u32;
-    var phi_2624_: u32;
-    var phi_2625_: bool;
-    var phi_2634_: u32;
-    var phi_2639_: u32;
-    var phi_2640_: bool;
-    var phi_1140_: type_54;
-    var phi_1143_: type_8;
-    var phi_1144_: type_8;
-    var phi_1166_: type_8;
-    var phi_1187_: u32;
-    var phi_1276_: array<array<f32, 3>, 3>;
-    var phi_1747_: vec3<f32>;
-    var phi_1748_: vec3<f32>;
-    var phi_1779_: bool;
-    var phi_1788_: vec3<f32>;
-    var phi_1828_: type_28;
-    var phi_1830_: type_28;
-    var phi_1831_: bool;
-    var phi_1835_: type_28;
-    var phi_1836_: type_28;
-    var phi_1837_: type_28;
-    var phi_1838_: bool;
-    var phi_1842_: type_28;
-    var phi_1843_: bool;
-    var phi_1847_: type_28;
-    var phi_1848_: bool;
-    var phi_1852_: type_28;
-    var phi_1875_: u32;
-    var phi_1889_: i32;
-    var phi_1909_: vec3<f32>;
-    var phi_1910_: vec3<f32>;
-    var phi_1926_: vec3<f32>;
-    var phi_1927_: vec3<f32>;
-    var phi_1943_: vec3<f32>;
-    var phi_1944_: vec3<f32>;
-    var phi_1980_: vec3<f32>;
-    var phi_2162_: f32;
-    var phi_2180_: bool;
-    var phi_2181_: bool;
-    var phi_2186_: type_54;
-    var phi_2187_: type_54;
-    var phi_1141_: type_54;
-    var phi_2726_: bool;
-    var local_2: type_54;
-    var phi_2867_: bool;
-    var phi_2642_: type_54;
-    var phi_2643_: u32;
-    var phi_2644_: bool;
+    var phi_1083_: u32;
+    var phi_1085_: bool;
+    var phi_1087_: u32;
+    var phi_1098_: bool;
+    var phi_1129_: u32;
+    var phi_1130_: bool;
+    var phi_1131_: u32;
+    var phi_2254_: type_53;
+    var phi_2598_: u32;
+    var phi_2625_: u32;
+    var phi_2626_: u32;
+    var phi_2627_: u32;
+    var phi_2629_: u32;
+    var phi_2630_: u32;
+    var phi_2631_: bool;
+    var phi_2640_: u32;
     var phi_2645_: u32;
-    var phi_2866_: bool;
-    var phi_2646_: type_54;
-    var phi_2647_: u32;
-    var phi_2648_: u32;
-    var phi_2649_: bool;
-    var phi_2650_: u32;
-    var phi_2865_: bool;
-    var phi_2651_: type_54;
-    var phi_2652_: u32;
+    var phi_2646_: bool;
+    var phi_1146_: type_54;
+    var phi_1149_: type_8;
+    var phi_1150_: type_8;
+    var phi_1172_: type_8;
+    var phi_1193_: u32;
+    var phi_1282_: array<array<f32, 3>, 3>;
+    var phi_1753_: vec3<f32>;
+    var phi_1754_: vec3<f32>;
+    var phi_1785_: bool;
+    var phi_1794_: vec3<f32>;
+    var phi_1834_: type_28;
+    var phi_1836_: type_28;
+    var phi_1837_: bool;
+    var phi_1841_: type_28;
+    var phi_1842_: type_28;
+    var phi_1843_: type_28;
+    var phi_1844_: bool;
+    var phi_1848_: type_28;
+    var phi_1849_: bool;
+    var phi_1853_: type_28;
+    var phi_1854_: bool;
+    var phi_1858_: type_28;
+    var phi_1881_: u32;
+    var phi_1895_: i32;
+    var phi_1915_: vec3<f32>;
+    var phi_1916_: vec3<f32>;
+    var phi_1932_: vec3<f32>;
+    var phi_1933_: vec3<f32>;
+    var phi_1949_: vec3<f32>;
+    var phi_1950_: vec3<f32>;
+    var phi_1986_: vec3<f32>;
+    var phi_2168_: f32;
+    var phi_2186_: bool;
+    var phi_2187_: bool;
+    var phi_2192_: type_54;
+    var phi_2193_: type_54;
+    var phi_1147_: type_54;
+    var phi_2732_: bool;
+    var local_2: type_54;
+    var phi_2874_: bool;
+    var phi_2648_: type_54;
+    var phi_2649_: u32;
+    var phi_2650_: bool;
+    var phi_2651_: u32;
+    var phi_2873_: bool;
+    var phi_2652_: type_54;
     var phi_2653_: u32;
-    var phi_2654_: bool;
-    var phi_2655_: u32;
-    var phi_2864_: bool;
-    var phi_1073_: type_54;
-    var phi_1076_: u32;
-    var phi_1078_: u32;
-    var phi_1080_: bool;
+    var phi_2654_: u32;
+    var phi_2655_: bool;
+    var phi_2656_: u32;
+    var phi_2872_: bool;
+    var phi_2657_: type_54;
+    var phi_2658_: u32;
+    var phi_2659_: u32;
+    var phi_2660_: bool;
+    var phi_2661_: u32;
+    var phi_2871_: bool;
+    var phi_1079_: type_54;
     var phi_1082_: u32;
-    var phi_2656_: bool;
-    var phi_2863_: bool;
+    var phi_1084_: u32;
+    var phi_1086_: bool;
+    var phi_1088_: u32;
+    var phi_2662_: bool;
+    var phi_2870_: bool;
     var local_3: type_54;
     var local_4: type_54;
 
@@ -248,1014 +249,1020 @@ fn function_() {
             let _e93 = (_e73.x + (_e73.y * 2097152u));
             let _e94 = (_e93 < arrayLength((&global_8.member)));
             if _e94 {
-                let _e95 = (_e93 < arrayLength((&global_9.member)));
-                if _e95 {
+                if _e94 {
+                } else {
+                    break;
+                }
+                let _e98 = global_8.member[_e93].member_2;
+                phi_217_ = _e98;
+            } else {
+                phi_217_ = 4294967295u;
+            }
+            let _e100 = phi_217_;
+            let _e103 = global_1.member[0u];
+            let _e107 = global_2.member[0u][0u];
+            let _e111 = global_2.member[0u][1u];
+            let _e115 = global_2.member[0u][2u];
+            let _e119 = global_2.member[0u][3u];
+            let _e123 = global_2.member[1u][0u];
+            let _e127 = global_2.member[1u][1u];
+            let _e131 = global_2.member[1u][2u];
+            let _e135 = global_2.member[1u][3u];
+            let _e136 = bitcast<f32>(_e107);
+            let _e137 = bitcast<f32>(_e111);
+            let _e138 = bitcast<f32>(_e115);
+            let _e140 = bitcast<f32>(_e123);
+            let _e141 = array<u32, 3>(_e127, _e131, _e135);
+            let _e143 = bitcast<i32>(_e103);
+            if (_e143 < -126i) {
+                phi_261_ = -126i;
+            } else {
+                phi_261_ = select(_e143, 127i, (_e143 > 127i));
+            }
+            let _e148 = phi_261_;
+            let _e153 = bitcast<f32>((bitcast<u32>((_e148 + 127i)) << bitcast<u32>(23i)));
+            let _e159 = bitcast<f32>((bitcast<u32>(((_e143 - _e148) + 127i)) << bitcast<u32>(23i)));
+            if (_e119 == 0u) {
+                phi_285_ = type_47(array<f32, 3>(_e136, _e137, _e138), _e119, _e140, _e141);
+            } else {
+                phi_285_ = type_47(array<f32, 3>(((_e136 * _e153) * _e159), ((_e137 * _e153) * _e159), ((_e138 * _e153) * _e159)), _e119, ((_e140 * _e153) * _e159), _e141);
+            }
+            let _e172 = phi_285_;
+            if _e94 {
+                let _e173 = (_e93 < arrayLength((&global_9.member)));
+                if _e173 {
                     if _e94 {
                     } else {
                         break;
                     }
-                    let _e100 = global_8.member[_e93].member.member_1;
-                    let _e105 = global_8.member[_e93].member.member_3;
-                    if (_e100 <= _e105) {
-                        let _e107 = (1u < _e89);
-                        if _e107 {
+                    let _e178 = global_8.member[_e93].member.member_1;
+                    let _e183 = global_8.member[_e93].member.member_3;
+                    if (_e178 <= _e183) {
+                        let _e185 = (1u < _e89);
+                        if _e185 {
                             if (0u < _e89) {
                             } else {
                                 break;
                             }
-                            let _e111 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e111 + 1u) < _e111) {
-                                if _e107 {
+                            let _e189 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e189 + 1u) < _e189) {
+                                if _e185 {
                                 } else {
                                     break;
                                 }
-                                let _e116 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e194 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        let _e119 = global_1.member[0u];
-                        let _e123 = global_2.member[0u][0u];
-                        let _e127 = global_2.member[0u][1u];
-                        let _e131 = global_2.member[0u][2u];
-                        let _e135 = global_2.member[0u][3u];
-                        let _e139 = global_2.member[1u][0u];
-                        let _e143 = global_2.member[1u][1u];
-                        let _e147 = global_2.member[1u][2u];
-                        let _e151 = global_2.member[1u][3u];
-                        let _e152 = bitcast<f32>(_e123);
-                        let _e153 = bitcast<f32>(_e127);
-                        let _e154 = bitcast<f32>(_e131);
-                        let _e156 = bitcast<f32>(_e139);
-                        let _e157 = array<u32, 3>(_e143, _e147, _e151);
-                        let _e159 = bitcast<i32>(_e119);
-                        if (_e159 < -126i) {
-                            phi_295_ = -126i;
-                        } else {
-                            phi_295_ = select(_e159, 127i, (_e159 > 127i));
-                        }
-                        let _e164 = phi_295_;
-                        let _e169 = bitcast<f32>((bitcast<u32>((_e164 + 127i)) << bitcast<u32>(23i)));
-                        let _e175 = bitcast<f32>((bitcast<u32>(((_e159 - _e164) + 127i)) << bitcast<u32>(23i)));
-                        if (_e135 == 0u) {
-                            phi_319_ = type_47(array<f32, 3>(_e152, _e153, _e154), _e135, _e156, _e157);
-                        } else {
-                            phi_319_ = type_47(array<f32, 3>(((_e152 * _e169) * _e175), ((_e153 * _e169) * _e175), ((_e154 * _e169) * _e175)), _e135, ((_e156 * _e169) * _e175), _e157);
-                        }
-                        let _e188 = phi_319_;
                         if _e94 {
                         } else {
                             break;
                         }
-                        if _e94 {
-                        } else {
-                            break;
-                        }
-                        let _e192 = global_8.member[_e93].member_2;
-                        let _e202 = global_8.member[_e93].member.member_2[0u];
-                        let _e204 = (bitcast<u32>(_e202) & 2147483647u);
-                        let _e210 = global_8.member[_e93].member.member_2[1u];
-                        let _e212 = (bitcast<u32>(_e210) & 2147483647u);
-                        let _e218 = global_8.member[_e93].member.member_2[2u];
-                        let _e220 = (bitcast<u32>(_e218) & 2147483647u);
-                        let _e226 = global_8.member[_e93].member.member[0u];
-                        let _e228 = (bitcast<u32>(_e226) & 2147483647u);
-                        let _e234 = global_8.member[_e93].member.member[1u];
-                        let _e236 = (bitcast<u32>(_e234) & 2147483647u);
-                        let _e242 = global_8.member[_e93].member.member[2u];
-                        let _e244 = (bitcast<u32>(_e242) & 2147483647u);
-                        let _e246 = select(_e212, _e204, (_e212 < _e204));
-                        let _e248 = select(_e220, _e246, (_e220 < _e246));
-                        let _e250 = select(_e228, _e248, (_e228 < _e248));
-                        let _e252 = select(_e236, _e250, (_e236 < _e250));
-                        let _e254 = select(_e244, _e252, (_e244 < _e252));
-                        let _e256 = (bitcast<u32>(_e100) & 2147483647u);
-                        let _e265 = (((select(_e256, _e254, (_e256 < _e254)) < 2139095040u) && ((bitcast<u32>(_e105) & 2147483647u) <= 2139095040u)) && (_e248 > 0u));
-                        if _e265 {
-                            let _e268 = (bitcast<u32>(bitcast<f32>(_e248)) & 2147483647u);
-                            if (_e268 >= 8388608u) {
-                                phi_429_ = (bitcast<i32>((_e268 >> bitcast<u32>(23i))) - 127i);
+                        let _e204 = global_8.member[_e93].member.member_2[0u];
+                        let _e206 = (bitcast<u32>(_e204) & 2147483647u);
+                        let _e212 = global_8.member[_e93].member.member_2[1u];
+                        let _e214 = (bitcast<u32>(_e212) & 2147483647u);
+                        let _e220 = global_8.member[_e93].member.member_2[2u];
+                        let _e222 = (bitcast<u32>(_e220) & 2147483647u);
+                        let _e228 = global_8.member[_e93].member.member[0u];
+                        let _e230 = (bitcast<u32>(_e228) & 2147483647u);
+                        let _e236 = global_8.member[_e93].member.member[1u];
+                        let _e238 = (bitcast<u32>(_e236) & 2147483647u);
+                        let _e244 = global_8.member[_e93].member.member[2u];
+                        let _e246 = (bitcast<u32>(_e244) & 2147483647u);
+                        let _e248 = select(_e214, _e206, (_e214 < _e206));
+                        let _e250 = select(_e222, _e248, (_e222 < _e248));
+                        let _e252 = select(_e230, _e250, (_e230 < _e250));
+                        let _e254 = select(_e238, _e252, (_e238 < _e252));
+                        let _e256 = select(_e246, _e254, (_e246 < _e254));
+                        let _e258 = (bitcast<u32>(_e178) & 2147483647u);
+                        let _e267 = (((select(_e258, _e256, (_e258 < _e256)) < 2139095040u) && ((bitcast<u32>(_e183) & 2147483647u) <= 2139095040u)) && (_e250 > 0u));
+                        if _e267 {
+                            let _e270 = (bitcast<u32>(bitcast<f32>(_e250)) & 2147483647u);
+                            if (_e270 >= 8388608u) {
+                                phi_435_ = (bitcast<i32>((_e270 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_429_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e268)), 32u, (_e268 == 0u))));
+                                phi_435_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e270)), 32u, (_e270 == 0u))));
                             }
-                            let _e282 = phi_429_;
-                            phi_430_ = _e282;
+                            let _e284 = phi_435_;
+                            phi_436_ = _e284;
                         } else {
-                            phi_430_ = 0i;
+                            phi_436_ = 0i;
                         }
-                        let _e284 = phi_430_;
-                        let _e285 = (_e204 == _e248);
-                        if _e285 {
-                            phi_440_ = true;
+                        let _e286 = phi_436_;
+                        let _e287 = (_e206 == _e250);
+                        if _e287 {
+                            phi_446_ = true;
                         } else {
-                            phi_440_ = (_e212 == _e248);
+                            phi_446_ = (_e214 == _e250);
                         }
-                        let _e288 = phi_440_;
-                        let _e289 = select(1u, 0u, _e285);
-                        if _e288 {
-                            let _e290 = (_e289 + 1u);
-                            phi_450_ = _e290;
-                            phi_451_ = _e290;
-                            phi_453_ = select(true, false, (_e290 == 2u));
+                        let _e290 = phi_446_;
+                        let _e291 = select(1u, 0u, _e287);
+                        if _e290 {
+                            let _e292 = (_e291 + 1u);
+                            phi_456_ = _e292;
+                            phi_457_ = _e292;
+                            phi_459_ = select(true, false, (_e292 == 2u));
                         } else {
-                            phi_450_ = u32();
-                            phi_451_ = 0u;
-                            phi_453_ = true;
+                            phi_456_ = u32();
+                            phi_457_ = 0u;
+                            phi_459_ = true;
                         }
-                        let _e294 = phi_450_;
-                        let _e296 = phi_451_;
-                        let _e298 = phi_453_;
-                        if _e298 {
-                            phi_458_ = (_e296 + 1u);
+                        let _e296 = phi_456_;
+                        let _e298 = phi_457_;
+                        let _e300 = phi_459_;
+                        if _e300 {
+                            phi_464_ = (_e298 + 1u);
                         } else {
-                            phi_458_ = 0u;
+                            phi_464_ = 0u;
                         }
-                        let _e302 = phi_458_;
-                        let _e303 = select(_e294, _e296, _e298);
-                        let _e304 = select(_e289, select(2u, _e289, _e288), _e298);
-                        let _e305 = -(_e284);
-                        if (_e305 < -126i) {
-                            phi_490_ = -126i;
+                        let _e304 = phi_464_;
+                        let _e305 = select(_e296, _e298, _e300);
+                        let _e306 = select(_e291, select(2u, _e291, _e290), _e300);
+                        let _e307 = -(_e286);
+                        if (_e307 < -126i) {
+                            phi_496_ = -126i;
                         } else {
-                            phi_490_ = select(_e305, 127i, (_e305 > 127i));
+                            phi_496_ = select(_e307, 127i, (_e307 > 127i));
                         }
-                        let _e310 = phi_490_;
-                        let _e315 = bitcast<f32>((bitcast<u32>((_e310 + 127i)) << bitcast<u32>(23i)));
-                        let _e321 = bitcast<f32>((bitcast<u32>(((_e305 - _e310) + 127i)) << bitcast<u32>(23i)));
-                        let _e326 = global_8.member[_e93].member.member;
-                        let _e327 = (_e303 == 0u);
-                        if _e327 {
-                            phi_508_ = _e326[0];
+                        let _e312 = phi_496_;
+                        let _e317 = bitcast<f32>((bitcast<u32>((_e312 + 127i)) << bitcast<u32>(23i)));
+                        let _e323 = bitcast<f32>((bitcast<u32>(((_e307 - _e312) + 127i)) << bitcast<u32>(23i)));
+                        let _e328 = global_8.member[_e93].member.member;
+                        let _e329 = (_e305 == 0u);
+                        if _e329 {
+                            phi_514_ = _e328[0];
                         } else {
-                            phi_508_ = _e326[1];
+                            phi_514_ = _e328[1];
                         }
-                        let _e331 = phi_508_;
-                        let _e332 = (_e303 == 2u);
-                        if _e332 {
-                            phi_514_ = _e326[2];
+                        let _e333 = phi_514_;
+                        let _e334 = (_e305 == 2u);
+                        if _e334 {
+                            phi_520_ = _e328[2];
                         } else {
-                            phi_514_ = _e331;
+                            phi_520_ = _e333;
                         }
-                        let _e335 = phi_514_;
-                        let _e336 = global_8.member[_e93].member.member_2;
-                        if _e327 {
-                            phi_525_ = _e336[0];
+                        let _e337 = phi_520_;
+                        let _e338 = global_8.member[_e93].member.member_2;
+                        if _e329 {
+                            phi_531_ = _e338[0];
                         } else {
-                            phi_525_ = _e336[1];
+                            phi_531_ = _e338[1];
                         }
-                        let _e340 = phi_525_;
-                        if _e332 {
-                            phi_531_ = _e336[2];
+                        let _e342 = phi_531_;
+                        if _e334 {
+                            phi_537_ = _e338[2];
                         } else {
-                            phi_531_ = _e340;
+                            phi_537_ = _e342;
                         }
-                        let _e343 = phi_531_;
-                        let _e345 = ((_e343 * _e315) * _e321);
-                        let _e349 = (bitcast<f32>((bitcast<u32>(_e345) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e349 {
-                            let _e353 = (bitcast<f32>((bitcast<u32>(_e335) & 2147483647u)) * 0.00000011920929f);
-                            phi_554_ = select(0.00000000000011368684f, _e353, (_e353 > 0.00000000000011368684f));
+                        let _e345 = phi_537_;
+                        let _e347 = ((_e345 * _e317) * _e323);
+                        let _e351 = (bitcast<f32>((bitcast<u32>(_e347) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e351 {
+                            let _e355 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) * 0.00000011920929f);
+                            phi_560_ = select(0.00000000000011368684f, _e355, (_e355 > 0.00000000000011368684f));
                         } else {
-                            phi_554_ = 0f;
+                            phi_560_ = 0f;
                         }
-                        let _e357 = phi_554_;
-                        let _e358 = (_e335 + _e357);
-                        let _e359 = (_e335 - _e357);
-                        let _e360 = select(_e345, 0f, _e349);
-                        if _e349 {
-                            phi_565_ = 38685626000000000000000000f;
+                        let _e359 = phi_560_;
+                        let _e360 = (_e337 + _e359);
+                        let _e361 = (_e337 - _e359);
+                        let _e362 = select(_e347, 0f, _e351);
+                        if _e351 {
+                            phi_571_ = 38685626000000000000000000f;
                         } else {
-                            phi_565_ = (1f / _e345);
+                            phi_571_ = (1f / _e347);
                         }
-                        let _e363 = phi_565_;
-                        let _e364 = (_e302 == 0u);
-                        if _e364 {
-                            phi_574_ = _e326[0];
+                        let _e365 = phi_571_;
+                        let _e366 = (_e304 == 0u);
+                        if _e366 {
+                            phi_580_ = _e328[0];
                         } else {
-                            phi_574_ = _e326[1];
+                            phi_580_ = _e328[1];
                         }
-                        let _e368 = phi_574_;
-                        let _e369 = (_e302 == 2u);
-                        if _e369 {
-                            phi_580_ = _e326[2];
+                        let _e370 = phi_580_;
+                        let _e371 = (_e304 == 2u);
+                        if _e371 {
+                            phi_586_ = _e328[2];
                         } else {
-                            phi_580_ = _e368;
+                            phi_586_ = _e370;
                         }
-                        let _e372 = phi_580_;
-                        if _e364 {
-                            phi_591_ = _e336[0];
+                        let _e374 = phi_586_;
+                        if _e366 {
+                            phi_597_ = _e338[0];
                         } else {
-                            phi_591_ = _e336[1];
+                            phi_597_ = _e338[1];
                         }
-                        let _e376 = phi_591_;
-                        if _e369 {
-                            phi_597_ = _e336[2];
+                        let _e378 = phi_597_;
+                        if _e371 {
+                            phi_603_ = _e338[2];
                         } else {
-                            phi_597_ = _e376;
+                            phi_603_ = _e378;
                         }
-                        let _e379 = phi_597_;
-                        let _e381 = ((_e379 * _e315) * _e321);
-                        let _e385 = (bitcast<f32>((bitcast<u32>(_e381) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e385 {
-                            let _e389 = (bitcast<f32>((bitcast<u32>(_e372) & 2147483647u)) * 0.00000011920929f);
-                            phi_620_ = select(0.00000000000011368684f, _e389, (_e389 > 0.00000000000011368684f));
+                        let _e381 = phi_603_;
+                        let _e383 = ((_e381 * _e317) * _e323);
+                        let _e387 = (bitcast<f32>((bitcast<u32>(_e383) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e387 {
+                            let _e391 = (bitcast<f32>((bitcast<u32>(_e374) & 2147483647u)) * 0.00000011920929f);
+                            phi_626_ = select(0.00000000000011368684f, _e391, (_e391 > 0.00000000000011368684f));
                         } else {
-                            phi_620_ = 0f;
+                            phi_626_ = 0f;
                         }
-                        let _e393 = phi_620_;
-                        let _e394 = (_e372 + _e393);
-                        let _e395 = (_e372 - _e393);
-                        let _e396 = select(_e381, 0f, _e385);
-                        if _e385 {
-                            phi_631_ = 38685626000000000000000000f;
+                        let _e395 = phi_626_;
+                        let _e396 = (_e374 + _e395);
+                        let _e397 = (_e374 - _e395);
+                        let _e398 = select(_e383, 0f, _e387);
+                        if _e387 {
+                            phi_637_ = 38685626000000000000000000f;
                         } else {
-                            phi_631_ = (1f / _e381);
+                            phi_637_ = (1f / _e383);
                         }
-                        let _e399 = phi_631_;
-                        let _e400 = (_e304 == 0u);
-                        if _e400 {
-                            phi_640_ = _e326[0];
+                        let _e401 = phi_637_;
+                        let _e402 = (_e306 == 0u);
+                        if _e402 {
+                            phi_646_ = _e328[0];
                         } else {
-                            phi_640_ = _e326[1];
+                            phi_646_ = _e328[1];
                         }
-                        let _e404 = phi_640_;
-                        let _e405 = (_e304 == 2u);
-                        if _e405 {
-                            phi_646_ = _e326[2];
+                        let _e406 = phi_646_;
+                        let _e407 = (_e306 == 2u);
+                        if _e407 {
+                            phi_652_ = _e328[2];
                         } else {
-                            phi_646_ = _e404;
+                            phi_652_ = _e406;
                         }
-                        let _e408 = phi_646_;
-                        if _e400 {
-                            phi_657_ = _e336[0];
+                        let _e410 = phi_652_;
+                        if _e402 {
+                            phi_663_ = _e338[0];
                         } else {
-                            phi_657_ = _e336[1];
+                            phi_663_ = _e338[1];
                         }
-                        let _e412 = phi_657_;
-                        if _e405 {
-                            phi_663_ = _e336[2];
+                        let _e414 = phi_663_;
+                        if _e407 {
+                            phi_669_ = _e338[2];
                         } else {
-                            phi_663_ = _e412;
+                            phi_669_ = _e414;
                         }
-                        let _e415 = phi_663_;
-                        let _e417 = ((_e415 * _e315) * _e321);
-                        let _e421 = (bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e421 {
-                            let _e425 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) * 0.00000011920929f);
-                            phi_686_ = select(0.00000000000011368684f, _e425, (_e425 > 0.00000000000011368684f));
+                        let _e417 = phi_669_;
+                        let _e419 = ((_e417 * _e317) * _e323);
+                        let _e423 = (bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e423 {
+                            let _e427 = (bitcast<f32>((bitcast<u32>(_e410) & 2147483647u)) * 0.00000011920929f);
+                            phi_692_ = select(0.00000000000011368684f, _e427, (_e427 > 0.00000000000011368684f));
                         } else {
-                            phi_686_ = 0f;
+                            phi_692_ = 0f;
                         }
-                        let _e429 = phi_686_;
-                        let _e430 = (_e408 + _e429);
-                        let _e431 = (_e408 - _e429);
-                        let _e432 = select(_e417, 0f, _e421);
-                        if _e421 {
-                            phi_697_ = 38685626000000000000000000f;
+                        let _e431 = phi_692_;
+                        let _e432 = (_e410 + _e431);
+                        let _e433 = (_e410 - _e431);
+                        let _e434 = select(_e419, 0f, _e423);
+                        if _e423 {
+                            phi_703_ = 38685626000000000000000000f;
                         } else {
-                            phi_697_ = (1f / _e417);
+                            phi_703_ = (1f / _e419);
                         }
-                        let _e435 = phi_697_;
-                        let _e438 = bitcast<f32>((bitcast<u32>(_e335) & 2147483647u));
-                        let _e441 = bitcast<f32>((bitcast<u32>(_e372) & 2147483647u));
-                        let _e443 = select(_e441, _e438, (_e438 > _e441));
-                        let _e446 = bitcast<f32>((bitcast<u32>(_e408) & 2147483647u));
-                        if (_e265 && (select(_e446, _e443, (_e443 > _e446)) <= 1099511600000f)) {
-                            let _e451 = (_e284 / 3i);
-                            let _e458 = bitcast<f32>((bitcast<u32>((_e451 + 127i)) << bitcast<u32>(23i)));
-                            let _e465 = bitcast<f32>((bitcast<u32>(((_e284 - (2i * _e451)) + 127i)) << bitcast<u32>(23i)));
-                            let _e466 = (((_e100 * _e458) * _e458) * _e465);
-                            let _e468 = select(340282350000000000000000000000000000000f, _e466, (_e466 < 340282350000000000000000000000000000000f));
-                            let _e473 = (((_e105 * _e458) * _e458) * _e465);
-                            let _e475 = select(340282350000000000000000000000000000000f, _e473, (_e473 < 340282350000000000000000000000000000000f));
-                            phi_797_ = select(-340282350000000000000000000000000000000f, _e475, (_e475 > -340282350000000000000000000000000000000f));
-                            phi_798_ = select(-340282350000000000000000000000000000000f, _e468, (_e468 > -340282350000000000000000000000000000000f));
+                        let _e437 = phi_703_;
+                        let _e440 = bitcast<f32>((bitcast<u32>(_e337) & 2147483647u));
+                        let _e443 = bitcast<f32>((bitcast<u32>(_e374) & 2147483647u));
+                        let _e445 = select(_e443, _e440, (_e440 > _e443));
+                        let _e448 = bitcast<f32>((bitcast<u32>(_e410) & 2147483647u));
+                        if (_e267 && (select(_e448, _e445, (_e445 > _e448)) <= 1099511600000f)) {
+                            let _e453 = (_e286 / 3i);
+                            let _e460 = bitcast<f32>((bitcast<u32>((_e453 + 127i)) << bitcast<u32>(23i)));
+                            let _e467 = bitcast<f32>((bitcast<u32>(((_e286 - (2i * _e453)) + 127i)) << bitcast<u32>(23i)));
+                            let _e468 = (((_e178 * _e460) * _e460) * _e467);
+                            let _e470 = select(340282350000000000000000000000000000000f, _e468, (_e468 < 340282350000000000000000000000000000000f));
+                            let _e475 = (((_e183 * _e460) * _e460) * _e467);
+                            let _e477 = select(340282350000000000000000000000000000000f, _e475, (_e475 < 340282350000000000000000000000000000000f));
+                            phi_803_ = select(-340282350000000000000000000000000000000f, _e477, (_e477 > -340282350000000000000000000000000000000f));
+                            phi_804_ = select(-340282350000000000000000000000000000000f, _e470, (_e470 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_797_ = 0f;
-                            phi_798_ = 1f;
+                            phi_803_ = 0f;
+                            phi_804_ = 1f;
                         }
-                        let _e479 = phi_797_;
-                        let _e481 = phi_798_;
+                        let _e481 = phi_803_;
+                        let _e483 = phi_804_;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2732_ = false;
-                        phi_1072_ = type_54(_e479, false);
-                        phi_1075_ = select(0u, 2147483648u, (_e75 == 0u));
-                        phi_1077_ = ((3u * _e75) + 1u);
-                        phi_1079_ = (_e481 <= _e479);
-                        phi_1081_ = 0u;
+                        phi_2738_ = false;
+                        phi_1078_ = type_54(_e481, false);
+                        phi_1081_ = select(0u, 2147483648u, (_e75 == 0u));
+                        phi_1083_ = ((3u * _e75) + 1u);
+                        phi_1085_ = (_e483 <= _e481);
+                        phi_1087_ = 0u;
                         loop {
-                            let _e489 = phi_2732_;
-                            let _e491 = phi_1072_;
-                            let _e493 = phi_1075_;
-                            let _e495 = phi_1077_;
-                            let _e497 = phi_1079_;
-                            let _e499 = phi_1081_;
-                            local_3 = _e491;
-                            if _e497 {
-                                phi_1092_ = true;
+                            let _e491 = phi_2738_;
+                            let _e493 = phi_1078_;
+                            let _e495 = phi_1081_;
+                            let _e497 = phi_1083_;
+                            let _e499 = phi_1085_;
+                            let _e501 = phi_1087_;
+                            local_3 = _e493;
+                            if _e499 {
+                                phi_1098_ = true;
                             } else {
-                                phi_1092_ = (_e499 > 0u);
+                                phi_1098_ = (_e501 > 0u);
                             }
-                            let _e502 = phi_1092_;
-                            if _e502 {
-                                let _e503 = (_e495 > 0u);
-                                if _e503 {
-                                    if _e497 {
-                                        phi_1123_ = _e493;
-                                        phi_1124_ = _e497;
-                                        phi_1125_ = _e499;
+                            let _e504 = phi_1098_;
+                            if _e504 {
+                                let _e505 = (_e497 > 0u);
+                                if _e505 {
+                                    if _e499 {
+                                        phi_1129_ = _e495;
+                                        phi_1130_ = _e499;
+                                        phi_1131_ = _e501;
                                     } else {
-                                        let _e504 = (_e499 - 1u);
-                                        let _e505 = (_e504 % 128u);
-                                        let _e506 = (_e505 < 128u);
-                                        if _e506 {
+                                        let _e506 = (_e501 - 1u);
+                                        let _e507 = (_e506 % 128u);
+                                        let _e508 = (_e507 < 128u);
+                                        if _e508 {
                                         } else {
-                                            phi_2863_ = true;
+                                            phi_2870_ = true;
                                             break;
                                         }
-                                        let _e508 = local_1[_e505];
-                                        if _e506 {
+                                        let _e510 = local_1[_e507];
+                                        if _e508 {
                                         } else {
-                                            phi_2863_ = true;
+                                            phi_2870_ = true;
                                             break;
                                         }
-                                        let _e510 = local[_e505];
-                                        phi_1123_ = _e508;
-                                        phi_1124_ = (_e510 <= _e491.member);
-                                        phi_1125_ = _e504;
+                                        let _e512 = local[_e507];
+                                        phi_1129_ = _e510;
+                                        phi_1130_ = (_e512 <= _e493.member);
+                                        phi_1131_ = _e506;
                                     }
-                                    let _e514 = phi_1123_;
-                                    let _e516 = phi_1124_;
-                                    let _e518 = phi_1125_;
-                                    if _e516 {
-                                        if ((_e514 & 2147483648u) != 0u) {
-                                            phi_1140_ = _e491;
-                                            phi_1143_ = type_8(0u, ((_e514 >> bitcast<u32>(28u)) & 7u));
+                                    let _e516 = phi_1129_;
+                                    let _e518 = phi_1130_;
+                                    let _e520 = phi_1131_;
+                                    if _e518 {
+                                        if ((_e516 & 2147483648u) != 0u) {
+                                            phi_1146_ = _e493;
+                                            phi_1149_ = type_8(0u, ((_e516 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e716 = phi_1140_;
-                                                let _e718 = phi_1143_;
-                                                local_2 = _e716;
-                                                local_4 = _e716;
-                                                if (_e718.member < _e718.member_1) {
-                                                    phi_1144_ = type_8((_e718.member + 1u), _e718.member_1);
-                                                    phi_1166_ = type_8(1u, _e718.member);
+                                                let _e718 = phi_1146_;
+                                                let _e720 = phi_1149_;
+                                                local_2 = _e718;
+                                                local_4 = _e718;
+                                                if (_e720.member < _e720.member_1) {
+                                                    phi_1150_ = type_8((_e720.member + 1u), _e720.member_1);
+                                                    phi_1172_ = type_8(1u, _e720.member);
                                                 } else {
-                                                    phi_1144_ = _e718;
-                                                    phi_1166_ = type_8(0u, type_8().member_1);
+                                                    phi_1150_ = _e720;
+                                                    phi_1172_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e731 = phi_1144_;
-                                                let _e733 = phi_1166_;
-                                                let _e737 = (bitcast<i32>(_e733.member) != 0i);
-                                                if _e737 {
-                                                    let _e738 = ((_e514 & 268435455u) + _e733.member_1);
-                                                    let _e739 = (_e738 < _e77);
-                                                    if _e739 {
-                                                        if _e739 {
+                                                let _e733 = phi_1150_;
+                                                let _e735 = phi_1172_;
+                                                let _e739 = (bitcast<i32>(_e735.member) != 0i);
+                                                if _e739 {
+                                                    let _e740 = ((_e516 & 268435455u) + _e735.member_1);
+                                                    let _e741 = (_e740 < _e77);
+                                                    if _e741 {
+                                                        if _e741 {
                                                         } else {
-                                                            phi_2726_ = true;
+                                                            phi_2732_ = true;
                                                             break;
                                                         }
-                                                        let _e743 = global_4.member[_e738].member_1;
-                                                        phi_1187_ = _e743;
+                                                        let _e745 = global_4.member[_e740].member_1;
+                                                        phi_1193_ = _e745;
                                                     } else {
-                                                        phi_1187_ = 4294967295u;
+                                                        phi_1193_ = 4294967295u;
                                                     }
-                                                    let _e745 = phi_1187_;
-                                                    if (_e738 >= _e77) {
-                                                        phi_1276_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e747 = phi_1193_;
+                                                    if (_e740 >= _e77) {
+                                                        phi_1282_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e739 {
+                                                        if _e741 {
                                                         } else {
-                                                            phi_2726_ = true;
+                                                            phi_2732_ = true;
                                                             break;
                                                         }
-                                                        let _e747 = (_e303 % 3u);
-                                                        let _e748 = (_e302 % 3u);
-                                                        let _e749 = (_e304 % 3u);
-                                                        if (_e747 < 9u) {
-                                                        } else {
-                                                            phi_2726_ = true;
-                                                            break;
-                                                        }
-                                                        let _e755 = global_4.member[_e738].member[_e747];
-                                                        if (_e748 < 9u) {
-                                                        } else {
-                                                            phi_2726_ = true;
-                                                            break;
-                                                        }
-                                                        let _e761 = global_4.member[_e738].member[_e748];
+                                                        let _e749 = (_e305 % 3u);
+                                                        let _e750 = (_e304 % 3u);
+                                                        let _e751 = (_e306 % 3u);
                                                         if (_e749 < 9u) {
                                                         } else {
-                                                            phi_2726_ = true;
+                                                            phi_2732_ = true;
                                                             break;
                                                         }
-                                                        let _e767 = global_4.member[_e738].member[_e749];
-                                                        let _e769 = (3u + _e747);
-                                                        if (_e769 < 9u) {
+                                                        let _e757 = global_4.member[_e740].member[_e749];
+                                                        if (_e750 < 9u) {
                                                         } else {
-                                                            phi_2726_ = true;
+                                                            phi_2732_ = true;
                                                             break;
                                                         }
-                                                        let _e775 = global_4.member[_e738].member[_e769];
-                                                        let _e776 = (3u + _e748);
-                                                        if (_e776 < 9u) {
+                                                        let _e763 = global_4.member[_e740].member[_e750];
+                                                        if (_e751 < 9u) {
                                                         } else {
-                                                            phi_2726_ = true;
+                                                            phi_2732_ = true;
                                                             break;
                                                         }
-                                                        let _e782 = global_4.member[_e738].member[_e776];
-                                                        let _e783 = (3u + _e749);
-                                                        if (_e783 < 9u) {
+                                                        let _e769 = global_4.member[_e740].member[_e751];
+                                                        let _e771 = (3u + _e749);
+                                                        if (_e771 < 9u) {
                                                         } else {
-                                                            phi_2726_ = true;
+                                                            phi_2732_ = true;
                                                             break;
                                                         }
-                                                        let _e789 = global_4.member[_e738].member[_e783];
-                                                        let _e791 = (6u + _e747);
-                                                        if (_e791 < 9u) {
+                                                        let _e777 = global_4.member[_e740].member[_e771];
+                                                        let _e778 = (3u + _e750);
+                                                        if (_e778 < 9u) {
                                                         } else {
-                                                            phi_2726_ = true;
+                                                            phi_2732_ = true;
                                                             break;
                                                         }
-                                                        let _e797 = global_4.member[_e738].member[_e791];
-                                                        let _e798 = (6u + _e748);
-                                                        if (_e798 < 9u) {
+                                                        let _e784 = global_4.member[_e740].member[_e778];
+                                                        let _e785 = (3u + _e751);
+                                                        if (_e785 < 9u) {
                                                         } else {
-                                                            phi_2726_ = true;
+                                                            phi_2732_ = true;
                                                             break;
                                                         }
-                                                        let _e804 = global_4.member[_e738].member[_e798];
-                                                        let _e805 = (6u + _e749);
-                                                        if (_e805 < 9u) {
+                                                        let _e791 = global_4.member[_e740].member[_e785];
+                                                        let _e793 = (6u + _e749);
+                                                        if (_e793 < 9u) {
                                                         } else {
-                                                            phi_2726_ = true;
+                                                            phi_2732_ = true;
                                                             break;
                                                         }
-                                                        let _e811 = global_4.member[_e738].member[_e805];
-                                                        phi_1276_ = array<array<f32, 3>, 3>(array<f32, 3>(_e755, _e761, _e767), array<f32, 3>(_e775, _e782, _e789), array<f32, 3>(_e797, _e804, _e811));
+                                                        let _e799 = global_4.member[_e740].member[_e793];
+                                                        let _e800 = (6u + _e750);
+                                                        if (_e800 < 9u) {
+                                                        } else {
+                                                            phi_2732_ = true;
+                                                            break;
+                                                        }
+                                                        let _e806 = global_4.member[_e740].member[_e800];
+                                                        let _e807 = (6u + _e751);
+                                                        if (_e807 < 9u) {
+                                                        } else {
+                                                            phi_2732_ = true;
+                                                            break;
+                                                        }
+                                                        let _e813 = global_4.member[_e740].member[_e807];
+                                                        phi_1282_ = array<array<f32, 3>, 3>(array<f32, 3>(_e757, _e763, _e769), array<f32, 3>(_e777, _e784, _e791), array<f32, 3>(_e799, _e806, _e813));
                                                     }
-                                                    let _e815 = phi_1276_;
-                                                    let _e823 = (_e815[0][2] - _e408);
-                                                    let _e826 = (((_e815[0][0] - _e335) * _e432) - (_e823 * _e360));
-                                                    let _e829 = (((_e815[0][1] - _e372) * _e432) - (_e823 * _e396));
-                                                    let _e836 = (_e815[1][2] - _e408);
-                                                    let _e839 = (((_e815[1][0] - _e335) * _e432) - (_e836 * _e360));
-                                                    let _e842 = (((_e815[1][1] - _e372) * _e432) - (_e836 * _e396));
-                                                    let _e849 = (_e815[2][2] - _e408);
-                                                    let _e852 = (((_e815[2][0] - _e335) * _e432) - (_e849 * _e360));
-                                                    let _e855 = (((_e815[2][1] - _e372) * _e432) - (_e849 * _e396));
-                                                    let _e856 = (_e852 * _e842);
-                                                    let _e857 = (_e855 * _e839);
-                                                    let _e858 = (_e826 * _e855);
-                                                    let _e859 = (_e829 * _e852);
-                                                    let _e860 = (_e839 * _e829);
-                                                    let _e861 = (_e842 * _e826);
-                                                    let _e866 = (((_e856 >= _e857) && (_e858 >= _e859)) && (_e860 >= _e861));
-                                                    if (_e866 || (((_e856 <= _e857) && (_e858 <= _e859)) && (_e860 <= _e861))) {
-                                                        let _e873 = select(-1f, 1f, _e866);
-                                                        let _e875 = ((_e856 - _e857) * _e873);
-                                                        let _e877 = select(0f, _e875, (_e875 > 0f));
-                                                        let _e879 = ((_e858 - _e859) * _e873);
-                                                        let _e881 = select(0f, _e879, (_e879 > 0f));
-                                                        let _e883 = ((_e860 - _e861) * _e873);
-                                                        let _e885 = select(0f, _e883, (_e883 > 0f));
-                                                        let _e887 = ((_e877 + _e881) + _e885);
-                                                        if (_e887 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1842_ = type_28();
-                                                            phi_1843_ = true;
+                                                    let _e817 = phi_1282_;
+                                                    let _e825 = (_e817[0][2] - _e410);
+                                                    let _e828 = (((_e817[0][0] - _e337) * _e434) - (_e825 * _e362));
+                                                    let _e831 = (((_e817[0][1] - _e374) * _e434) - (_e825 * _e398));
+                                                    let _e838 = (_e817[1][2] - _e410);
+                                                    let _e841 = (((_e817[1][0] - _e337) * _e434) - (_e838 * _e362));
+                                                    let _e844 = (((_e817[1][1] - _e374) * _e434) - (_e838 * _e398));
+                                                    let _e851 = (_e817[2][2] - _e410);
+                                                    let _e854 = (((_e817[2][0] - _e337) * _e434) - (_e851 * _e362));
+                                                    let _e857 = (((_e817[2][1] - _e374) * _e434) - (_e851 * _e398));
+                                                    let _e858 = (_e854 * _e844);
+                                                    let _e859 = (_e857 * _e841);
+                                                    let _e860 = (_e828 * _e857);
+                                                    let _e861 = (_e831 * _e854);
+                                                    let _e862 = (_e841 * _e831);
+                                                    let _e863 = (_e844 * _e828);
+                                                    let _e868 = (((_e858 >= _e859) && (_e860 >= _e861)) && (_e862 >= _e863));
+                                                    if (_e868 || (((_e858 <= _e859) && (_e860 <= _e861)) && (_e862 <= _e863))) {
+                                                        let _e875 = select(-1f, 1f, _e868);
+                                                        let _e877 = ((_e858 - _e859) * _e875);
+                                                        let _e879 = select(0f, _e877, (_e877 > 0f));
+                                                        let _e881 = ((_e860 - _e861) * _e875);
+                                                        let _e883 = select(0f, _e881, (_e881 > 0f));
+                                                        let _e885 = ((_e862 - _e863) * _e875);
+                                                        let _e887 = select(0f, _e885, (_e885 > 0f));
+                                                        let _e889 = ((_e879 + _e883) + _e887);
+                                                        if (_e889 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1848_ = type_28();
+                                                            phi_1849_ = true;
                                                         } else {
-                                                            let _e890 = select(_e815[1][0], _e815[0][0], (_e815[0][0] < _e815[1][0]));
-                                                            let _e894 = select(_e815[1][0], _e815[0][0], (_e815[0][0] > _e815[1][0]));
-                                                            let _e898 = select(_e815[1][1], _e815[0][1], (_e815[0][1] < _e815[1][1]));
-                                                            let _e902 = select(_e815[1][1], _e815[0][1], (_e815[0][1] > _e815[1][1]));
-                                                            let _e906 = select(_e815[1][2], _e815[0][2], (_e815[0][2] < _e815[1][2]));
-                                                            let _e910 = select(_e815[1][2], _e815[0][2], (_e815[0][2] > _e815[1][2]));
-                                                            let _e915 = ((select(_e815[2][0], _e890, (_e890 < _e815[2][0])) - _e358) * _e363);
-                                                            let _e916 = ((select(_e815[2][0], _e894, (_e894 > _e815[2][0])) - _e359) * _e363);
-                                                            let _e919 = ((select(_e815[2][1], _e898, (_e898 < _e815[2][1])) - _e394) * _e399);
-                                                            let _e920 = ((select(_e815[2][1], _e902, (_e902 > _e815[2][1])) - _e395) * _e399);
-                                                            let _e923 = ((select(_e815[2][2], _e906, (_e906 < _e815[2][2])) - _e430) * _e435);
-                                                            let _e924 = ((select(_e815[2][2], _e910, (_e910 > _e815[2][2])) - _e431) * _e435);
-                                                            let _e926 = select(_e924, _e923, (_e923 < _e924));
-                                                            let _e928 = select(_e924, _e923, (_e923 > _e924));
-                                                            let _e930 = select(_e916, _e915, (_e915 < _e916));
-                                                            let _e932 = select(_e920, _e919, (_e919 < _e920));
-                                                            let _e934 = select(_e932, _e930, (_e930 > _e932));
-                                                            let _e936 = select(_e926, _e934, (_e934 > _e926));
-                                                            let _e938 = select(_e916, _e915, (_e915 > _e916));
-                                                            let _e940 = select(_e920, _e919, (_e919 > _e920));
-                                                            let _e942 = select(_e940, _e938, (_e938 < _e940));
-                                                            let _e944 = select(_e928, _e942, (_e942 < _e928));
-                                                            let _e945 = -(_e926);
-                                                            let _e951 = select(_e481, _e936, (_e936 > _e481));
-                                                            if (_e951 > (_e944 + (select(_e945, _e928, (_e928 > _e945)) * 0.0000019073523f))) {
-                                                                phi_1837_ = type_28();
-                                                                phi_1838_ = true;
+                                                            let _e892 = select(_e817[1][0], _e817[0][0], (_e817[0][0] < _e817[1][0]));
+                                                            let _e896 = select(_e817[1][0], _e817[0][0], (_e817[0][0] > _e817[1][0]));
+                                                            let _e900 = select(_e817[1][1], _e817[0][1], (_e817[0][1] < _e817[1][1]));
+                                                            let _e904 = select(_e817[1][1], _e817[0][1], (_e817[0][1] > _e817[1][1]));
+                                                            let _e908 = select(_e817[1][2], _e817[0][2], (_e817[0][2] < _e817[1][2]));
+                                                            let _e912 = select(_e817[1][2], _e817[0][2], (_e817[0][2] > _e817[1][2]));
+                                                            let _e917 = ((select(_e817[2][0], _e892, (_e892 < _e817[2][0])) - _e360) * _e365);
+                                                            let _e918 = ((select(_e817[2][0], _e896, (_e896 > _e817[2][0])) - _e361) * _e365);
+                                                            let _e921 = ((select(_e817[2][1], _e900, (_e900 < _e817[2][1])) - _e396) * _e401);
+                                                            let _e922 = ((select(_e817[2][1], _e904, (_e904 > _e817[2][1])) - _e397) * _e401);
+                                                            let _e925 = ((select(_e817[2][2], _e908, (_e908 < _e817[2][2])) - _e432) * _e437);
+                                                            let _e926 = ((select(_e817[2][2], _e912, (_e912 > _e817[2][2])) - _e433) * _e437);
+                                                            let _e928 = select(_e926, _e925, (_e925 < _e926));
+                                                            let _e930 = select(_e926, _e925, (_e925 > _e926));
+                                                            let _e932 = select(_e918, _e917, (_e917 < _e918));
+                                                            let _e934 = select(_e922, _e921, (_e921 < _e922));
+                                                            let _e936 = select(_e934, _e932, (_e932 > _e934));
+                                                            let _e938 = select(_e928, _e936, (_e936 > _e928));
+                                                            let _e940 = select(_e918, _e917, (_e917 > _e918));
+                                                            let _e942 = select(_e922, _e921, (_e921 > _e922));
+                                                            let _e944 = select(_e942, _e940, (_e940 < _e942));
+                                                            let _e946 = select(_e930, _e944, (_e944 < _e930));
+                                                            let _e947 = -(_e928);
+                                                            let _e953 = select(_e483, _e938, (_e938 > _e483));
+                                                            if (_e953 > (_e946 + (select(_e947, _e930, (_e930 > _e947)) * 0.0000019073523f))) {
+                                                                phi_1843_ = type_28();
+                                                                phi_1844_ = true;
                                                             } else {
-                                                                let _e953 = (_e951 > _e716.member);
-                                                                if _e953 {
-                                                                    phi_1836_ = type_28();
+                                                                let _e955 = (_e953 > _e718.member);
+                                                                if _e955 {
+                                                                    phi_1842_ = type_28();
                                                                 } else {
-                                                                    let _e957 = (_e815[1][0] - _e815[0][0]);
-                                                                    let _e958 = (_e815[1][1] - _e815[0][1]);
-                                                                    let _e959 = (_e815[1][2] - _e815[0][2]);
-                                                                    let _e960 = vec3<f32>(_e957, _e958, _e959);
-                                                                    let _e961 = (_e815[2][0] - _e815[1][0]);
-                                                                    let _e962 = (_e815[2][1] - _e815[1][1]);
-                                                                    let _e963 = (_e815[2][2] - _e815[1][2]);
-                                                                    let _e964 = vec3<f32>(_e961, _e962, _e963);
-                                                                    let _e965 = (_e815[0][0] - _e815[2][0]);
-                                                                    let _e966 = (_e815[0][1] - _e815[2][1]);
-                                                                    let _e967 = (_e815[0][2] - _e815[2][2]);
-                                                                    let _e968 = vec3<f32>(_e965, _e966, _e967);
-                                                                    let _e971 = bitcast<f32>((bitcast<u32>(_e957) & 2147483647u));
-                                                                    let _e974 = bitcast<f32>((bitcast<u32>(_e958) & 2147483647u));
-                                                                    let _e976 = select(_e974, _e971, (_e971 > _e974));
-                                                                    let _e979 = bitcast<f32>((bitcast<u32>(_e959) & 2147483647u));
-                                                                    let _e981 = select(_e979, _e976, (_e976 > _e979));
-                                                                    let _e984 = bitcast<f32>((bitcast<u32>(_e961) & 2147483647u));
-                                                                    let _e987 = bitcast<f32>((bitcast<u32>(_e962) & 2147483647u));
-                                                                    let _e989 = select(_e987, _e984, (_e984 > _e987));
-                                                                    let _e992 = bitcast<f32>((bitcast<u32>(_e963) & 2147483647u));
-                                                                    let _e994 = select(_e992, _e989, (_e989 > _e992));
-                                                                    let _e997 = bitcast<f32>((bitcast<u32>(_e965) & 2147483647u));
-                                                                    let _e1000 = bitcast<f32>((bitcast<u32>(_e966) & 2147483647u));
-                                                                    let _e1002 = select(_e1000, _e997, (_e997 > _e1000));
-                                                                    let _e1005 = bitcast<f32>((bitcast<u32>(_e967) & 2147483647u));
-                                                                    let _e1007 = select(_e1005, _e1002, (_e1002 > _e1005));
-                                                                    let _e1009 = select(_e994, _e981, (_e981 > _e994));
-                                                                    let _e1011 = select(_e1007, _e1009, (_e1009 > _e1007));
-                                                                    if (_e981 == _e1011) {
-                                                                        phi_1747_ = _e964;
-                                                                        phi_1748_ = _e968;
+                                                                    let _e959 = (_e817[1][0] - _e817[0][0]);
+                                                                    let _e960 = (_e817[1][1] - _e817[0][1]);
+                                                                    let _e961 = (_e817[1][2] - _e817[0][2]);
+                                                                    let _e962 = vec3<f32>(_e959, _e960, _e961);
+                                                                    let _e963 = (_e817[2][0] - _e817[1][0]);
+                                                                    let _e964 = (_e817[2][1] - _e817[1][1]);
+                                                                    let _e965 = (_e817[2][2] - _e817[1][2]);
+                                                                    let _e966 = vec3<f32>(_e963, _e964, _e965);
+                                                                    let _e967 = (_e817[0][0] - _e817[2][0]);
+                                                                    let _e968 = (_e817[0][1] - _e817[2][1]);
+                                                                    let _e969 = (_e817[0][2] - _e817[2][2]);
+                                                                    let _e970 = vec3<f32>(_e967, _e968, _e969);
+                                                                    let _e973 = bitcast<f32>((bitcast<u32>(_e959) & 2147483647u));
+                                                                    let _e976 = bitcast<f32>((bitcast<u32>(_e960) & 2147483647u));
+                                                                    let _e978 = select(_e976, _e973, (_e973 > _e976));
+                                                                    let _e981 = bitcast<f32>((bitcast<u32>(_e961) & 2147483647u));
+                                                                    let _e983 = select(_e981, _e978, (_e978 > _e981));
+                                                                    let _e986 = bitcast<f32>((bitcast<u32>(_e963) & 2147483647u));
+                                                                    let _e989 = bitcast<f32>((bitcast<u32>(_e964) & 2147483647u));
+                                                                    let _e991 = select(_e989, _e986, (_e986 > _e989));
+                                                                    let _e994 = bitcast<f32>((bitcast<u32>(_e965) & 2147483647u));
+                                                                    let _e996 = select(_e994, _e991, (_e991 > _e994));
+                                                                    let _e999 = bitcast<f32>((bitcast<u32>(_e967) & 2147483647u));
+                                                                    let _e1002 = bitcast<f32>((bitcast<u32>(_e968) & 2147483647u));
+                                                                    let _e1004 = select(_e1002, _e999, (_e999 > _e1002));
+                                                                    let _e1007 = bitcast<f32>((bitcast<u32>(_e969) & 2147483647u));
+                                                                    let _e1009 = select(_e1007, _e1004, (_e1004 > _e1007));
+                                                                    let _e1011 = select(_e996, _e983, (_e983 > _e996));
+                                                                    let _e1013 = select(_e1009, _e1011, (_e1011 > _e1009));
+                                                                    if (_e983 == _e1013) {
+                                                                        phi_1753_ = _e966;
+                                                                        phi_1754_ = _e970;
                                                                     } else {
-                                                                        let _e1014 = vec3((_e994 == _e1011));
-                                                                        phi_1747_ = select(_e960, _e968, _e1014);
-                                                                        phi_1748_ = select(_e964, _e960, _e1014);
+                                                                        let _e1016 = vec3((_e996 == _e1013));
+                                                                        phi_1753_ = select(_e962, _e970, _e1016);
+                                                                        phi_1754_ = select(_e966, _e962, _e1016);
                                                                     }
-                                                                    let _e1018 = phi_1747_;
-                                                                    let _e1020 = phi_1748_;
-                                                                    let _e1027 = ((_e1018.y * _e1020.z) - (_e1020.y * _e1018.z));
-                                                                    let _e1032 = ((_e1018.z * _e1020.x) - (_e1020.z * _e1018.x));
-                                                                    let _e1035 = ((_e1018.x * _e1020.y) - (_e1020.x * _e1018.y));
-                                                                    if (_e877 >= _e881) {
-                                                                        phi_1779_ = select(true, false, (_e877 >= _e885));
+                                                                    let _e1020 = phi_1753_;
+                                                                    let _e1022 = phi_1754_;
+                                                                    let _e1029 = ((_e1020.y * _e1022.z) - (_e1022.y * _e1020.z));
+                                                                    let _e1034 = ((_e1020.z * _e1022.x) - (_e1022.z * _e1020.x));
+                                                                    let _e1037 = ((_e1020.x * _e1022.y) - (_e1022.x * _e1020.y));
+                                                                    if (_e879 >= _e883) {
+                                                                        phi_1785_ = select(true, false, (_e879 >= _e887));
                                                                     } else {
-                                                                        phi_1779_ = true;
+                                                                        phi_1785_ = true;
                                                                     }
-                                                                    let _e1040 = phi_1779_;
-                                                                    if _e1040 {
-                                                                        phi_1788_ = select(vec3<f32>(_e815[2][0], _e815[2][1], _e815[2][2]), vec3<f32>(_e815[1][0], _e815[1][1], _e815[1][2]), vec3((_e881 >= _e885)));
+                                                                    let _e1042 = phi_1785_;
+                                                                    if _e1042 {
+                                                                        phi_1794_ = select(vec3<f32>(_e817[2][0], _e817[2][1], _e817[2][2]), vec3<f32>(_e817[1][0], _e817[1][1], _e817[1][2]), vec3((_e883 >= _e887)));
                                                                     } else {
-                                                                        phi_1788_ = vec3<f32>(_e815[0][0], _e815[0][1], _e815[0][2]);
+                                                                        phi_1794_ = vec3<f32>(_e817[0][0], _e817[0][1], _e817[0][2]);
                                                                     }
-                                                                    let _e1045 = phi_1788_;
-                                                                    let _e1062 = ((((_e1027 * (_e1045.x - _e335)) + (_e1032 * (_e1045.y - _e372))) + (_e1035 * (_e1045.z - _e408))) / (((_e1027 * _e360) + (_e1032 * _e396)) + (_e1035 * _e432)));
-                                                                    let _e1064 = select(_e944, _e1062, (_e1062 < _e944));
-                                                                    let _e1066 = select(_e936, _e1064, (_e1064 > _e936));
-                                                                    if (_e1066 >= _e481) {
-                                                                        let _e1068 = (_e1066 <= _e716.member);
-                                                                        if _e1068 {
-                                                                            let _e1069 = (1f / _e887);
-                                                                            phi_1828_ = type_28(_e1066, (_e881 * _e1069), (_e885 * _e1069), _e745);
+                                                                    let _e1047 = phi_1794_;
+                                                                    let _e1064 = ((((_e1029 * (_e1047.x - _e337)) + (_e1034 * (_e1047.y - _e374))) + (_e1037 * (_e1047.z - _e410))) / (((_e1029 * _e362) + (_e1034 * _e398)) + (_e1037 * _e434)));
+                                                                    let _e1066 = select(_e946, _e1064, (_e1064 < _e946));
+                                                                    let _e1068 = select(_e938, _e1066, (_e1066 > _e938));
+                                                                    if (_e1068 >= _e483) {
+                                                                        let _e1070 = (_e1068 <= _e718.member);
+                                                                        if _e1070 {
+                                                                            let _e1071 = (1f / _e889);
+                                                                            phi_1834_ = type_28(_e1068, (_e883 * _e1071), (_e887 * _e1071), _e747);
                                                                         } else {
-                                                                            phi_1828_ = type_28();
+                                                                            phi_1834_ = type_28();
                                                                         }
-                                                                        let _e1074 = phi_1828_;
-                                                                        phi_1830_ = _e1074;
-                                                                        phi_1831_ = select(true, false, _e1068);
+                                                                        let _e1076 = phi_1834_;
+                                                                        phi_1836_ = _e1076;
+                                                                        phi_1837_ = select(true, false, _e1070);
                                                                     } else {
-                                                                        phi_1830_ = type_28();
-                                                                        phi_1831_ = true;
+                                                                        phi_1836_ = type_28();
+                                                                        phi_1837_ = true;
                                                                     }
-                                                                    let _e1077 = phi_1830_;
-                                                                    let _e1079 = phi_1831_;
-                                                                    if _e1079 {
-                                                                        phi_1835_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e1079 = phi_1836_;
+                                                                    let _e1081 = phi_1837_;
+                                                                    if _e1081 {
+                                                                        phi_1841_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_1835_ = _e1077;
+                                                                        phi_1841_ = _e1079;
                                                                     }
-                                                                    let _e1081 = phi_1835_;
-                                                                    phi_1836_ = _e1081;
+                                                                    let _e1083 = phi_1841_;
+                                                                    phi_1842_ = _e1083;
                                                                 }
-                                                                let _e1083 = phi_1836_;
-                                                                phi_1837_ = _e1083;
-                                                                phi_1838_ = _e953;
+                                                                let _e1085 = phi_1842_;
+                                                                phi_1843_ = _e1085;
+                                                                phi_1844_ = _e955;
                                                             }
-                                                            let _e1085 = phi_1837_;
-                                                            let _e1087 = phi_1838_;
-                                                            phi_1842_ = _e1085;
-                                                            phi_1843_ = _e1087;
+                                                            let _e1087 = phi_1843_;
+                                                            let _e1089 = phi_1844_;
+                                                            phi_1848_ = _e1087;
+                                                            phi_1849_ = _e1089;
                                                         }
-                                                        let _e1089 = phi_1842_;
-                                                        let _e1091 = phi_1843_;
-                                                        phi_1847_ = _e1089;
-                                                        phi_1848_ = _e1091;
+                                                        let _e1091 = phi_1848_;
+                                                        let _e1093 = phi_1849_;
+                                                        phi_1853_ = _e1091;
+                                                        phi_1854_ = _e1093;
                                                     } else {
-                                                        phi_1847_ = type_28();
-                                                        phi_1848_ = true;
+                                                        phi_1853_ = type_28();
+                                                        phi_1854_ = true;
                                                     }
-                                                    let _e1093 = phi_1847_;
-                                                    let _e1095 = phi_1848_;
-                                                    if _e1095 {
-                                                        phi_1852_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1095 = phi_1853_;
+                                                    let _e1097 = phi_1854_;
+                                                    if _e1097 {
+                                                        phi_1858_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1852_ = _e1093;
+                                                        phi_1858_ = _e1095;
                                                     }
-                                                    let _e1097 = phi_1852_;
-                                                    if (_e1097.member_3 != 4294967295u) {
-                                                        if (_e745 == _e192) {
-                                                            phi_2181_ = false;
+                                                    let _e1099 = phi_1858_;
+                                                    if (_e1099.member_3 != 4294967295u) {
+                                                        if (_e747 == _e100) {
+                                                            phi_2187_ = false;
                                                         } else {
-                                                            let _e1101 = (_e745 < arrayLength((&global_5.member)));
-                                                            if _e1101 {
-                                                                if _e1101 {
+                                                            let _e1103 = (_e747 < arrayLength((&global_5.member)));
+                                                            if _e1103 {
+                                                                if _e1103 {
                                                                 } else {
-                                                                    phi_2726_ = true;
+                                                                    phi_2732_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1103 = global_5.member[_e745];
-                                                                phi_1875_ = _e1103;
+                                                                let _e1105 = global_5.member[_e747];
+                                                                phi_1881_ = _e1105;
                                                             } else {
-                                                                phi_1875_ = 4294967295u;
+                                                                phi_1881_ = 4294967295u;
                                                             }
-                                                            let _e1105 = phi_1875_;
-                                                            let _e1106 = (_e1105 < arrayLength((&global_6.member)));
-                                                            if _e1106 {
-                                                                if _e1106 {
+                                                            let _e1107 = phi_1881_;
+                                                            let _e1108 = (_e1107 < arrayLength((&global_6.member)));
+                                                            if _e1108 {
+                                                                if _e1108 {
                                                                 } else {
-                                                                    phi_2726_ = true;
+                                                                    phi_2732_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1108 = global_6.member[_e1105];
-                                                                phi_1889_ = _e1108;
+                                                                let _e1110 = global_6.member[_e1107];
+                                                                phi_1895_ = _e1110;
                                                             } else {
-                                                                phi_1889_ = 0i;
+                                                                phi_1895_ = 0i;
                                                             }
-                                                            let _e1110 = phi_1889_;
-                                                            let _e1111 = (_e1110 == 0i);
-                                                            if _e1111 {
-                                                                phi_2180_ = true;
+                                                            let _e1112 = phi_1895_;
+                                                            let _e1113 = (_e1112 == 0i);
+                                                            if _e1113 {
+                                                                phi_2186_ = true;
                                                             } else {
-                                                                if _e327 {
-                                                                    phi_1910_ = vec3<f32>(_e815[0][0], _e815[0][1], _e815[0][2]);
+                                                                if _e329 {
+                                                                    phi_1916_ = vec3<f32>(_e817[0][0], _e817[0][1], _e817[0][2]);
                                                                 } else {
-                                                                    if (_e303 == 1u) {
-                                                                        phi_1909_ = vec3<f32>(_e815[0][2], _e815[0][0], _e815[0][1]);
+                                                                    if (_e305 == 1u) {
+                                                                        phi_1915_ = vec3<f32>(_e817[0][2], _e817[0][0], _e817[0][1]);
                                                                     } else {
-                                                                        phi_1909_ = vec3<f32>(_e815[0][1], _e815[0][2], _e815[0][0]);
+                                                                        phi_1915_ = vec3<f32>(_e817[0][1], _e817[0][2], _e817[0][0]);
                                                                     }
-                                                                    let _e1116 = phi_1909_;
-                                                                    phi_1910_ = _e1116;
+                                                                    let _e1118 = phi_1915_;
+                                                                    phi_1916_ = _e1118;
                                                                 }
-                                                                let _e1119 = phi_1910_;
-                                                                if _e327 {
-                                                                    phi_1927_ = vec3<f32>(_e815[1][0], _e815[1][1], _e815[1][2]);
+                                                                let _e1121 = phi_1916_;
+                                                                if _e329 {
+                                                                    phi_1933_ = vec3<f32>(_e817[1][0], _e817[1][1], _e817[1][2]);
                                                                 } else {
-                                                                    if (_e303 == 1u) {
-                                                                        phi_1926_ = vec3<f32>(_e815[1][2], _e815[1][0], _e815[1][1]);
+                                                                    if (_e305 == 1u) {
+                                                                        phi_1932_ = vec3<f32>(_e817[1][2], _e817[1][0], _e817[1][1]);
                                                                     } else {
-                                                                        phi_1926_ = vec3<f32>(_e815[1][1], _e815[1][2], _e815[1][0]);
+                                                                        phi_1932_ = vec3<f32>(_e817[1][1], _e817[1][2], _e817[1][0]);
                                                                     }
-                                                                    let _e1124 = phi_1926_;
-                                                                    phi_1927_ = _e1124;
+                                                                    let _e1126 = phi_1932_;
+                                                                    phi_1933_ = _e1126;
                                                                 }
-                                                                let _e1127 = phi_1927_;
-                                                                if _e327 {
-                                                                    phi_1944_ = vec3<f32>(_e815[2][0], _e815[2][1], _e815[2][2]);
+                                                                let _e1129 = phi_1933_;
+                                                                if _e329 {
+                                                                    phi_1950_ = vec3<f32>(_e817[2][0], _e817[2][1], _e817[2][2]);
                                                                 } else {
-                                                                    if (_e303 == 1u) {
-                                                                        phi_1943_ = vec3<f32>(_e815[2][2], _e815[2][0], _e815[2][1]);
+                                                                    if (_e305 == 1u) {
+                                                                        phi_1949_ = vec3<f32>(_e817[2][2], _e817[2][0], _e817[2][1]);
                                                                     } else {
-                                                                        phi_1943_ = vec3<f32>(_e815[2][1], _e815[2][2], _e815[2][0]);
+                                                                        phi_1949_ = vec3<f32>(_e817[2][1], _e817[2][2], _e817[2][0]);
                                                                     }
-                                                                    let _e1132 = phi_1943_;
-                                                                    phi_1944_ = _e1132;
+                                                                    let _e1134 = phi_1949_;
+                                                                    phi_1950_ = _e1134;
                                                                 }
-                                                                let _e1135 = phi_1944_;
-                                                                let _e1138 = (_e1127.x - _e1119.x);
-                                                                let _e1141 = (_e1127.y - _e1119.y);
-                                                                let _e1144 = (_e1127.z - _e1119.z);
-                                                                let _e1146 = (_e1135.x - _e1119.x);
-                                                                let _e1148 = (_e1135.y - _e1119.y);
-                                                                let _e1150 = (_e1135.z - _e1119.z);
-                                                                if (_e188.member_1 == 1u) {
-                                                                    phi_1980_ = (vec3<f32>(_e188.member[0], _e188.member[1], _e188.member[2]) - _e1119);
+                                                                let _e1137 = phi_1950_;
+                                                                let _e1140 = (_e1129.x - _e1121.x);
+                                                                let _e1143 = (_e1129.y - _e1121.y);
+                                                                let _e1146 = (_e1129.z - _e1121.z);
+                                                                let _e1148 = (_e1137.x - _e1121.x);
+                                                                let _e1150 = (_e1137.y - _e1121.y);
+                                                                let _e1152 = (_e1137.z - _e1121.z);
+                                                                if (_e172.member_1 == 1u) {
+                                                                    phi_1986_ = (vec3<f32>(_e172.member[0], _e172.member[1], _e172.member[2]) - _e1121);
                                                                 } else {
-                                                                    phi_1980_ = vec3<f32>(_e188.member[0], _e188.member[1], _e188.member[2]);
+                                                                    phi_1986_ = vec3<f32>(_e172.member[0], _e172.member[1], _e172.member[2]);
                                                                 }
-                                                                let _e1165 = phi_1980_;
-                                                                let _e1171 = bitcast<f32>((bitcast<u32>((_e1138 * _e1148)) ^ _e188.member_3[0]));
-                                                                let _e1175 = bitcast<f32>((bitcast<u32>((_e1141 * _e1146)) ^ _e188.member_3[0]));
-                                                                let _e1179 = bitcast<f32>((bitcast<u32>((_e1141 * _e1150)) ^ _e188.member_3[0]));
-                                                                let _e1183 = bitcast<f32>((bitcast<u32>((_e1144 * _e1148)) ^ _e188.member_3[0]));
-                                                                let _e1187 = bitcast<f32>((bitcast<u32>((_e1144 * _e1146)) ^ _e188.member_3[0]));
-                                                                let _e1191 = bitcast<f32>((bitcast<u32>((_e1138 * _e1150)) ^ _e188.member_3[0]));
-                                                                let _e1192 = (_e1179 - _e1183);
-                                                                let _e1193 = (_e1187 - _e1191);
-                                                                let _e1194 = (_e1171 - _e1175);
-                                                                let _e1218 = (bitcast<f32>((bitcast<u32>(_e1179) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u)));
-                                                                let _e1225 = (bitcast<f32>((bitcast<u32>(_e1187) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1191) & 2147483647u)));
-                                                                let _e1232 = (bitcast<f32>((bitcast<u32>(_e1171) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1175) & 2147483647u)));
-                                                                if (_e188.member_2 == 0f) {
-                                                                    phi_2162_ = 0f;
+                                                                let _e1167 = phi_1986_;
+                                                                let _e1173 = bitcast<f32>((bitcast<u32>((_e1140 * _e1150)) ^ _e172.member_3[0]));
+                                                                let _e1177 = bitcast<f32>((bitcast<u32>((_e1143 * _e1148)) ^ _e172.member_3[0]));
+                                                                let _e1181 = bitcast<f32>((bitcast<u32>((_e1143 * _e1152)) ^ _e172.member_3[0]));
+                                                                let _e1185 = bitcast<f32>((bitcast<u32>((_e1146 * _e1150)) ^ _e172.member_3[0]));
+                                                                let _e1189 = bitcast<f32>((bitcast<u32>((_e1146 * _e1148)) ^ _e172.member_3[0]));
+                                                                let _e1193 = bitcast<f32>((bitcast<u32>((_e1140 * _e1152)) ^ _e172.member_3[0]));
+                                                                let _e1194 = (_e1181 - _e1185);
+                                                                let _e1195 = (_e1189 - _e1193);
+                                                                let _e1196 = (_e1173 - _e1177);
+                                                                let _e1220 = (bitcast<f32>((bitcast<u32>(_e1181) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1185) & 2147483647u)));
+                                                                let _e1227 = (bitcast<f32>((bitcast<u32>(_e1189) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1193) & 2147483647u)));
+                                                                let _e1234 = (bitcast<f32>((bitcast<u32>(_e1173) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1177) & 2147483647u)));
+                                                                if (_e172.member_2 == 0f) {
+                                                                    phi_2168_ = 0f;
                                                                 } else {
-                                                                    let _e1262 = bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u));
-                                                                    let _e1265 = bitcast<f32>((bitcast<u32>(_e1193) & 2147483647u));
-                                                                    let _e1268 = bitcast<f32>((bitcast<u32>(_e1194) & 2147483647u));
-                                                                    let _e1270 = select(_e1268, _e1265, (_e1265 > _e1268));
-                                                                    let _e1274 = select(_e1268, _e1265, (_e1265 < _e1268));
-                                                                    let _e1278 = select(_e1265, _e1262, (_e1262 < _e1265));
-                                                                    let _e1280 = select(_e1265, _e1262, (_e1262 > _e1265));
-                                                                    let _e1282 = select(_e1268, _e1280, (_e1280 < _e1268));
-                                                                    phi_2162_ = bitcast<f32>((bitcast<u32>((_e188.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1270, _e1262, (_e1262 > _e1270)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1282, _e1278, (_e1278 > _e1282)))) ^ _e188.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1274, _e1262, (_e1262 < _e1274)))) ^ _e188.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1218 + _e1225) + _e1232))) ^ _e188.member_3[0]))) * 1.0000005f)) ^ _e188.member_3[0])))) ^ _e188.member_3[0]));
+                                                                    let _e1264 = bitcast<f32>((bitcast<u32>(_e1194) & 2147483647u));
+                                                                    let _e1267 = bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u));
+                                                                    let _e1270 = bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u));
+                                                                    let _e1272 = select(_e1270, _e1267, (_e1267 > _e1270));
+                                                                    let _e1276 = select(_e1270, _e1267, (_e1267 < _e1270));
+                                                                    let _e1280 = select(_e1267, _e1264, (_e1264 < _e1267));
+                                                                    let _e1282 = select(_e1267, _e1264, (_e1264 > _e1267));
+                                                                    let _e1284 = select(_e1270, _e1282, (_e1282 < _e1270));
+                                                                    phi_2168_ = bitcast<f32>((bitcast<u32>((_e172.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1272, _e1264, (_e1264 > _e1272)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1284, _e1280, (_e1280 > _e1284)))) ^ _e172.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1276, _e1264, (_e1264 < _e1276)))) ^ _e172.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1220 + _e1227) + _e1234))) ^ _e172.member_3[0]))) * 1.0000005f)) ^ _e172.member_3[0])))) ^ _e172.member_3[0]));
                                                                 }
-                                                                let _e1309 = phi_2162_;
-                                                                phi_2180_ = (_e1111 || !(((((bitcast<f32>((bitcast<u32>((_e1165.x * _e1192)) ^ _e188.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1165.y * _e1193)) ^ _e188.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1165.z * _e1194)) ^ _e188.member_3[0]))) * f32(-(_e1110))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1165.x) & 2147483647u)) * _e1218)) ^ _e188.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1165.y) & 2147483647u)) * _e1225)) ^ _e188.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1165.z) & 2147483647u)) * _e1232)) ^ _e188.member_3[0]))))) ^ _e188.member_3[0])) + _e1309) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1311 = phi_2168_;
+                                                                phi_2186_ = (_e1113 || !(((((bitcast<f32>((bitcast<u32>((_e1167.x * _e1194)) ^ _e172.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1167.y * _e1195)) ^ _e172.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1167.z * _e1196)) ^ _e172.member_3[0]))) * f32(-(_e1112))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1167.x) & 2147483647u)) * _e1220)) ^ _e172.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1167.y) & 2147483647u)) * _e1227)) ^ _e172.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1167.z) & 2147483647u)) * _e1234)) ^ _e172.member_3[0]))))) ^ _e172.member_3[0])) + _e1311) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1323 = phi_2180_;
-                                                            phi_2181_ = _e1323;
+                                                            let _e1325 = phi_2186_;
+                                                            phi_2187_ = _e1325;
                                                         }
-                                                        let _e1325 = phi_2181_;
-                                                        if _e1325 {
-                                                            phi_2186_ = type_54(_e716.member, true);
+                                                        let _e1327 = phi_2187_;
+                                                        if _e1327 {
+                                                            phi_2192_ = type_54(_e718.member, true);
                                                         } else {
-                                                            phi_2186_ = _e716;
+                                                            phi_2192_ = _e718;
                                                         }
-                                                        let _e1330 = phi_2186_;
-                                                        phi_2187_ = _e1330;
+                                                        let _e1332 = phi_2192_;
+                                                        phi_2193_ = _e1332;
                                                     } else {
-                                                        phi_2187_ = _e716;
+                                                        phi_2193_ = _e718;
                                                     }
-                                                    let _e1332 = phi_2187_;
-                                                    phi_1141_ = _e1332;
+                                                    let _e1334 = phi_2193_;
+                                                    phi_1147_ = _e1334;
                                                 } else {
-                                                    phi_1141_ = type_54();
+                                                    phi_1147_ = type_54();
                                                 }
-                                                let _e1334 = phi_1141_;
+                                                let _e1336 = phi_1147_;
                                                 continue;
                                                 continuing {
-                                                    phi_1140_ = _e1334;
-                                                    phi_1143_ = _e731;
-                                                    phi_2726_ = _e489;
-                                                    break if !(_e737);
+                                                    phi_1146_ = _e1336;
+                                                    phi_1149_ = _e733;
+                                                    phi_2732_ = _e491;
+                                                    break if !(_e739);
                                                 }
                                             }
-                                            let _e1337 = phi_2726_;
-                                            phi_2863_ = _e1337;
-                                            if _e1337 {
+                                            let _e1339 = phi_2732_;
+                                            phi_2870_ = _e1339;
+                                            if _e1339 {
                                                 break;
                                             }
-                                            let _e1339 = local_2;
-                                            phi_2867_ = _e1337;
-                                            let _e1518 = local_4;
-                                            phi_2642_ = _e1518;
-                                            phi_2643_ = _e514;
-                                            phi_2644_ = false;
-                                            phi_2645_ = select(_e518, 0u, _e1339.member_1);
+                                            let _e1341 = local_2;
+                                            phi_2874_ = _e1339;
+                                            let _e1521 = local_4;
+                                            phi_2648_ = _e1521;
+                                            phi_2649_ = _e516;
+                                            phi_2650_ = false;
+                                            phi_2651_ = select(_e520, 0u, _e1341.member_1);
                                         } else {
-                                            if (_e514 >= _e75) {
-                                                phi_2248_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e516 >= _e75) {
+                                                phi_2254_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e514 < _e75) {
+                                                if (_e516 < _e75) {
                                                 } else {
-                                                    phi_2863_ = true;
+                                                    phi_2870_ = true;
                                                     break;
                                                 }
-                                                let _e528 = (_e303 % 3u);
-                                                if (_e528 < 3u) {
+                                                let _e530 = (_e305 % 3u);
+                                                if (_e530 < 3u) {
                                                 } else {
-                                                    phi_2863_ = true;
+                                                    phi_2870_ = true;
                                                     break;
                                                 }
-                                                let _e534 = global_3.member[_e514].member[_e528];
-                                                let _e540 = (_e302 % 3u);
-                                                if (_e540 < 3u) {
+                                                let _e536 = global_3.member[_e516].member[_e530];
+                                                let _e542 = (_e304 % 3u);
+                                                if (_e542 < 3u) {
                                                 } else {
-                                                    phi_2863_ = true;
+                                                    phi_2870_ = true;
                                                     break;
                                                 }
-                                                let _e546 = global_3.member[_e514].member[_e540];
-                                                let _e552 = (_e304 % 3u);
-                                                if (_e552 < 3u) {
+                                                let _e548 = global_3.member[_e516].member[_e542];
+                                                let _e554 = (_e306 % 3u);
+                                                if (_e554 < 3u) {
                                                 } else {
-                                                    phi_2863_ = true;
+                                                    phi_2870_ = true;
                                                     break;
                                                 }
-                                                let _e558 = global_3.member[_e514].member[_e552];
-                                                let _e568 = global_3.member[_e514].member_1;
-                                                let _e572 = global_3.member[_e514].member_2;
-                                                phi_2248_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e534[0], _e534[1], _e534[2], _e534[3]), vec4<f32>(_e546[0], _e546[1], _e546[2], _e546[3]), vec4<f32>(_e558[0], _e558[1], _e558[2], _e558[3])), _e568, _e572);
+                                                let _e560 = global_3.member[_e516].member[_e554];
+                                                let _e570 = global_3.member[_e516].member_1;
+                                                let _e574 = global_3.member[_e516].member_2;
+                                                phi_2254_ = type_53(array<vec4<f32>, 3>(vec4<f32>(_e536[0], _e536[1], _e536[2], _e536[3]), vec4<f32>(_e548[0], _e548[1], _e548[2], _e548[3]), vec4<f32>(_e560[0], _e560[1], _e560[2], _e560[3])), _e570, _e574);
                                             }
-                                            let _e575 = phi_2248_;
-                                            let _e587 = ((_e575.member[0].x - _e358) * _e363);
-                                            let _e588 = ((_e575.member[0].y - _e358) * _e363);
-                                            let _e589 = ((_e575.member[0].z - _e359) * _e363);
-                                            let _e590 = ((_e575.member[0].w - _e359) * _e363);
-                                            let _e600 = ((_e575.member[1].x - _e394) * _e399);
-                                            let _e601 = ((_e575.member[1].y - _e394) * _e399);
-                                            let _e602 = ((_e575.member[1].z - _e395) * _e399);
-                                            let _e603 = ((_e575.member[1].w - _e395) * _e399);
-                                            let _e613 = ((_e575.member[2].x - _e430) * _e435);
-                                            let _e614 = ((_e575.member[2].y - _e430) * _e435);
-                                            let _e615 = ((_e575.member[2].z - _e431) * _e435);
-                                            let _e616 = ((_e575.member[2].w - _e431) * _e435);
-                                            let _e618 = select(_e615, _e613, (_e613 < _e615));
-                                            let _e620 = select(_e616, _e614, (_e614 < _e616));
-                                            let _e622 = select(_e615, _e613, (_e613 > _e615));
-                                            let _e624 = select(_e616, _e614, (_e614 > _e616));
-                                            let _e626 = select(_e589, _e587, (_e587 < _e589));
-                                            let _e628 = select(_e590, _e588, (_e588 < _e590));
-                                            let _e630 = select(_e602, _e600, (_e600 < _e602));
-                                            let _e632 = select(_e603, _e601, (_e601 < _e603));
-                                            let _e634 = select(_e630, _e626, (_e626 > _e630));
+                                            let _e577 = phi_2254_;
+                                            let _e589 = ((_e577.member[0].x - _e360) * _e365);
+                                            let _e590 = ((_e577.member[0].y - _e360) * _e365);
+                                            let _e591 = ((_e577.member[0].z - _e361) * _e365);
+                                            let _e592 = ((_e577.member[0].w - _e361) * _e365);
+                                            let _e602 = ((_e577.member[1].x - _e396) * _e401);
+                                            let _e603 = ((_e577.member[1].y - _e396) * _e401);
+                                            let _e604 = ((_e577.member[1].z - _e397) * _e401);
+                                            let _e605 = ((_e577.member[1].w - _e397) * _e401);
+                                            let _e615 = ((_e577.member[2].x - _e432) * _e437);
+                                            let _e616 = ((_e577.member[2].y - _e432) * _e437);
+                                            let _e617 = ((_e577.member[2].z - _e433) * _e437);
+                                            let _e618 = ((_e577.member[2].w - _e433) * _e437);
+                                            let _e620 = select(_e617, _e615, (_e615 < _e617));
+                                            let _e622 = select(_e618, _e616, (_e616 < _e618));
+                                            let _e624 = select(_e617, _e615, (_e615 > _e617));
+                                            let _e626 = select(_e618, _e616, (_e616 > _e618));
+                                            let _e628 = select(_e591, _e589, (_e589 < _e591));
+                                            let _e630 = select(_e592, _e590, (_e590 < _e592));
+                                            let _e632 = select(_e604, _e602, (_e602 < _e604));
+                                            let _e634 = select(_e605, _e603, (_e603 < _e605));
                                             let _e636 = select(_e632, _e628, (_e628 > _e632));
-                                            let _e638 = select(_e618, _e634, (_e634 > _e618));
+                                            let _e638 = select(_e634, _e630, (_e630 > _e634));
                                             let _e640 = select(_e620, _e636, (_e636 > _e620));
-                                            let _e642 = select(_e589, _e587, (_e587 > _e589));
-                                            let _e644 = select(_e590, _e588, (_e588 > _e590));
-                                            let _e646 = select(_e602, _e600, (_e600 > _e602));
-                                            let _e648 = select(_e603, _e601, (_e601 > _e603));
-                                            let _e650 = select(_e646, _e642, (_e642 < _e646));
+                                            let _e642 = select(_e622, _e638, (_e638 > _e622));
+                                            let _e644 = select(_e591, _e589, (_e589 > _e591));
+                                            let _e646 = select(_e592, _e590, (_e590 > _e592));
+                                            let _e648 = select(_e604, _e602, (_e602 > _e604));
+                                            let _e650 = select(_e605, _e603, (_e603 > _e605));
                                             let _e652 = select(_e648, _e644, (_e644 < _e648));
-                                            let _e657 = -(_e618);
-                                            let _e658 = -(_e620);
-                                            let _e665 = (select(_e622, _e650, (_e650 < _e622)) + (select(_e657, _e622, (_e622 > _e657)) * 0.0000019073523f));
-                                            let _e666 = (select(_e624, _e652, (_e652 < _e624)) + (select(_e658, _e624, (_e624 > _e658)) * 0.0000019073523f));
-                                            let _e668 = select(_e481, _e638, (_e638 > _e481));
-                                            let _e670 = select(_e481, _e640, (_e640 > _e481));
-                                            let _e675 = (_e668 <= select(_e491.member, _e665, (_e665 < _e491.member)));
-                                            let _e676 = (_e670 <= select(_e491.member, _e666, (_e666 < _e491.member)));
-                                            let _e677 = (_e668 <= _e670);
-                                            if _e675 {
-                                                if _e676 {
-                                                    if _e677 {
-                                                        phi_2592_ = _e575.member_2;
+                                            let _e654 = select(_e650, _e646, (_e646 < _e650));
+                                            let _e659 = -(_e620);
+                                            let _e660 = -(_e622);
+                                            let _e667 = (select(_e624, _e652, (_e652 < _e624)) + (select(_e659, _e624, (_e624 > _e659)) * 0.0000019073523f));
+                                            let _e668 = (select(_e626, _e654, (_e654 < _e626)) + (select(_e660, _e626, (_e626 > _e660)) * 0.0000019073523f));
+                                            let _e670 = select(_e483, _e640, (_e640 > _e483));
+                                            let _e672 = select(_e483, _e642, (_e642 > _e483));
+                                            let _e677 = (_e670 <= select(_e493.member, _e667, (_e667 < _e493.member)));
+                                            let _e678 = (_e672 <= select(_e493.member, _e668, (_e668 < _e493.member)));
+                                            let _e679 = (_e670 <= _e672);
+                                            if _e677 {
+                                                if _e678 {
+                                                    if _e679 {
+                                                        phi_2598_ = _e577.member_2;
                                                     } else {
-                                                        phi_2592_ = _e575.member_1;
+                                                        phi_2598_ = _e577.member_1;
                                                     }
-                                                    let _e681 = phi_2592_;
-                                                    let _e682 = (_e518 % 128u);
-                                                    let _e683 = (_e682 < 128u);
-                                                    if _e683 {
+                                                    let _e683 = phi_2598_;
+                                                    let _e684 = (_e520 % 128u);
+                                                    let _e685 = (_e684 < 128u);
+                                                    if _e685 {
                                                     } else {
-                                                        phi_2863_ = true;
+                                                        phi_2870_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e682] = _e681;
-                                                    if _e683 {
+                                                    local_1[_e684] = _e683;
+                                                    if _e685 {
                                                     } else {
-                                                        phi_2863_ = true;
+                                                        phi_2870_ = true;
                                                         break;
                                                     }
-                                                    local[_e682] = select(_e670, _e668, (_e668 > _e670));
-                                                    if _e677 {
-                                                        phi_2619_ = _e575.member_1;
+                                                    local[_e684] = select(_e672, _e670, (_e670 > _e672));
+                                                    if _e679 {
+                                                        phi_2625_ = _e577.member_1;
                                                     } else {
-                                                        phi_2619_ = _e575.member_2;
+                                                        phi_2625_ = _e577.member_2;
                                                     }
-                                                    let _e692 = phi_2619_;
-                                                    phi_2620_ = _e692;
-                                                    phi_2621_ = (_e518 + 1u);
+                                                    let _e694 = phi_2625_;
+                                                    phi_2626_ = _e694;
+                                                    phi_2627_ = (_e520 + 1u);
                                                 } else {
-                                                    phi_2620_ = u32();
-                                                    phi_2621_ = u32();
+                                                    phi_2626_ = u32();
+                                                    phi_2627_ = u32();
                                                 }
-                                                let _e694 = phi_2620_;
-                                                let _e696 = phi_2621_;
-                                                phi_2623_ = _e694;
-                                                phi_2624_ = _e696;
-                                                phi_2625_ = select(true, false, _e676);
+                                                let _e696 = phi_2626_;
+                                                let _e698 = phi_2627_;
+                                                phi_2629_ = _e696;
+                                                phi_2630_ = _e698;
+                                                phi_2631_ = select(true, false, _e678);
                                             } else {
-                                                phi_2623_ = u32();
-                                                phi_2624_ = u32();
-                                                phi_2625_ = true;
+                                                phi_2629_ = u32();
+                                                phi_2630_ = u32();
+                                                phi_2631_ = true;
                                             }
-                                            let _e699 = phi_2623_;
-                                            let _e701 = phi_2624_;
-                                            let _e703 = phi_2625_;
-                                            if _e703 {
-                                                if _e675 {
-                                                    phi_2634_ = _e575.member_1;
+                                            let _e701 = phi_2629_;
+                                            let _e703 = phi_2630_;
+                                            let _e705 = phi_2631_;
+                                            if _e705 {
+                                                if _e677 {
+                                                    phi_2640_ = _e577.member_1;
                                                 } else {
-                                                    phi_2634_ = _e575.member_2;
+                                                    phi_2640_ = _e577.member_2;
                                                 }
-                                                let _e707 = phi_2634_;
-                                                phi_2639_ = _e707;
-                                                phi_2640_ = select(_e676, true, _e675);
+                                                let _e709 = phi_2640_;
+                                                phi_2645_ = _e709;
+                                                phi_2646_ = select(_e678, true, _e677);
                                             } else {
-                                                phi_2639_ = _e699;
-                                                phi_2640_ = _e516;
+                                                phi_2645_ = _e701;
+                                                phi_2646_ = _e518;
                                             }
-                                            let _e710 = phi_2639_;
-                                            let _e712 = phi_2640_;
-                                            phi_2867_ = _e489;
-                                            phi_2642_ = _e491;
-                                            phi_2643_ = _e710;
-                                            phi_2644_ = _e712;
-                                            phi_2645_ = select(_e701, _e518, _e703);
+                                            let _e712 = phi_2645_;
+                                            let _e714 = phi_2646_;
+                                            phi_2874_ = _e491;
+                                            phi_2648_ = _e493;
+                                            phi_2649_ = _e712;
+                                            phi_2650_ = _e714;
+                                            phi_2651_ = select(_e703, _e520, _e705);
                                         }
-                                        let _e1343 = phi_2867_;
-                                        let _e1345 = phi_2642_;
-                                        let _e1347 = phi_2643_;
-                                        let _e1349 = phi_2644_;
-                                        let _e1351 = phi_2645_;
-                                        phi_2866_ = _e1343;
-                                        phi_2646_ = _e1345;
-                                        phi_2647_ = _e1347;
-                                        phi_2648_ = (_e495 - 1u);
-                                        phi_2649_ = _e1349;
-                                        phi_2650_ = _e1351;
+                                        let _e1345 = phi_2874_;
+                                        let _e1347 = phi_2648_;
+                                        let _e1349 = phi_2649_;
+                                        let _e1351 = phi_2650_;
+                                        let _e1353 = phi_2651_;
+                                        phi_2873_ = _e1345;
+                                        phi_2652_ = _e1347;
+                                        phi_2653_ = _e1349;
+                                        phi_2654_ = (_e497 - 1u);
+                                        phi_2655_ = _e1351;
+                                        phi_2656_ = _e1353;
                                     } else {
-                                        phi_2866_ = _e489;
-                                        phi_2646_ = _e491;
-                                        phi_2647_ = _e514;
-                                        phi_2648_ = _e495;
-                                        phi_2649_ = _e516;
-                                        phi_2650_ = _e518;
+                                        phi_2873_ = _e491;
+                                        phi_2652_ = _e493;
+                                        phi_2653_ = _e516;
+                                        phi_2654_ = _e497;
+                                        phi_2655_ = _e518;
+                                        phi_2656_ = _e520;
                                     }
-                                    let _e1353 = phi_2866_;
-                                    let _e1355 = phi_2646_;
-                                    let _e1357 = phi_2647_;
-                                    let _e1359 = phi_2648_;
-                                    let _e1361 = phi_2649_;
-                                    let _e1363 = phi_2650_;
-                                    phi_2865_ = _e1353;
-                                    phi_2651_ = _e1355;
-                                    phi_2652_ = _e1357;
-                                    phi_2653_ = _e1359;
-                                    phi_2654_ = _e1361;
-                                    phi_2655_ = _e1363;
+                                    let _e1355 = phi_2873_;
+                                    let _e1357 = phi_2652_;
+                                    let _e1359 = phi_2653_;
+                                    let _e1361 = phi_2654_;
+                                    let _e1363 = phi_2655_;
+                                    let _e1365 = phi_2656_;
+                                    phi_2872_ = _e1355;
+                                    phi_2657_ = _e1357;
+                                    phi_2658_ = _e1359;
+                                    phi_2659_ = _e1361;
+                                    phi_2660_ = _e1363;
+                                    phi_2661_ = _e1365;
                                 } else {
-                                    phi_2865_ = _e489;
-                                    phi_2651_ = type_54();
-                                    phi_2652_ = u32();
-                                    phi_2653_ = u32();
-                                    phi_2654_ = bool();
-                                    phi_2655_ = u32();
+                                    phi_2872_ = _e491;
+                                    phi_2657_ = type_54();
+                                    phi_2658_ = u32();
+                                    phi_2659_ = u32();
+                                    phi_2660_ = bool();
+                                    phi_2661_ = u32();
                                 }
-                                let _e1365 = phi_2865_;
-                                let _e1367 = phi_2651_;
-                                let _e1369 = phi_2652_;
-                                let _e1371 = phi_2653_;
-                                let _e1373 = phi_2654_;
-                                let _e1375 = phi_2655_;
-                                phi_2864_ = _e1365;
-                                phi_1073_ = _e1367;
-                                phi_1076_ = _e1369;
-                                phi_1078_ = _e1371;
-                                phi_1080_ = _e1373;
-                                phi_1082_ = _e1375;
-                                phi_2656_ = _e503;
+                                let _e1367 = phi_2872_;
+                                let _e1369 = phi_2657_;
+                                let _e1371 = phi_2658_;
+                                let _e1373 = phi_2659_;
+                                let _e1375 = phi_2660_;
+                                let _e1377 = phi_2661_;
+                                phi_2871_ = _e1367;
+                                phi_1079_ = _e1369;
+                                phi_1082_ = _e1371;
+                                phi_1084_ = _e1373;
+                                phi_1086_ = _e1375;
+                                phi_1088_ = _e1377;
+                                phi_2662_ = _e505;
                             } else {
-                                phi_2864_ = _e489;
-                                phi_1073_ = type_54();
-                                phi_1076_ = u32();
-                                phi_1078_ = u32();
-                                phi_1080_ = bool();
+                                phi_2871_ = _e491;
+                                phi_1079_ = type_54();
                                 phi_1082_ = u32();
-                                phi_2656_ = false;
+                                phi_1084_ = u32();
+                                phi_1086_ = bool();
+                                phi_1088_ = u32();
+                                phi_2662_ = false;
                             }
-                            let _e1377 = phi_2864_;
-                            let _e1379 = phi_1073_;
-                            let _e1381 = phi_1076_;
-                            let _e1383 = phi_1078_;
-                            let _e1385 = phi_1080_;
-                            let _e1387 = phi_1082_;
-                            let _e1389 = phi_2656_;
+                            let _e1379 = phi_2871_;
+                            let _e1381 = phi_1079_;
+                            let _e1383 = phi_1082_;
+                            let _e1385 = phi_1084_;
+                            let _e1387 = phi_1086_;
+                            let _e1389 = phi_1088_;
+                            let _e1391 = phi_2662_;
                             continue;
                             continuing {
-                                phi_2732_ = _e1377;
-                                phi_1072_ = _e1379;
-                                phi_1075_ = _e1381;
-                                phi_1077_ = _e1383;
-                                phi_1079_ = _e1385;
-                                phi_1081_ = _e1387;
-                                phi_2863_ = _e1377;
-                                break if !(_e1389);
+                                phi_2738_ = _e1379;
+                                phi_1078_ = _e1381;
+                                phi_1081_ = _e1383;
+                                phi_1083_ = _e1385;
+                                phi_1085_ = _e1387;
+                                phi_1087_ = _e1389;
+                                phi_2870_ = _e1379;
+                                break if !(_e1391);
                             }
                         }
-                        let _e1392 = phi_2863_;
-                        if _e1392 {
+                        let _e1394 = phi_2870_;
+                        if _e1394 {
                             break;
                         }
-                        let _e1394 = local_3;
-                        if _e1394.member_1 {
+                        let _e1396 = local_3;
+                        if _e1396.member_1 {
                         } else {
-                            if _e95 {
+                            if _e173 {
                             } else {
                                 break;
                             }
-                            let _e1398 = global_9.member[_e93];
+                            let _e1400 = global_9.member[_e93];
                             if _e94 {
                             } else {
                                 break;
                             }
-                            let _e1402 = global_8.member[_e93].member_1;
-                            if _e95 {
+                            let _e1404 = global_8.member[_e93].member_1;
+                            if _e173 {
                             } else {
                                 break;
                             }
-                            global_9.member[_e93] = type_30(_e1398.member, _e1398.member_1, _e1398.member_2, array<f32, 3>((_e1398.member_3[0] + (_e1402[0] * _e1398.member_1[0])), (_e1398.member_3[1] + (_e1402[1] * _e1398.member_1[1])), (_e1398.member_3[2] + (_e1402[2] * _e1398.member_1[2]))), _e1398.member_4);
+                            global_9.member[_e93] = type_30(_e1400.member, _e1400.member_1, _e1400.member_2, array<f32, 3>((_e1400.member_3[0] + (_e1404[0] * _e1400.member_1[0])), (_e1400.member_3[1] + (_e1404[1] * _e1400.member_1[1])), (_e1400.member_3[2] + (_e1404[2] * _e1400.member_1[2]))), _e1400.member_4);
                         }
                     }
                 }

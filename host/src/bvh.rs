@@ -14,6 +14,7 @@ use rayon::prelude::*;
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::{Except, Facing, Sides};
+use slimbvh_core::encode::RootWords;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
 use slimbvh_core::trace::{
@@ -179,6 +180,22 @@ impl Bvh {
             None => sah_cost(&self.nodes),
             Some(coded) => sah_cost(&decode(coded, &self.triangles).0),
         }
+    }
+
+    /// What is stored, byte for byte: nodes, and triangles in leaf order. The same tree has the same bytes on every backend.
+    #[must_use]
+    pub fn stored(&self) -> [&[u8]; 2] {
+        let plain = bytemuck::cast_slice(&self.triangles);
+        match &self.coded {
+            None => [bytemuck::cast_slice(&self.nodes), plain],
+            Some(coded) => [coded.nodes.stored(), coded.triangles.stored(plain)],
+        }
+    }
+
+    /// The root's box, where nodes are stored in a codec, and the exponent of its step, where it has one, as words.
+    #[must_use]
+    pub fn root_words(&self) -> Option<RootWords> {
+        self.coded.as_ref().map(|coded| coded.nodes.root_words())
     }
 
     /// How nodes and triangles are stored.

@@ -4,7 +4,7 @@ use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
 use slimbvh_core::classify::Facing;
 use slimbvh_core::encode::{
     LatticeCursor, LatticeNodes, LatticeTriangles, PrintedBox, PrintedCursor, PrintedNode,
-    PrintedNodes, PrintedTriangle, PrintedTriangles,
+    PrintedNodes, PrintedTriangle, PrintedTriangles, RootWords,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
@@ -57,11 +57,28 @@ impl CodedNodes {
         }
     }
 
-    pub fn bytes(&self) -> usize {
+    /// What is stored.
+    pub fn stored(&self) -> &[u8] {
         match self {
-            Self::Printed { nodes, .. } => size_of_val(nodes.as_slice()),
-            Self::Lattice { words, .. } => size_of_val(words.as_slice()),
+            Self::Printed { nodes, .. } => bytemuck::cast_slice(nodes),
+            Self::Lattice { words, .. } => bytemuck::cast_slice(words),
         }
+    }
+
+    /// The root's box.
+    pub fn root_words(&self) -> RootWords {
+        match self {
+            Self::Printed { root, .. } => RootWords::of_printed(root),
+            Self::Lattice {
+                root,
+                step_exponent,
+                ..
+            } => RootWords::of_lattice(root, *step_exponent),
+        }
+    }
+
+    pub fn bytes(&self) -> usize {
+        self.stored().len()
     }
 
     pub fn held_bytes(&self) -> usize {
@@ -73,12 +90,17 @@ impl CodedNodes {
 }
 
 impl CodedTriangles {
-    pub fn bytes(&self) -> usize {
+    /// What is stored; `plain` are the triangles where they are stored in full.
+    pub fn stored<'a>(&'a self, plain: &'a [u8]) -> &'a [u8] {
         match self {
-            Self::F32 => 0,
-            Self::Leaf10(triangles) => size_of_val(triangles.as_slice()),
-            Self::Lattice(words) => size_of_val(words.as_slice()),
+            Self::F32 => plain,
+            Self::Leaf10(triangles) => bytemuck::cast_slice(triangles),
+            Self::Lattice(words) => bytemuck::cast_slice(words),
         }
+    }
+
+    pub fn bytes(&self) -> usize {
+        self.stored(&[]).len()
     }
 
     pub fn held_bytes(&self) -> usize {

@@ -15,6 +15,7 @@ use crate::triangle::LeafTriangle;
 /// wide     40 bytes   3 vertices × 3 words:  lattice coordinates; index
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
 pub enum LeafWidth {
     /// No extent over 1023 steps.
     Narrow,
@@ -74,6 +75,24 @@ impl LeafWidth {
     }
 }
 
+/// The finest lattice that holds all of a scene of magnitude 1 in floats: its step is two to this power.
+pub const FINEST_STEP: i32 = -24;
+
+/// The lattice of a mesh, whose step is two to `step_exponent` in the mesh's unit, in the scene's magnitude. Where all vertices
+/// are the origin, any step will do.
+#[inline]
+#[must_use]
+pub const fn scaled_step(step_exponent: i32, scene_exponent: i32) -> i32 {
+    let step = step_exponent.wrapping_add(scene_exponent);
+    if step < -126 {
+        -126
+    } else if step > 127 {
+        127
+    } else {
+        step
+    }
+}
+
 /// One thread per triangle. Reads it, its leaf's box, decoded, in which it lies, and the lattice's step, a power of two; its
 /// vertices are on the lattice. Returns its words, of which the box tells how many count.
 #[inline]
@@ -126,31 +145,28 @@ pub struct LatticeTriangles<'a> {
 }
 
 impl LatticeTriangles<'_> {
-    /// Where a triangle's words begin, and how many a vertex takes.
+    /// Where a triangle's words begin.
     #[inline(always)]
-    fn begin(&self, place: &Place<LatticeFrame>) -> (u32, LeafWidth) {
-        let width = LeafWidth::of_frame(&place.frame, self.step);
-        (
-            place.first.wrapping_add(place.number * width.words()),
-            width,
-        )
+    fn begin(place: &Place<LatticeFrame>, width: LeafWidth) -> u32 {
+        place.first.wrapping_add(place.number * width.words())
     }
 }
 
 impl TriangleSource<LatticeFrame> for LatticeTriangles<'_> {
     #[inline(always)]
     fn corners(&self, place: &Place<LatticeFrame>, axes: [u32; 3]) -> [[f32; 3]; 3] {
-        let (begin, width) = self.begin(place);
+        let width = LeafWidth::of_frame(&place.frame, self.step);
+        let begin = Self::begin(place, width);
         let size = width.vertex_words();
-        let word = |i: u32| crate::load(self.words, begin.wrapping_add(i), 0);
         let min = place.frame.min.to_array();
         let mut corners = [[0.0; 3]; 3];
-        for (corner, to) in (0u32..).zip(&mut corners) {
-            let at = corner * size;
-            let (a, b) = (word(at), word(at + 1));
+        for corner in 0..3u32 {
+            let at = begin.wrapping_add(corner * size);
+            let a = crate::load(self.words, at, 0);
+            let b = crate::load(self.words, at.wrapping_add(1), 0);
             for i in 0..3usize {
                 let (axis, min) = (axes[i], min[i]);
-                to[i] = match width {
+                corners[corner as usize][i] = match width {
                     LeafWidth::Narrow => min + ((a >> (10 * axis)) & 0x3ff) as f32 * self.step,
                     LeafWidth::Middle => {
                         let bits = if axis == 0 {
@@ -162,7 +178,10 @@ impl TriangleSource<LatticeFrame> for LatticeTriangles<'_> {
                         };
                         min + (bits & 0x001f_ffff) as f32 * self.step
                     }
-                    LeafWidth::Wide => word(at + axis) as i32 as f32 * self.step,
+                    LeafWidth::Wide => {
+                        let word = crate::load(self.words, at.wrapping_add(axis), 0);
+                        word as i32 as f32 * self.step
+                    }
                 };
             }
         }
@@ -171,8 +190,8 @@ impl TriangleSource<LatticeFrame> for LatticeTriangles<'_> {
 
     #[inline(always)]
     fn primitive(&self, place: &Place<LatticeFrame>) -> u32 {
-        let (begin, width) = self.begin(place);
-        let at = begin.wrapping_add(3 * width.vertex_words());
+        let width = LeafWidth::of_frame(&place.frame, self.step);
+        let at = Self::begin(place, width).wrapping_add(3 * width.vertex_words());
         crate::load(self.words, at, NO_PRIMITIVE)
     }
 }

@@ -167,7 +167,12 @@ pub fn decode_node<const BITS: u32, const WORDS: usize>(
 #[inline(always)]
 const fn shift<const BITS: u32>(low: i32, high: i32) -> u32 {
     let extent_bits = 32 - (high.wrapping_sub(low) as u32).leading_zeros();
-    extent_bits.saturating_sub(BITS)
+    let most = if extent_bits > BITS {
+        extent_bits
+    } else {
+        BITS
+    };
+    most - BITS
 }
 
 /// A side: which child has it, and the other's number. Distances from the side are never negative.
@@ -263,14 +268,17 @@ impl LatticeFrame {
     }
 }
 
-/// A node or a leaf, and its box.
+/// A node or a leaf, and its box. 48 bytes, also where vectors need not be aligned: shaders align them.
 #[derive(Clone, Copy, Debug)]
+#[repr(C, align(16))]
 pub struct LatticeCursor {
-    /// Which.
-    pub node: NodeRef,
     /// Its box, decoded.
     pub bounds: LatticeFrame,
+    /// Which.
+    pub node: NodeRef,
 }
+
+const _: () = assert!(size_of::<LatticeCursor>() == 48);
 
 /// Nodes of the lattice codec, the root first. `MIXED` where leaves hold triangles of the lattice codec, whose size follows
 /// from their box.
@@ -418,13 +426,12 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
             PlanePair::new(left.min.y, right.min.y, left.max.y, right.max.y),
             PlanePair::new(left.min.z, right.min.z, left.max.z, right.max.z),
         ];
-        let [left_node, right_node] = links_of::<BITS, WORDS>(words).children(|| {
-            if MIXED {
-                LeafWidth::of_frame(&left, self.step).words()
-            } else {
-                1
-            }
-        });
+        let stride = if MIXED {
+            LeafWidth::of_frame(&left, self.step).words()
+        } else {
+            1
+        };
+        let [left_node, right_node] = links_of::<BITS, WORDS>(words).children(stride);
         Children {
             planes,
             left: LatticeCursor {

@@ -25,42 +25,50 @@ const INDEX_MASK: u32 = (1 << INDEX_BITS) - 1;
 pub struct Links(pub [u32; 2]);
 
 impl Links {
-    /// Joins a plain node's children. `place_of` tells where a leaf's triangles begin, by the first of them.
+    /// Joins a plain node's children. `place` is where the data of [`Self::first_triangle`] begin.
     #[inline(always)]
     #[must_use]
-    pub fn new(left: NodeRef, right: NodeRef, place_of: impl Fn(u32) -> u32) -> Self {
-        let index = if left.is_leaf() {
-            if right.is_leaf() { 0 } else { right.index() }
-        } else {
+    pub const fn new(left: NodeRef, right: NodeRef, place: u32) -> Self {
+        let index = if !left.is_leaf() {
             left.index()
-        };
-        let first = if left.is_leaf() && left.count() > 0 {
-            place_of(left.first())
-        } else if right.is_leaf() && right.count() > 0 {
-            place_of(right.first())
-        } else {
+        } else if right.is_leaf() {
             0
+        } else {
+            right.index()
         };
         let (left, right) = (count_of(left), count_of(right));
         Self([
             (index & INDEX_MASK) | left << INDEX_BITS | right << 31,
-            (first & INDEX_MASK) | (right >> 1) << INDEX_BITS,
+            (place & INDEX_MASK) | (right >> 1) << INDEX_BITS,
         ])
     }
 
-    /// Both children. A leaf's reference holds where its triangles begin; `width_of` is how far one triangle of the left leaf
+    /// The first triangle of a plain node's first child that is a leaf, 0 where none is.
+    #[inline(always)]
+    #[must_use]
+    pub const fn first_triangle(left: NodeRef, right: NodeRef) -> u32 {
+        if left.is_leaf() && left.count() > 0 {
+            left.first()
+        } else if right.is_leaf() && right.count() > 0 {
+            right.first()
+        } else {
+            0
+        }
+    }
+
+    /// Both children. A leaf's reference holds where its triangles begin; `stride` is how far one triangle of the left leaf
     /// is from the next.
     #[inline(always)]
     #[must_use]
-    pub fn children(self, stride: impl Fn() -> u32) -> [NodeRef; 2] {
+    pub const fn children(self, stride: u32) -> [NodeRef; 2] {
         let [a, b] = self.0;
         let (index, first) = (a & INDEX_MASK, b & INDEX_MASK);
         let left_count = (a >> INDEX_BITS) & 7;
-        let right_count = a >> 31 | (b >> INDEX_BITS & 3) << 1;
+        let right_count = a >> 31 | ((b >> INDEX_BITS) & 3) << 1;
         let is_left_leaf = left_count != INNER;
         let left = child(left_count, index, first);
         let right_first = if is_left_leaf && left_count != NOTHING {
-            first + left_count * stride()
+            first + left_count * stride
         } else {
             first
         };
@@ -110,13 +118,16 @@ mod tests {
                 _ if left.is_leaf() => NodeRef::leaf(first + left.count(), right),
                 _ => NodeRef::leaf(first, right),
             };
-            let links = Links::new(left, right, |triangle| triangle);
+            let triangle = Links::first_triangle(left, right);
+            let links = Links::new(left, right, triangle);
             prop_assert_eq!(links.0[1] >> 30, 0);
-            prop_assert_eq!(links.children(|| 1), [left, right]);
+            prop_assert_eq!(links.children(1), [left, right]);
 
             // Each triangle takes so many places.
-            let links = Links::new(left, right, |triangle| (triangle - first) * stride + 5);
-            let [a, b] = links.children(|| stride);
+            let has_leaf = left.is_leaf() || right.is_leaf();
+            prop_assert_eq!(triangle, if has_leaf { first } else { 0 });
+            let links = Links::new(left, right, 5);
+            let [a, b] = links.children(stride);
             for (child, expected) in [(a, left), (b, right)] {
                 if expected.is_leaf() {
                     prop_assert_eq!(child, NodeRef::leaf((expected.first() - first) * stride + 5, expected.count()));
@@ -129,12 +140,9 @@ mod tests {
 
     #[test]
     fn what_is_not_there_comes_back() {
-        let links = Links::new(NodeRef::leaf(0, 3), NodeRef::NOTHING, |triangle| triangle);
-        assert_eq!(
-            links.children(|| 1),
-            [NodeRef::leaf(0, 3), NodeRef::NOTHING]
-        );
-        let links = Links::new(NodeRef::NOTHING, NodeRef::NOTHING, |triangle| triangle);
-        assert_eq!(links.children(|| 1), [NodeRef::NOTHING; 2]);
+        let links = Links::new(NodeRef::leaf(0, 3), NodeRef::NOTHING, 0);
+        assert_eq!(links.children(1), [NodeRef::leaf(0, 3), NodeRef::NOTHING]);
+        let links = Links::new(NodeRef::NOTHING, NodeRef::NOTHING, 0);
+        assert_eq!(links.children(1), [NodeRef::NOTHING; 2]);
     }
 }

@@ -2,8 +2,9 @@
 //!
 //! Floats decide here, so that every product is shielded from being fused with a sum, and the encoder asks the decoder.
 
+use crate::aabb::Aabb;
 use crate::float::{abs, max, min};
-use crate::node::NodeRef;
+use crate::node::{Node, NodeRef};
 use crate::orientation::product;
 use crate::ray::NO_PRIMITIVE;
 use crate::slab::PlanePair;
@@ -30,6 +31,16 @@ impl PrintedBox {
         min: [0.0; 3],
         max: [0.0; 3],
     };
+
+    /// The same box.
+    #[inline(always)]
+    #[must_use]
+    pub fn of(bounds: &Aabb) -> Self {
+        Self {
+            min: bounds.min.to_array(),
+            max: bounds.max.to_array(),
+        }
+    }
 }
 
 /// A node: 24 bytes.
@@ -100,23 +111,43 @@ fn number_above(x: f32, low: f32, high: f32, zero: u32) -> u32 {
     }
 }
 
-/// One thread per node. Reads its box, decoded, and its children's boxes, which lie in it; `zero` is 0, but only at run time.
-/// Returns the node, and its children's boxes as they come out of it.
+/// A node, and its children's boxes as they come out of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EncodedPrinted {
+    /// What is stored.
+    pub node: PrintedNode,
+    /// The left child's box, decoded.
+    pub left: PrintedBox,
+    /// The right child's box, decoded.
+    pub right: PrintedBox,
+}
+
+/// One thread per node. Reads its box, decoded, its children's boxes, which lie in it, and the plain node's links; `zero` is 0,
+/// but only at run time. Returns the node.
 #[inline]
 #[must_use]
 pub fn encode_printed_node(
     parent: &PrintedBox,
-    children: [(PrintedBox, NodeRef); 2],
+    left: &PrintedBox,
+    right: &PrintedBox,
+    plain: &Node,
     zero: u32,
-) -> (PrintedNode, [PrintedBox; 2]) {
-    let [(left_box, left), (right_box, right)] = children;
+) -> EncodedPrinted {
     let node = PrintedNode {
-        left_box: encode_box(parent, &left_box, zero),
-        right_box: encode_box(parent, &right_box, zero),
-        left,
-        right,
+        left_box: encode_box(parent, left, zero),
+        right_box: encode_box(parent, right, zero),
+        left: plain.left,
+        right: plain.right,
     };
-    (node, decode_printed_node(&node, parent, zero))
+    let [left, right] = decode_printed_node(&node, parent, zero);
+    EncodedPrinted { node, left, right }
+}
+
+/// A child's box as it comes out of its parent, which has this box.
+#[inline]
+#[must_use]
+pub fn printed_child(parent: &PrintedBox, child: &PrintedBox, zero: u32) -> PrintedBox {
+    decode_box(encode_box(parent, child, zero), parent, [0, 1, 2], zero)
 }
 
 /// Both children's boxes, from a node and its own box, decoded.
@@ -145,7 +176,8 @@ fn encode_box(parent: &PrintedBox, child: &PrintedBox, zero: u32) -> [u32; 2] {
 #[inline(always)]
 fn decode_box(words: [u32; 2], parent: &PrintedBox, axes: [u32; 3], zero: u32) -> PrintedBox {
     let mut child = PrintedBox::ZERO;
-    for (i, axis) in axes.into_iter().enumerate() {
+    for i in 0..3usize {
+        let axis = axes[i];
         let (low, high) = (parent.min[i], parent.max[i]);
         let number = |word: u32| (word >> (10 * axis)) & LAST;
         child.min[i] = decode(number(words[0]), low, high, zero);
@@ -261,7 +293,7 @@ pub fn encode_printed_triangle(
     zero: u32,
 ) -> PrintedTriangle {
     let mut vertices = [0; 3];
-    for (corner, word) in vertices.iter_mut().enumerate() {
+    for corner in 0..3usize {
         for axis in 0..3usize {
             let x = triangle.vertices[(3 * corner + axis) % 9];
             let (low, high) = (bounds.min[axis], bounds.max[axis]);
@@ -270,7 +302,7 @@ pub fn encode_printed_triangle(
             let to_below = abs(x - decode(below, low, high, zero));
             let to_above = abs(decode(above, low, high, zero) - x);
             let nearest = if to_above < to_below { above } else { below };
-            *word |= nearest << (10 * axis);
+            vertices[corner] |= nearest << (10 * axis);
         }
     }
     PrintedTriangle {
@@ -368,10 +400,11 @@ mod tests {
     proptest! {
         #[test]
         fn decoded_boxes_hold_the_children_and_stay_in_the_parent([parent, left, right] in family()) {
-            let refs = (NodeRef::leaf(3, 2), NodeRef::inner(9));
-            let (node, boxes) = encode_printed_node(&parent, [(left, refs.0), (right, refs.1)], 0);
-            prop_assert_eq!((node.left, node.right), refs);
-            for (decoded, exact) in boxes.iter().zip([left, right]) {
+            let plain = Node { left: NodeRef::leaf(3, 2), right: NodeRef::inner(9), ..Node::EMPTY };
+            let coded = encode_printed_node(&parent, &left, &right, &plain, 0);
+            prop_assert_eq!((coded.node.left, coded.node.right), (plain.left, plain.right));
+            for (decoded, exact) in [coded.left, coded.right].iter().zip([left, right]) {
+                prop_assert_eq!(&printed_child(&parent, &exact, 0), decoded);
                 prop_assert!(contains(decoded, &exact), "{decoded:?} {exact:?}");
                 prop_assert!(contains(&parent, decoded));
                 for axis in 0..3 {

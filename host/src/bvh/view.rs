@@ -323,7 +323,7 @@ impl<const BITS: u32, const WORDS: usize> TreeView for LatticeView<'_, BITS, WOR
         let words = &self.nodes[node as usize];
         let boxes = decode_node::<BITS, WORDS>(words, bounds);
         let links = links_of::<BITS, WORDS>(words);
-        (links.children(|| self.stride(&boxes[0])), boxes)
+        (links.children(self.stride(&boxes[0])), boxes)
     }
 
     fn run(&self, _: u32) -> Option<[u32; 2]> {

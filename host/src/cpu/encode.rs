@@ -7,19 +7,17 @@ use crate::Bvh;
 use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
 use crate::coded::{Coded, CodedNodes, CodedTriangles};
 use slimbvh_core::encode::{
-    LeafWidth, Links, PrintedBox, PrintedNode, PrintedTriangle, decode_node, encode_node,
-    encode_printed_node, encode_printed_triangle, encode_triangle, with_links,
+    BoxCodec, FINEST_STEP, LatticeCodec, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode,
+    PrintedTriangle, decode_node, encode_printed_triangle, encode_triangle, root_bounds,
+    scaled_step, with_links,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::node::Connection;
-use slimbvh_core::refit::{PyramidBox, range_bounds};
+use slimbvh_core::refit::{PyramidBox, refit_node};
 use slimbvh_core::scan::run_scan;
-use slimbvh_core::{Aabb, LeafTriangle, NodeRef};
+use slimbvh_core::{LeafTriangle, Node, NodeRef};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
-
-/// The finest lattice that holds all of a scene of magnitude 1 in floats, as a power of two.
-const FINEST_STEP: i32 = -24;
 
 /// Codes hierarchies, and keeps what was plain of them for the next.
 #[derive(Debug, Default)]
@@ -80,8 +78,7 @@ impl Encoder {
                     CodedTriangles::Lattice(words) => words,
                     CodedTriangles::F32 | CodedTriangles::Leaf10(_) => Vec::new(),
                 };
-                // Where all vertices are the origin, any step will do.
-                let step_exponent = (step_exponent + bvh.scene_exponent).clamp(-126, 127);
+                let step_exponent = scaled_step(step_exponent, bvh.scene_exponent);
                 let to = (&mut coded.nodes, &mut words);
                 let shape = (bits, step_exponent);
                 let scratch = (&mut self.sizes, &mut self.has_wide);
@@ -126,29 +123,18 @@ impl Tree<'_> {
         }
     }
 
-    /// The boxes of a node's children, a box for the one that is not there as well.
-    fn child_boxes(&self, node: &Connection) -> [Aabb; 2] {
-        let bounds = |first, last| range_bounds(first, last, self.leaves, self.pyramid);
+    /// A node with its boxes.
+    fn node(&self, index: u32) -> Node {
+        let bare = &self.nodes[index as usize];
         if self.leaves.is_empty() {
-            let nothing = Aabb {
-                min: glam::Vec3::ZERO,
-                max: glam::Vec3::ZERO,
-            };
-            return [nothing; 2];
+            return bare.into();
         }
-        let split = self.split(node);
-        let left = bounds(node.first, split);
-        if node.right == NodeRef::NOTHING {
-            [left, left]
-        } else {
-            [left, bounds(split + 1, node.last)]
-        }
+        refit_node(bare.into(), self.split(bare), self.leaves, self.pyramid)
     }
 
-    /// The box of all.
-    fn root_box(&self) -> Aabb {
-        let [left, right] = self.child_boxes(&self.nodes[0]);
-        left.union(right)
+    /// The root's box, decoded.
+    fn root<C: BoxCodec>(&self, codec: &C) -> C::Bounds {
+        root_bounds(&[self.node(0)], codec)
     }
 }
 
@@ -220,7 +206,7 @@ impl<'a, N, T, B> Part<'a, N, T, B> {
 }
 
 /// Codes both children, at once where that pays.
-fn both<P: Send>(node: &Connection, [left, right]: [P; 2], code: impl Fn(P) + Sync) {
+fn both<P: Send>(node: &Node, [left, right]: [P; 2], code: impl Fn(P) + Sync) {
     if node.last - node.first < TASK {
         code(left);
         code(right);
@@ -232,27 +218,27 @@ fn both<P: Send>(node: &Connection, [left, right]: [P; 2], code: impl Fn(P) + Sy
 /// Codes a tree's nodes on the lattice, with links to triangles that are stored in full.
 fn encode_lattice(tree: &Tree, bits: LatticeBits, to: &mut CodedNodes) {
     let (root, words) = lattice_words(tree, bits, FINEST_STEP, to);
-    let tree = OnLattice {
+    let lattice = OnLattice {
         tree,
         root,
         step_exponent: FINEST_STEP,
     };
-    by_bits!(bits, fill_nodes(&tree, words));
+    by_bits!(bits, fill_nodes(&lattice, words));
 
-    fn fill_nodes<const BITS: u32, const WORDS: usize>(tree: &OnLattice, words: &mut [u32]) {
-        let part = tree.part(words, &mut [] as &mut [()], 0);
+    fn fill_nodes<const BITS: u32, const WORDS: usize>(lattice: &OnLattice, words: &mut [u32]) {
+        let part = lattice.part(words, &mut [] as &mut [()], 0);
         let link = linked_to::<BITS, WORDS>(|triangle| triangle);
-        encode_nodes::<BITS, WORDS, ()>(tree, part, &link, &|_, _, _| {});
+        encode_nodes::<BITS, WORDS, ()>(lattice, part, &link, &|_, _, _| {});
     }
 }
 
 /// Puts links into a node's words, to triangles that are where a function tells.
 fn linked_to<const BITS: u32, const WORDS: usize>(
     place_of: impl Fn(u32) -> u32 + Sync,
-) -> impl Fn(&Connection, [u32; WORDS]) -> [u32; WORDS] + Sync {
+) -> impl Fn(&Node, [u32; WORDS]) -> [u32; WORDS] + Sync {
     move |node, words| {
-        let links = Links::new(node.left, node.right, &place_of);
-        with_links::<BITS, WORDS>(words, links)
+        let place = place_of(Links::first_triangle(node.left, node.right));
+        with_links::<BITS, WORDS>(words, Links::new(node.left, node.right, place))
     }
 }
 
@@ -263,7 +249,8 @@ fn lattice_words<'a>(
     step_exponent: i32,
     to: &'a mut CodedNodes,
 ) -> (LatticeBox, &'a mut [u32]) {
-    let root = LatticeBox::around(&tree.root_box(), step_exponent);
+    // All widths have the same.
+    let root = tree.root(&LatticeCodec::<10, 4> { step_exponent });
     let old = std::mem::replace(
         to,
         CodedNodes::Printed {
@@ -329,19 +316,20 @@ impl OnLattice<'_> {
 fn encode_nodes<const BITS: u32, const WORDS: usize, T: Send>(
     lattice: &OnLattice,
     part: Part<[u32; WORDS], T, LatticeBox>,
-    link: &(impl Fn(&Connection, [u32; WORDS]) -> [u32; WORDS] + Sync),
+    link: &(impl Fn(&Node, [u32; WORDS]) -> [u32; WORDS] + Sync),
     leaf: &(impl Fn(NodeRef, &LatticeBox, &mut [T]) + Sync),
 ) {
     let tree = lattice.tree;
-    let node = &tree.nodes[part.node as usize];
-    let around = |bounds| LatticeBox::around(&bounds, lattice.step_exponent);
-    let [left, right] = tree.child_boxes(node).map(around);
-    let coded = encode_node::<BITS, WORDS>(&part.bounds, &left, &right);
-    part.nodes[part.node as usize - part.first_node] = link(node, coded.words);
+    let node = tree.node(part.node);
+    let codec = LatticeCodec::<BITS, WORDS> {
+        step_exponent: lattice.step_exponent,
+    };
+    let coded = codec.encode(&part.bounds, &node);
+    part.nodes[part.node as usize - part.first_node] = link(&node, coded.words);
     let per_triangle = part.per_triangle;
     let place_of = |triangle: u32| per_triangle * triangle as usize;
     let parts = part.split(tree, [coded.left, coded.right], place_of);
-    both(node, parts, |part| {
+    both(&node, parts, |part| {
         let child = NodeRef(part.node);
         if child.is_leaf() {
             leaf(child, &part.bounds, part.triangles);
@@ -417,7 +405,7 @@ fn fill_mixed<const BITS: u32, const WORDS: usize>(
             is_wide.store(true, Relaxed);
         }
     };
-    let unlinked = |_: &Connection, words| words;
+    let unlinked = |_: &Node, words| words;
     let part = lattice.part(words, sizes.as_mut_slice(), 1);
     encode_nodes::<BITS, WORDS, u32>(lattice, part, &unlinked, &size);
     *has_wide = is_wide.into_inner();
@@ -438,13 +426,12 @@ fn place_triangles<const BITS: u32, const WORDS: usize>(
     begin_of: &(impl Fn(u32) -> u32 + Sync),
 ) {
     let tree = lattice.tree;
-    let node = &tree.nodes[part.node as usize];
+    let node = Node::from(&tree.nodes[part.node as usize]);
     let words = &mut part.nodes[part.node as usize - part.first_node];
     let boxes = decode_node::<BITS, WORDS>(words, &part.bounds);
-    let links = Links::new(node.left, node.right, begin_of);
-    *words = with_links::<BITS, WORDS>(*words, links);
+    *words = linked_to::<BITS, WORDS>(begin_of)(&node, *words);
     let parts = part.split(tree, boxes, |triangle| begin_of(triangle) as usize);
-    both(node, parts, |part| {
+    both(&node, parts, |part| {
         let child = NodeRef(part.node);
         if !child.is_leaf() {
             place_triangles::<BITS, WORDS>(lattice, part, begin_of);
@@ -465,7 +452,7 @@ fn encode_printed(
     triangles: &mut [PrintedTriangle],
 ) -> PrintedBox {
     nodes.resize(tree.nodes.len(), PrintedNode::default());
-    let root = printed_box(&tree.root_box());
+    let root = tree.root(&CODEC);
     let part = Part {
         node: 0,
         bounds: root,
@@ -479,21 +466,15 @@ fn encode_printed(
     root
 }
 
-fn printed_box(bounds: &Aabb) -> PrintedBox {
-    PrintedBox {
-        min: bounds.min.to_array(),
-        max: bounds.max.to_array(),
-    }
-}
+const CODEC: PrintedCodec = PrintedCodec { zero: 0 };
 
 fn printed(tree: &Tree, part: Part<PrintedNode, PrintedTriangle, PrintedBox>) {
-    let node = &tree.nodes[part.node as usize];
-    let [left, right] = tree.child_boxes(node).map(|bounds| printed_box(&bounds));
-    let children = [(left, node.left), (right, node.right)];
-    let (coded, boxes) = encode_printed_node(&part.bounds, children, 0);
-    part.nodes[part.node as usize - part.first_node] = coded;
+    let node = tree.node(part.node);
+    let coded = CODEC.encode(&part.bounds, &node);
+    part.nodes[part.node as usize - part.first_node] = coded.node;
+    let boxes = [coded.left, coded.right];
     let parts = part.split(tree, boxes, |triangle| triangle as usize);
-    both(node, parts, |part| {
+    both(&node, parts, |part| {
         let child = NodeRef(part.node);
         if !child.is_leaf() {
             printed(tree, part);

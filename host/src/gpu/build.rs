@@ -2,18 +2,21 @@
 
 use super::buffer::{Range, Slot};
 use super::bvh::{self, Built};
+use super::coding::{Coding, MOST_WORDS};
+use super::encode::Encoder;
 use super::facing::{Components, FacingRanges, Subset};
 use super::program::{Groups, Program, Recorder, Uniform, groups, threads};
 use super::scan::Scan;
 use super::sort::{Keys, Sort};
 use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Kernel, Mesh};
-use crate::{BuildConfig, CodeBits, RefitError};
+use crate::{BuildConfig, CodeBits, MeshCodec, RefitError};
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::launch::{BLOCK, LANES, dispatch};
 use slimbvh_core::refit::{PyramidBox, group_count};
 use slimbvh_core::topology::depth_bound;
+use std::sync::atomic::{AtomicU64, Ordering};
 use wgpu::BufferUsages;
 
 /// Programs kept: some meshes in turn, and some targets for each.
@@ -22,10 +25,19 @@ const KEPT_PROGRAMS: usize = 16;
 /// What to do about a mesh that is too large.
 const TOO_LARGE: &str = "take a smaller mesh, or the CPU";
 
+/// The most words of triangles on a lattice: links hold where they begin in so many bits.
+const MOST_PLACES: u64 = 1 << 28;
+
 /// Builds hierarchies on the GPU, and keeps its buffers and programs from one to the next.
+///
+/// In a codec, nodes and triangles are written in full first, into buffers of the builder's, and coded in the same frame. Of a
+/// mesh on a lattice ([`MeshCodec::Lattice`]) the vertices must lie on it, as [`crate::Mesh::snap`] leaves them: any other counts
+/// as the lattice's nearest point.
 #[derive(Debug)]
 pub struct Builder {
     config: BuildConfig,
+    /// The build whose plain nodes the encoder has: none, or a hierarchy's stamp.
+    plain_of: Option<u64>,
     /// The most triangles so far.
     largest: u32,
     scratch: Scratch,
@@ -75,20 +87,28 @@ struct Scratch {
     levels: [Slot; 2],
     node_groups: Slot,
     item_groups: Slot,
+    encoder: Encoder,
 }
 
 impl Builder {
     /// The stages that a build may have.
-    pub const STAGES: [&str; 10] = [
+    pub const STAGES: [&str; 11] = [
         "bounds", "morton", "sort", "decide", "classify", "scan", "compact", "snap", "topology",
-        "refit",
+        "refit", "encode",
     ];
 
-    /// A builder without buffers yet.
+    /// A builder without buffers yet. Codecs that only the CPU has are refused when it builds.
+    ///
+    /// # Panics
+    /// If the codecs of nodes and triangles do not go together ([`crate::check_codecs`]).
     #[must_use]
     pub fn new(config: BuildConfig) -> Self {
+        if let Err(error) = crate::check_codecs(config.nodes, config.mesh) {
+            panic!("{error}");
+        }
         Self {
             config,
+            plain_of: None,
             largest: 0,
             scratch: Scratch::new(),
             programs: Vec::new(),
@@ -99,7 +119,8 @@ impl Builder {
     /// read back, and all later commands of the frame may use the hierarchy.
     ///
     /// # Errors
-    /// Where the mesh is larger than the GPU takes, before anything is allocated; the earlier hierarchy stays as it was.
+    /// For a codec that only the CPU has, and where the mesh is larger than the GPU takes, before anything is allocated; the
+    /// earlier hierarchy stays as it was.
     pub fn build(&mut self, frame: &mut Frame, mesh: &Mesh, bvh: &mut Bvh) -> Result<(), GpuError> {
         self.sort(frame, mesh)?;
         self.build_sorted(frame, mesh, Subset::All, bvh)
@@ -142,20 +163,36 @@ impl Builder {
             }
         };
         self.make_room(count);
+        self.plain_of = None;
         let recorded = gpu.checked(|| {
-            let depth_bound = depth_bound(self.key_bits(), count);
             let is_reduced = target.is_some() && count > 0;
-            let built = bvh.reserve(gpu, count, depth_bound, is_reduced);
+            let built = self.reserve_for(gpu, count, is_reduced, bvh)?;
             let task = match target {
                 None => Task::Build(built),
                 Some((components, ranges)) => Task::BuildFacing(built, components, ranges),
             };
-            self.encode(frame, task, mesh)
+            self.encode(frame, task, mesh)?;
+            bvh.stamp = next_stamp();
+            self.plain_of = Some(bvh.stamp);
+            Ok(())
         });
         recorded.inspect_err(|_| {
             self.forget();
             *bvh = Bvh::new();
         })
+    }
+
+    /// Makes room in a hierarchy, and for what is plain of it.
+    fn reserve_for(
+        &mut self,
+        gpu: &Gpu,
+        triangle_count: u32,
+        is_reduced: bool,
+        bvh: &mut Bvh,
+    ) -> Result<Built, GpuError> {
+        let depth_bound = depth_bound(self.key_bits(), triangle_count);
+        let room = (Coding::of(&self.config)?, &mut self.scratch.encoder);
+        Ok(bvh.reserve(gpu, triangle_count, depth_bound, is_reduced, room))
     }
 
     /// [`Self::build_sorted`], over a subset, of a hierarchy that has its room.
@@ -177,6 +214,7 @@ impl Builder {
                 Task::BuildFacing(built, components.clone(), ranges)
             }
         };
+        self.plain_of = None;
         let recorded = frame.gpu().checked(|| self.encode(frame, task, mesh));
         recorded.inspect_err(|_| self.forget())
     }
@@ -185,19 +223,39 @@ impl Builder {
     ///
     /// # Errors
     /// Those of [`Self::build`].
-    pub(crate) fn reserve(&self, gpu: &Gpu, mesh: &Mesh, bvh: &mut Bvh) -> Result<(), GpuError> {
+    pub(crate) fn reserve(
+        &mut self,
+        gpu: &Gpu,
+        mesh: &Mesh,
+        bvh: &mut Bvh,
+    ) -> Result<(), GpuError> {
         let count = mesh.triangle_count;
         self.check(gpu, count)?;
-        gpu.checked(|| {
-            bvh.reserve(gpu, count, depth_bound(self.key_bits(), count), count > 0);
-            Ok(())
-        })
-        .inspect_err(|_| *bvh = Bvh::new())
+        gpu.checked(|| self.reserve_for(gpu, count, count > 0, bvh).map(|_| ()))
+            .inspect_err(|_| *bvh = Bvh::new())
     }
 
-    /// Refuses a mesh that is larger than the GPU takes, before anything is allocated.
+    /// Refuses a codec that only the CPU has, and a mesh that is larger than the GPU takes, before anything is allocated.
     pub(super) fn check(&self, gpu: &Gpu, triangle_count: u32) -> Result<(), GpuError> {
+        let coding = Coding::of(&self.config)?;
+        let most = MOST_PLACES / MOST_WORDS;
+        if coding.is_some_and(Coding::is_mixed) && u64::from(triangle_count) > most {
+            return Err(GpuError::Unfit {
+                what: "the mesh",
+                fault: format!("has {triangle_count} triangles; on a lattice {most} can be stored"),
+            });
+        }
+        // What is coded is smaller than what is plain.
         gpu.check_sizes(&self.sizes(triangle_count), TOO_LARGE)
+    }
+
+    /// Refuses a mesh on the CPU that this builder would not take there.
+    pub(crate) fn check_mesh(&self, mesh: &crate::Mesh) -> Result<(), GpuError> {
+        mesh.validate()?;
+        if let MeshCodec::Lattice { step_exponent } = self.config.mesh {
+            mesh.check_lattice(step_exponent)?;
+        }
+        Ok(())
     }
 
     /// Lets go of programs over buffers that will be too small, so that old and new ones need not fit at once.
@@ -211,6 +269,7 @@ impl Builder {
     /// Lets go of everything: some of it may not have been made.
     fn forget(&mut self) {
         self.largest = 0;
+        self.plain_of = None;
         self.programs.clear();
         self.scratch = Scratch::new();
     }
@@ -219,7 +278,8 @@ impl Builder {
     /// was built over.
     ///
     /// # Errors
-    /// For a mesh with another number of triangles, and a hierarchy that has not been built, or is reduced.
+    /// For a mesh with another number of triangles, and a hierarchy that has not been built, is reduced, or is in a codec and not
+    /// the one that this builder built last: only of that it has all there is to be moved.
     pub fn refit(&mut self, frame: &mut Frame, mesh: &Mesh, bvh: &mut Bvh) -> Result<(), GpuError> {
         let gpu = frame.gpu();
         let built = bvh.built()?.clone();
@@ -231,6 +291,13 @@ impl Builder {
         }
         if built.is_reduced {
             return Err(GpuError::Refit(RefitError::Reduced));
+        }
+        if built.coded.is_some() && self.plain_of != Some(bvh.stamp) {
+            return Err(GpuError::Unfit {
+                what: "the hierarchy",
+                fault: "is in a codec and was not built last by this builder; build it again"
+                    .into(),
+            });
         }
         self.check(gpu, mesh.triangle_count)?;
         let recorded = gpu.checked(|| self.encode(frame, Task::Refit(built), mesh));
@@ -451,6 +518,7 @@ impl Builder {
             threads(count),
         );
         self.record_boxes(gpu, recorder, bvh, false);
+        self.record_encode(gpu, recorder, bvh);
     }
 
     fn record_refit(&mut self, gpu: &Gpu, recorder: &mut Recorder, mesh: &Mesh, bvh: &Built) {
@@ -465,6 +533,26 @@ impl Builder {
             threads(mesh.triangle_count),
         );
         self.record_boxes(gpu, recorder, bvh, true);
+        self.record_encode(gpu, recorder, bvh);
+    }
+
+    /// Stage `encode`, where a codec is asked for.
+    fn record_encode(&mut self, gpu: &Gpu, recorder: &mut Recorder, bvh: &Built) {
+        let Some(coded) = &bvh.coded else { return };
+        let step_exponent = match self.config.mesh {
+            MeshCodec::Lattice { step_exponent } => step_exponent,
+            MeshCodec::F32 | MeshCodec::Leaf10 => 0,
+        };
+        let node_groups = self.scratch.node_groups.range(gpu, 12);
+        let each_node = || {
+            if bvh.triangle_count == 0 {
+                threads(1)
+            } else {
+                Groups::Indirect(node_groups.clone())
+            }
+        };
+        let encoder = &mut self.scratch.encoder;
+        encoder.record(gpu, recorder, bvh, coded, step_exponent, each_node);
     }
 
     /// A hierarchy over nothing.
@@ -491,6 +579,7 @@ impl Builder {
         recorder.write(&bvh.exponent, &[exponent, 0, 0, 0]);
         let [min, max] = [Aabb::EMPTY.min, Aabb::EMPTY.max].map(|corner| corner.to_array());
         recorder.write(&bvh.bounds, bytemuck::cast_slice(&[min, max]));
+        self.record_encode(gpu, recorder, bvh);
     }
 
     /// What `bounds` found goes to the hierarchy.
@@ -615,6 +704,12 @@ impl Builder {
     }
 }
 
+/// A number that no other build has.
+fn next_stamp() -> u64 {
+    static BUILDS: AtomicU64 = AtomicU64::new(1);
+    BUILDS.fetch_add(1, Ordering::Relaxed)
+}
+
 /// Bytes of all levels.
 fn pyramid_bytes(triangle_count: u32) -> u64 {
     let mut level = group_count(triangle_count).max(1);
@@ -652,6 +747,7 @@ impl Scratch {
             ],
             node_groups: Slot::new("slimbvh node dispatch", state),
             item_groups: Slot::new("slimbvh item dispatch", state),
+            encoder: Encoder::new(),
         }
     }
 
@@ -677,6 +773,6 @@ impl Scratch {
             &self.set,
         ];
         let slots = slots.iter().map(|slot| slot.bytes()).sum::<u64>();
-        slots + self.sort.bytes() + self.scan.bytes()
+        slots + self.sort.bytes() + self.scan.bytes() + self.encoder.bytes()
     }
 }

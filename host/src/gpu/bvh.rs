@@ -1,8 +1,12 @@
 //! A hierarchy in buffers.
 
+mod download;
+
 use super::buffer::{Download, Range, Slot};
+use super::coding::Coding;
+use super::encode::Encoder;
 use super::{Frame, Gpu, GpuError};
-use slimbvh_core::aabb::Aabb;
+use slimbvh_core::encode::RootWords;
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::{LeafTriangle, Node};
 use wgpu::BufferUsages;
@@ -10,15 +14,24 @@ use wgpu::BufferUsages;
 /// Bytes of the root, of the scene's exponent, and of the counts, as kernels want them.
 const STATE_BYTES: u64 = 16;
 
+/// Bytes of a target, and of as many components and sides.
+const NOTHING_BYTES: u64 = 32;
+
 /// A bounding volume hierarchy in the GPU's memory. Filled by a [`super::Builder`], which can fill it again without
 /// allocating.
 ///
 /// How many nodes there are is known on the GPU only, so there is room for as many as there could be: 64 bytes a
-/// triangle. About 24 of these are used.
+/// triangle in full, of which about 24 are used, and 16 to 28 in a codec, of which 6 to 11 are. Triangles on a lattice have room
+/// for 40 bytes each, and use as many as their leaves need.
 #[derive(Debug)]
 pub struct Bvh {
     nodes: Slot,
     triangles: Slot,
+    root: Slot,
+    word_total: Slot,
+    nothing: Slot,
+    /// Which build it is of, where it is in a codec: 0 for none.
+    pub(super) stamp: u64,
     exponent: Slot,
     bounds: Slot,
     total: Slot,
@@ -29,10 +42,12 @@ pub struct Bvh {
 /// The ranges of a hierarchy that was built, and what is known of it here.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Built {
-    /// As many as there could be.
+    /// In full, as many as there could be: the builder's, where the hierarchy is in a codec.
     pub nodes: Range,
-    /// In leaf order.
+    /// In full, in leaf order: the builder's, where the hierarchy has them in a codec.
     pub triangles: Range,
+    /// What is in a codec.
+    pub coded: Option<Coded>,
     /// The scene's exponent.
     pub exponent: Range,
     /// The scene's box.
@@ -48,6 +63,36 @@ pub struct Built {
     pub depth_bound: u32,
 }
 
+/// What is stored in a codec.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coded {
+    pub coding: Coding,
+    pub nodes: Range,
+    /// In the codec, or in full.
+    pub triangles: Range,
+    /// [`RootWords`].
+    pub root: Range,
+    /// How many words the triangles take, first of four numbers, where they are as long as their leaves need.
+    pub word_total: Range,
+    /// Zeros, for kernels that ask for sides or a target where there is none.
+    pub nothing: Range,
+}
+
+impl Built {
+    /// How it is stored, if not in full.
+    pub fn coding(&self) -> Option<Coding> {
+        self.coded.as_ref().map(|coded| coded.coding)
+    }
+
+    /// Nodes and triangles as they are stored.
+    pub fn stored(&self) -> [&Range; 2] {
+        match &self.coded {
+            None => [&self.nodes, &self.triangles],
+            Some(coded) => [&coded.nodes, &coded.triangles],
+        }
+    }
+}
+
 impl Default for Bvh {
     fn default() -> Self {
         let state = BufferUsages::STORAGE
@@ -59,6 +104,10 @@ impl Default for Bvh {
                 "slimbvh leaf triangles",
                 BufferUsages::STORAGE.union(BufferUsages::COPY_DST),
             ),
+            root: Slot::new("slimbvh root", state),
+            word_total: Slot::new("slimbvh triangle word count", state),
+            nothing: Slot::new("slimbvh no sides", state),
+            stamp: 0,
             exponent: Slot::new("slimbvh scene exponent", state),
             bounds: Slot::new("slimbvh scene bounds", state),
             total: Slot::new("slimbvh node count", state),
@@ -75,19 +124,45 @@ impl Bvh {
         Self::default()
     }
 
-    /// Makes room for so many triangles.
+    /// Makes room for so many triangles; for plain ones with the encoder, where they are to be coded.
     pub(super) fn reserve(
         &mut self,
         gpu: &Gpu,
         triangle_count: u32,
         depth_bound: u32,
         is_reduced: bool,
+        (coding, encoder): (Option<Coding>, &mut Encoder),
     ) -> Built {
         self.built = None;
-        let nodes = self.nodes.range(gpu, node_bytes(triangle_count));
+        self.stamp = 0;
+        let (node_bytes, triangle_bytes) =
+            (node_bytes(triangle_count), triangle_bytes(triangle_count));
+        let coded = coding.map(|coding| {
+            let bytes = coding.node_bytes() * most_nodes(triangle_count);
+            let nodes = self.nodes.range(gpu, bytes);
+            let each = coding.most_triangle_bytes();
+            let bytes = each.map(|each| each * u64::from(triangle_count.max(1)));
+            Coded {
+                coding,
+                nodes: nodes.touching_nodes(coding.node_bytes()),
+                triangles: self.triangles.range(gpu, bytes.unwrap_or(triangle_bytes)),
+                root: self.root.range(gpu, size_of::<RootWords>() as u64),
+                word_total: self.word_total.range(gpu, STATE_BYTES),
+                nothing: self.nothing.range(gpu, NOTHING_BYTES),
+            }
+        });
+        let nodes = match coding {
+            Some(_) => encoder.plain_nodes(gpu, node_bytes),
+            None => self.nodes.range(gpu, node_bytes),
+        };
+        let triangles = match coding.and_then(Coding::most_triangle_bytes) {
+            Some(_) => encoder.plain_triangles(gpu, triangle_bytes),
+            None => self.triangles.range(gpu, triangle_bytes),
+        };
         let built = Built {
             nodes: nodes.touching_nodes(size_of::<Node>() as u64),
-            triangles: self.triangles.range(gpu, triangle_bytes(triangle_count)),
+            triangles,
+            coded,
             exponent: self.exponent.range(gpu, STATE_BYTES),
             bounds: self.bounds.range(gpu, 24),
             total: self.total.range(gpu, STATE_BYTES),
@@ -126,6 +201,9 @@ impl Bvh {
         let slots = [
             &self.nodes,
             &self.triangles,
+            &self.root,
+            &self.word_total,
+            &self.nothing,
             &self.exponent,
             &self.bounds,
             &self.total,
@@ -137,9 +215,15 @@ impl Bvh {
     /// The bindings that the functions of [`super::wgsl`] want, 0 to 2: the scene's exponent, the nodes, the triangles.
     ///
     /// # Errors
-    /// If it has not been built yet.
+    /// If it has not been built yet, or is stored in a codec.
     pub fn bindings(&self) -> Result<[wgpu::BindGroupEntry<'_>; 3], GpuError> {
         let built = self.built()?;
+        if built.coded.is_some() {
+            return Err(GpuError::Unfit {
+                what: "the hierarchy",
+                fault: "is stored in a codec; functions for WGSL take one in full".into(),
+            });
+        }
         let mut binding = 0;
         Ok(
             [&built.exponent, &built.nodes, &built.triangles].map(|range| {
@@ -152,75 +236,19 @@ impl Bvh {
             }),
         )
     }
-
-    /// Reads how many inner nodes and triangles there are, and waits for it.
-    ///
-    /// # Errors
-    /// If it has not been built yet, or the device was lost.
-    pub fn read_counts(&self, gpu: &Gpu) -> Result<[u32; 2], GpuError> {
-        let built = self.built()?;
-        let mut frame = gpu.frame();
-        let ranges = [&built.total, &built.count];
-        let downloads = gpu.checked(|| Ok(ranges.map(|range| frame.download(range))))?;
-        frame.submit()?.wait()?;
-        let mut counts = [0; 2];
-        for (count, download) in counts.iter_mut().zip(downloads) {
-            let words: Vec<u32> = download.read(gpu)?;
-            *count = words.first().copied().unwrap_or(0);
-        }
-        Ok(counts)
-    }
-
-    /// Copies the hierarchy from the GPU, and waits for it.
-    ///
-    /// # Errors
-    /// If it has not been built yet, or the device was lost.
-    pub fn download(&self, gpu: &Gpu) -> Result<crate::Bvh, GpuError> {
-        let built = self.built()?;
-        let mut frame: Frame = gpu.frame();
-        let ranges = [
-            &built.total,
-            &built.count,
-            &built.exponent,
-            &built.bounds,
-            &built.nodes,
-            &built.triangles,
-        ];
-        let [total, count, exponent, bounds, nodes, triangles] =
-            gpu.checked(|| Ok(ranges.map(|range| frame.download(range))))?;
-        frame.submit()?.wait()?;
-        let total: Vec<u32> = total.read(gpu)?;
-        let count: Vec<u32> = count.read(gpu)?;
-        let exponent: Vec<i32> = exponent.read(gpu)?;
-        let corners: Vec<[f32; 3]> = bounds.read(gpu)?;
-        let mut nodes: Vec<Node> = nodes.read(gpu)?;
-        let mut triangles: Vec<LeafTriangle> = triangles.read(gpu)?;
-        nodes.truncate(total.first().map_or(0, |&count| count as usize));
-        triangles.truncate(count.first().map_or(0, |&count| count as usize));
-        let mut bvh = crate::Bvh {
-            nodes,
-            mesh_triangle_count: built.triangle_count as usize,
-            triangles,
-            depth_bound: built.depth_bound,
-            ..crate::Bvh::default()
-        };
-        let corner = |i: usize| corners.get(i).copied().unwrap_or_default().into();
-        bvh.set_bounds(Aabb {
-            min: corner(0),
-            max: corner(1),
-        });
-        bvh.scene_exponent = exponent.first().copied().unwrap_or(0);
-        Ok(bvh)
-    }
 }
 
-/// Bytes of as many nodes as there could be over so many triangles: nodes hold more than [`LEAF_SIZE`].
+/// As many nodes as there could be over so many triangles: nodes hold more than [`LEAF_SIZE`].
+fn most_nodes(triangle_count: u32) -> u64 {
+    u64::from(triangle_count.saturating_sub(LEAF_SIZE).max(1))
+}
+
+/// Bytes of as many plain nodes as there could be over so many triangles.
 pub fn node_bytes(triangle_count: u32) -> u64 {
-    let most = triangle_count.saturating_sub(LEAF_SIZE).max(1);
-    u64::from(most) * size_of::<Node>() as u64
+    most_nodes(triangle_count) * size_of::<Node>() as u64
 }
 
-/// Bytes of so many leaf triangles, at least one.
+/// Bytes of so many plain leaf triangles, at least one.
 pub fn triangle_bytes(triangle_count: u32) -> u64 {
     u64::from(triangle_count.max(1)) * size_of::<LeafTriangle>() as u64
 }

@@ -77,6 +77,14 @@ pub enum GpuError {
         /// What the driver says.
         reason: String,
     },
+    /// The GPU has no kernels for nodes of so many bits.
+    #[error(
+        "nodes of {bits} bits are stored on the CPU only; the GPU has f32, printed, q10 and q21"
+    )]
+    Codec {
+        /// How many.
+        bits: u32,
+    },
     /// The mesh is unfit.
     #[error(transparent)]
     Mesh(#[from] MeshError),

@@ -134,6 +134,11 @@ impl Recorder {
         self.dispatch(kernel, uniforms, reads, updates, groups);
     }
 
+    /// Takes note that the next dispatch also reads this range, which it writes.
+    pub fn read(&mut self, range: &Range) {
+        self.access(range, false);
+    }
+
     fn access(&mut self, range: &Range, is_write: bool) {
         if let Some(work) = self.work.last_mut() {
             let traffic = if is_write {

@@ -1,6 +1,9 @@
 //! Rays in a buffer, answers in a buffer.
 
+mod paths;
+
 use super::buffer::{ALIGNMENT, Range};
+use super::coding::{Traces, traces};
 use super::mesh::check_parts;
 use super::program::{Recorder, Uniform, threads};
 use super::{Bvh, Frame, GpuError, Kernel};
@@ -32,12 +35,12 @@ impl Query {
         }
     }
 
-    const fn kernel(self) -> Kernel {
+    const fn kernel(self, traces: &Traces) -> Kernel {
         match self {
-            Self::Closest => Kernel::trace_closest,
-            Self::Any => Kernel::trace_any,
-            Self::Nearest => Kernel::trace_nearest,
-            Self::Counted => Kernel::trace_counted,
+            Self::Closest => traces.closest,
+            Self::Any => traces.any,
+            Self::Nearest => traces.nearest,
+            Self::Counted => traces.counted,
         }
     }
 }
@@ -80,15 +83,24 @@ impl Bvh {
         gpu.checked(|| {
             let mut recorder = Recorder::default();
             recorder.stage("trace");
+            let kernel = query.kernel(&traces(built.coding()));
+            let [nodes, triangles] = built.stored();
+            let mut uniforms = vec![Uniform::Stored(&built.exponent)];
+            uniforms.extend(
+                built
+                    .coded
+                    .as_ref()
+                    .map(|coded| Uniform::Stored(&coded.root)),
+            );
             let mut first = 0;
             while first < ray_count {
                 let count = most.min(ray_count - first);
                 recorder.dispatch(
-                    query.kernel(),
-                    &[Uniform::Stored(&built.exponent)],
+                    kernel,
+                    &uniforms,
                     &[
-                        &built.nodes,
-                        &built.triangles,
+                        nodes,
+                        triangles,
                         &rays.part(first * RAY_BYTES, count * RAY_BYTES),
                     ],
                     &[&answers.part(first * answer_bytes, count * answer_bytes)],

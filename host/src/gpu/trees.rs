@@ -92,7 +92,7 @@ impl<'a> Trees<'a> {
 
     pub(super) fn ranges(&self) -> Result<TreesRanges, GpuError> {
         let lights = self.lights.iter().map(Tree::ranges);
-        let mirrors = self.mirrors.map(|bvh| bvh.built().cloned());
+        let mirrors = self.mirrors.map(|bvh| Tree::all(bvh).ranges());
         Ok(TreesRanges {
             primary: self.primary.ranges()?,
             lights: lights.collect::<Result<_, _>>()?,
@@ -132,13 +132,13 @@ impl TurnRange {
 pub struct TreesRanges {
     pub primary: TreeRanges,
     pub lights: Vec<TreeRanges>,
-    pub mirrors: Option<Built>,
+    pub mirrors: Option<TreeRanges>,
 }
 
 impl TreesRanges {
     /// All hierarchies.
     pub fn all(&self) -> impl Iterator<Item = &Built> {
-        let lights = self.lights.iter().map(|tree| &tree.built);
-        lights.chain(&self.mirrors).chain([&self.primary.built])
+        let trees = self.lights.iter().chain(&self.mirrors);
+        trees.chain([&self.primary]).map(|tree| &tree.built)
     }
 }

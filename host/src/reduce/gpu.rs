@@ -307,6 +307,7 @@ impl ImageRenderer {
         let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
         let bounds = scene.mesh.bounds().unwrap_or(slimbvh_core::Aabb::EMPTY);
         camera.check_reach(scene_exponent(&bounds))?;
+        builder.check_mesh(&scene.mesh)?;
         let uploaded = Scene::upload(gpu, scene)?;
         hierarchies.upload(gpu, plan)?;
 

@@ -12,7 +12,14 @@ use slimbvh_core::decide::{
     Choice, Component, Measure, SetCounts, Span, Surfaces, Unit, count_step, join_step,
     lane_counts, lane_joined, lane_measure, lane_total,
 };
-use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::encode::{
+    EncodedNode, EncodedPrinted, FINEST_STEP, LatticeCodec, LatticeNodes, LatticeTriangles,
+    LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode, PrintedNodes, PrintedTriangle,
+    PrintedTriangles, RootWords, decode_node, decode_printed_node, encode_printed_triangle,
+    encode_triangle, links_of, node_bounds, scaled_step, with_links,
+};
+use slimbvh_core::float::{PowerOfTwo, power_of_two};
+use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::launch::carries;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
 use slimbvh_core::orientation::{Orientation, Target};
@@ -130,6 +137,131 @@ pub fn refit(
             triangles,
             pyramid,
         ),
+    );
+}
+
+/// One thread's part of stage `encode` on a lattice.
+#[inline(always)]
+fn encode_on_lattice<const BITS: u32, const WORDS: usize>(
+    i: u32,
+    nodes: &[Node],
+    node: &Node,
+    to: Out<(EncodedNode<WORDS>, [u32; WORDS], [LatticeBox; 2], RootWords)>,
+) -> u32 {
+    let codec = LatticeCodec::<BITS, WORDS> {
+        step_exponent: scaled_step(FINEST_STEP, i as i32),
+    };
+    let bounds = node_bounds(i, nodes, &codec);
+    let encoded = codec.encode(&bounds, node);
+    let triangle = Links::first_triangle(node.left, node.right);
+    let links = Links::new(node.left, node.right, triangle);
+    let words = with_links::<BITS, WORDS>(encoded.words, links);
+    let root = RootWords::of_lattice(&bounds, codec.step_exponent);
+    *to = (
+        encoded,
+        words,
+        decode_node::<BITS, WORDS>(&words, &bounds),
+        root,
+    );
+    let width = LeafWidth::of(&encoded.left).words();
+    let [left, right] = links_of::<BITS, WORDS>(&words).children(width);
+    left.0 ^ right.0 ^ width
+}
+
+#[unsafe(no_mangle)]
+pub fn encode_lattice_10(
+    i: u32,
+    nodes: &[Node],
+    node: &Node,
+    to: Out<(EncodedNode<4>, [u32; 4], [LatticeBox; 2], RootWords)>,
+) -> u32 {
+    encode_on_lattice::<10, 4>(i, nodes, node, to)
+}
+
+#[unsafe(no_mangle)]
+pub fn encode_lattice_21(
+    i: u32,
+    nodes: &[Node],
+    node: &Node,
+    to: Out<(EncodedNode<7>, [u32; 7], [LatticeBox; 2], RootWords)>,
+) -> u32 {
+    encode_on_lattice::<21, 7>(i, nodes, node, to)
+}
+
+#[unsafe(no_mangle)]
+pub fn encode_leaf(
+    triangle: &LeafTriangle,
+    bounds: &(LatticeBox, PrintedBox),
+    zero: u32,
+    to: Out<([u32; 10], PrintedTriangle)>,
+) {
+    *to = (
+        encode_triangle(triangle, &bounds.0, power_of_two(FINEST_STEP)),
+        encode_printed_triangle(triangle, &bounds.1, zero),
+    );
+}
+
+#[unsafe(no_mangle)]
+pub fn encode_printed(
+    i: u32,
+    nodes: &[Node],
+    node: &Node,
+    zero: u32,
+    to: Out<(EncodedPrinted, [PrintedBox; 2], RootWords)>,
+) {
+    let codec = PrintedCodec { zero };
+    let bounds = node_bounds(i, nodes, &codec);
+    let encoded = codec.encode(&bounds, node);
+    let boxes = decode_printed_node(&encoded.node, &bounds, zero);
+    *to = (encoded, boxes, RootWords::of_printed(&bounds));
+}
+
+#[unsafe(no_mangle)]
+pub fn trace_lattice(
+    ray: &Ray,
+    narrow: &[[u32; 4]],
+    wide: &[[u32; 7]],
+    words: &[u32],
+    (triangles, root): (&[LeafTriangle], &RootWords),
+    to: Out<(Hit, Hit, [Hit; 8])>,
+) {
+    let step = 0.5;
+    let mixed = LatticeNodes::<10, 4, true> {
+        nodes: narrow,
+        root: root.lattice(),
+        step,
+    };
+    let full = LatticeNodes::<21, 7, false> {
+        nodes: wide,
+        root: root.lattice(),
+        step,
+    };
+    let (words, triangles) = (LatticeTriangles { words, step }, LeafTriangles(triangles));
+    *to = (
+        closest_hit(&mixed, &words, ray, 3, &Except(4)),
+        closest_hit(&full, &triangles, ray, 3, &Except(4)),
+        nearest_hits::<8, _, _>(&mixed, &words, ray, 3),
+    );
+}
+
+#[unsafe(no_mangle)]
+pub fn trace_printed(
+    ray: &Ray,
+    nodes: &[PrintedNode],
+    triangles: &[PrintedTriangle],
+    root: &RootWords,
+    to: Out<(Hit, bool)>,
+) {
+    let zero = root.zero();
+    let nodes = PrintedNodes {
+        nodes,
+        root: root.printed(),
+        zero,
+    };
+    let triangles = PrintedTriangles { triangles, zero };
+    *to = (
+        closest_hit(&nodes, &triangles, ray, root.step_exponent(), &Except(4)),
+        any_hit(&nodes, &triangles, ray, 3, &Except(4)),
     );
 }
 

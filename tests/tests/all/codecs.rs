@@ -2,6 +2,9 @@
 
 use proptest::prelude::*;
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, MeshCodec, NodeCodec};
+use slimbvh_core::encode::{
+    BoxCodec, FINEST_STEP, LatticeCodec, Links, PrintedCodec, RootWords, node_bounds, with_links,
+};
 use slimbvh_core::{Aabb, Node, NodeRef};
 use slimbvh_tests::oracle::brute::{Answers, Parts};
 use slimbvh_tests::rays::some_rays;
@@ -71,8 +74,57 @@ fn stray(bvh: &Bvh) -> Option<usize> {
     })
 }
 
+/// The bytes of all nodes, each found and coded by itself.
+fn alone<C: BoxCodec>(
+    plain: &[Node],
+    codec: &C,
+    bytes_of: impl Fn(&C::Bounds, &Node) -> Vec<u8>,
+) -> Vec<u8> {
+    let node = |(i, node)| bytes_of(&node_bounds(i, plain, codec), node);
+    (0..).zip(plain).flat_map(node).collect()
+}
+
+/// [`alone`], and the root, on the finest lattice.
+fn alone_on_lattice<const BITS: u32, const WORDS: usize>(plain: &[Node]) -> (Vec<u8>, RootWords) {
+    let step_exponent = FINEST_STEP;
+    let codec = LatticeCodec::<BITS, WORDS> { step_exponent };
+    let nodes = alone(plain, &codec, |bounds, node| {
+        let triangle = Links::first_triangle(node.left, node.right);
+        let links = Links::new(node.left, node.right, triangle);
+        let words = with_links::<BITS, WORDS>(codec.encode(bounds, node).words, links);
+        bytemuck::cast_slice(&words).to_vec()
+    });
+    let root = node_bounds(0, plain, &codec);
+    (nodes, RootWords::of_lattice(&root, step_exponent))
+}
+
 proptest! {
     #![proptest_config(cases(100))]
+
+    /// What one thread a node finds from the root down is what comes out top-down, all at once.
+    #[test]
+    fn nodes_that_are_coded_alone_are_those_that_are_coded_together(mesh in any_mesh()) {
+        for code_bits in CODE_BITS {
+            let plain = build(&mesh, code_bits);
+            let nodes = plain.nodes();
+            let codec = PrintedCodec { zero: 0 };
+            let printed = alone(nodes, &codec, |bounds, node| {
+                bytemuck::bytes_of(&codec.encode(bounds, node).node).to_vec()
+            });
+            let root = RootWords::of_printed(&node_bounds(0, nodes, &codec));
+            for (nodes, alone) in [
+                (NodeCodec::Printed, (printed, root)),
+                (NodeCodec::Lattice(LatticeBits::Q4), alone_on_lattice::<4, 3>(nodes)),
+                (NodeCodec::Lattice(LatticeBits::Q10), alone_on_lattice::<10, 4>(nodes)),
+                (NodeCodec::Lattice(LatticeBits::Q21), alone_on_lattice::<21, 7>(nodes)),
+            ] {
+                let config = BuildConfig { code_bits, ..config(nodes, MeshCodec::F32) };
+                let together = build_as(&mesh, config);
+                prop_assert!(alone.0 == together.stored()[0], "{:?}", nodes);
+                prop_assert_eq!(Some(alone.1), together.root_words());
+            }
+        }
+    }
 
     #[test]
     fn coded_nodes_answer_as_plain_ones_do(mesh in any_mesh(), recipes in some_rays(24)) {

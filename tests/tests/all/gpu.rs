@@ -3,6 +3,7 @@
 mod buffers;
 mod builds;
 mod chain;
+mod codecs;
 mod contract;
 mod decisions;
 mod generated;

@@ -106,10 +106,12 @@ const STAGES: &[Stage] = &[
             "encode/lattice_node",
             "encode/lattice_leaf",
             "encode/printed",
+            "encode/root",
+            "encode/walk",
         ],
-        shaders: &[],
+        shaders: &["encode"],
         cpu: &["encode", "decode"],
-        gpu: &[],
+        gpu: &["encode", "coding"],
     },
     Stage {
         name: "camera",
@@ -130,9 +132,9 @@ const STAGES: &[Stage] = &[
             "slab",
             "watertight",
         ],
-        shaders: &["trace"],
+        shaders: &["trace", "trace/store", "trace/coded"],
         cpu: &["render"],
-        gpu: &["trace", "render/wave"],
+        gpu: &["trace", "trace/paths", "render/wave"],
     },
     Stage {
         name: "shade",
@@ -171,15 +173,20 @@ fn code(folder: &str, files: &[&str]) -> Vec<String> {
     lines
 }
 
-/// The entry points of some files, in order.
+/// The entry points of some files, in order. Where a macro makes them, they are named in its call: `pub fn name;`.
 fn entry_points(files: &[&str]) -> Vec<String> {
     let lines = code("gpu-shaders/src", files);
-    let pairs = lines
-        .windows(2)
-        .filter(|pair| pair[0].starts_with("#[spirv(compute"));
-    let names = pairs.filter_map(|pair| pair[1].strip_prefix("pub fn "));
+    let pairs = lines.windows(2);
+    let names = pairs.filter_map(|pair| {
+        let name = pair[1].strip_prefix("pub fn ")?;
+        if pair[0].starts_with("#[spirv(compute") {
+            name.split('(').next()
+        } else {
+            name.strip_suffix(';')
+        }
+    });
     names
-        .filter_map(|name| name.split('(').next())
+        .filter(|name| !name.starts_with('$'))
         .map(String::from)
         .collect()
 }

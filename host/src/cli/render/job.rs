@@ -117,7 +117,9 @@ impl Job<'_> {
                 .map(|count| count[which] as usize)
                 .sum::<usize>()
         };
-        let (node_count, triangle_count) = (sum(0), sum(1));
+        let bytes = hierarchies.all(plan).map(|bvh| bvh.read_bytes(gpu));
+        let bytes = bytes.collect::<Result<Vec<_>, _>>()?;
+        let sum_of_bytes = |which: usize| bytes.iter().map(|b| b[which] as usize).sum();
         let set_counts = &counts[usize::from(plan.needs_whole)..];
         let sets = hierarchies.sets(plan).zip(set_counts);
         let in_turn = renderer.built_in_turn.iter();
@@ -127,9 +129,9 @@ impl Job<'_> {
             adapter: Some(gpu.name().into()),
             build,
             report,
-            node_count,
-            node_bytes: node_count * size_of::<Node>(),
-            triangle_bytes: triangle_count * size_of::<LeafTriangle>(),
+            node_count: sum(0),
+            node_bytes: sum_of_bytes(0),
+            triangle_bytes: sum_of_bytes(1),
             scratch_bytes: scratch as usize,
             sets: sets
                 .map(|((aim, _), [_, count])| (aim.name(), *count as usize))

@@ -73,7 +73,7 @@ impl Parts<'_> {
     ) -> Result<(Stages, RenderReport), GpuError> {
         let begin = Instant::now();
         let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
-        scene.mesh.validate()?;
+        self.builder.check_mesh(&scene.mesh)?;
         let bounds = scene.mesh.bounds().unwrap_or(Aabb::EMPTY);
         camera.check_reach(scene_exponent(&bounds))?;
         camera.to_core(settings.size, settings.sample_count)?;

@@ -58,7 +58,6 @@ impl Plan<'_> {
         let hits = &all.hits.part(0, samples * size_of::<Hit>() as u64);
         let camera = &all.view.part(0, size_of::<Camera>() as u64);
         let tree = &self.trees.primary;
-        let (nodes, triangles) = (&tree.built.nodes, &tree.built.triangles);
         let primary = &all.counters.part(counters::PRIMARY, counters::SLOT_BYTES);
         let exponent = Uniform::Stored(&self.trees.primary.built.exponent);
         let each = || threads(wave.sample_count);
@@ -75,29 +74,10 @@ impl Plan<'_> {
         recorder.stage("trace primary");
         let values = |first: u32| all.values.part(4 * u64::from(first), 4 * samples);
         if self.settings.view == View::Heatmap {
-            recorder.dispatch(
-                Kernel::trace_paths_counted,
-                &[],
-                &[nodes, triangles, paths],
-                &[hits, &values(wave.first_sample), primary],
-                each(),
-            );
-        } else if let Some((components, facing)) = &tree.rule {
-            recorder.dispatch(
-                Kernel::trace_paths_facing,
-                &[exponent, facing.target()],
-                &[nodes, triangles, &components.0, &facing.sides, paths],
-                &[hits, primary],
-                each(),
-            );
+            let to = [hits, &values(wave.first_sample), primary];
+            tree.record_paths_counted(recorder, paths, to, each());
         } else {
-            recorder.dispatch(
-                Kernel::trace_paths,
-                &[],
-                &[nodes, triangles, paths],
-                &[hits, primary],
-                each(),
-            );
+            tree.record_paths(recorder, exponent, paths, [hits, primary], each());
         }
 
         let mesh = &self.scene.mesh;
@@ -182,24 +162,8 @@ impl Plan<'_> {
                 }
                 recorder.stage("trace shadow");
                 let tree = &self.trees.lights[i as usize];
-                let (nodes, triangles) = (&tree.built.nodes, &tree.built.triangles);
-                if let Some((components, facing)) = &tree.rule {
-                    recorder.update(
-                        Kernel::trace_shadows_facing,
-                        &[exponent, facing.target()],
-                        &[nodes, triangles, &components.0, &facing.sides, shadows],
-                        &[paths, shadow_rays],
-                        each(),
-                    );
-                } else {
-                    recorder.update(
-                        Kernel::trace_shadows,
-                        &[],
-                        &[nodes, triangles, shadows],
-                        &[paths, shadow_rays],
-                        each(),
-                    );
-                }
+                let to = [paths, shadow_rays];
+                tree.record_shadows(recorder, exponent, shadows, to, each());
             }
             recorder.stage("shade");
             recorder.update(
@@ -217,20 +181,11 @@ impl Plan<'_> {
                 &[paths],
                 each(),
             );
-            if let Some(bvh) = self
-                .trees
-                .mirrors
-                .as_ref()
-                .filter(|_| depth < self.mirror_depth)
-            {
+            let mirrors = self.trees.mirrors.as_ref();
+            if let Some(tree) = mirrors.filter(|_| depth < self.mirror_depth) {
                 recorder.stage("trace mirror");
-                recorder.dispatch(
-                    Kernel::trace_paths,
-                    &[],
-                    &[&bvh.nodes, &bvh.triangles, paths],
-                    &[hits, mirror_rays],
-                    each(),
-                );
+                let to = [hits, mirror_rays];
+                tree.record_paths(recorder, exponent, paths, to, each());
             }
         }
     }

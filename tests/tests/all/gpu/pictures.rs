@@ -4,10 +4,10 @@ use glam::Vec3;
 use slimbvh::generate::{append, cuboid, default_scene, icosphere, soup, terrain};
 use slimbvh::gpu::{self, Gpu};
 use slimbvh::{
-    AreaShape, BuildConfig, Camera, CodeBits, Light, Material, Picture, Projection, RenderReport,
+    AreaShape, BuildConfig, Camera, Light, Material, Picture, Projection, RenderReport,
     RenderSettings, Scene, View,
 };
-use slimbvh_tests::build;
+use slimbvh_tests::build_as;
 use slimbvh_tests::gpu::{done, gpu};
 use slimbvh_tests::parity::alike;
 use slimbvh_tests::scenes::real_meshes;
@@ -35,15 +35,32 @@ pub fn settings(view: View) -> RenderSettings {
 
 /// By the GPU, with what it counted.
 pub fn of_gpu(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> (Picture, RenderReport) {
+    of_gpu_as(gpu, scene, settings, BuildConfig::default())
+}
+
+fn of_gpu_as(
+    gpu: &Gpu,
+    scene: &Scene,
+    settings: &RenderSettings,
+    config: BuildConfig,
+) -> (Picture, RenderReport) {
     let mut picture = Picture::default();
-    let mut renderer = gpu::ImageRenderer::new(BuildConfig::default());
+    let mut renderer = gpu::ImageRenderer::new(config);
     let rendered = renderer.render(gpu, scene, settings, &mut picture, |_| {});
     (picture, done(rendered).1)
 }
 
 /// By the CPU.
 pub fn of_cpu(scene: &Scene, settings: &RenderSettings) -> (Picture, RenderReport) {
-    let bvh = build(&scene.mesh, CodeBits::Bits30);
+    of_cpu_as(scene, settings, BuildConfig::default())
+}
+
+fn of_cpu_as(
+    scene: &Scene,
+    settings: &RenderSettings,
+    config: BuildConfig,
+) -> (Picture, RenderReport) {
+    let bvh = build_as(&scene.mesh, config);
     let mut picture = Picture::default();
     let mut renderer = slimbvh::Renderer::new();
     let report = renderer.render(scene, &bvh, settings, &mut picture, |_| {});
@@ -61,7 +78,19 @@ fn counts(report: &RenderReport) -> [u64; 5] {
 }
 
 fn check(gpu: &Gpu, what: &str, scene: &Scene, settings: &RenderSettings) {
-    let ((a, a_report), (b, b_report)) = (of_gpu(gpu, scene, settings), of_cpu(scene, settings));
+    check_as(gpu, what, scene, settings, BuildConfig::default());
+}
+
+/// Compares both pictures, and the counts of rays.
+pub fn check_as(
+    gpu: &Gpu,
+    what: &str,
+    scene: &Scene,
+    settings: &RenderSettings,
+    config: BuildConfig,
+) {
+    let (a, a_report) = of_gpu_as(gpu, scene, settings, config);
+    let (b, b_report) = of_cpu_as(scene, settings, config);
     let result = alike(&a, &b, SHARE, MOST);
     assert!(result.is_ok(), "{what}, {:?}: {result:?}", settings.view);
     let (a, b) = (counts(&a_report), counts(&b_report));

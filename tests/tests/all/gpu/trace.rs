@@ -4,10 +4,9 @@ use proptest::prelude::*;
 use slimbvh::generate::soup;
 use slimbvh::gpu::{self, Gpu, GpuError, Query, wgpu};
 use slimbvh::{BuildConfig, Bvh, CodeBits, Mesh};
-use slimbvh_core::classify::Except;
 use slimbvh_core::launch::NEAREST_COUNT;
-use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::trace::{ClosestHit, Counted, traverse};
+use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
+use slimbvh_core::trace::{ClosestHit, Counted};
 use slimbvh_core::{Hit, Ray};
 use slimbvh_tests::gpu::{contents, done, gpu, is_software, storage};
 use slimbvh_tests::parity::{GRAZING, close_hits, same_bits};
@@ -27,11 +26,11 @@ pub struct Answers {
 
 impl Answers {
     /// Builds and traces in one frame.
-    pub fn of_gpu(gpu: &Gpu, mesh: &Mesh, code_bits: CodeBits, rays: &[Ray]) -> Self {
+    pub fn of_gpu(gpu: &Gpu, mesh: &Mesh, config: impl Into<BuildConfig>, rays: &[Ray]) -> Self {
         let mesh = done(gpu::Mesh::upload(gpu, mesh));
         let mut bvh = gpu::Bvh::new();
         let mut frame = gpu.frame();
-        let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
+        let mut builder = gpu::Builder::new(config.into());
         done(builder.build(&mut frame, &mesh, &mut bvh));
         let ray_buffer = storage(gpu, rays);
         let queries = [Query::Closest, Query::Any, Query::Nearest, Query::Counted];
@@ -54,8 +53,7 @@ impl Answers {
         let counted = |ray: &Ray| {
             let ray = PreparedRay::new(ray, bvh.scene_exponent());
             let mut counted = Counted::new(ClosestHit::new(ray.t_max));
-            let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
-            traverse(&nodes, &triangles, &ray, &Except::NOTHING, &mut counted);
+            bvh.collect(&ray, NO_PRIMITIVE, &mut counted);
             [counted.node_count, counted.triangle_count]
         };
         Self {

@@ -1,0 +1,308 @@
+//! Stage `encode`: plain nodes and triangles in codecs. Each thread finds its node's box by itself, from the root down.
+
+use crate::thread_index;
+use glam::{UVec3, UVec4};
+use slimbvh_core::encode::{
+    FINEST_STEP, LatticeCodec, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode,
+    PrintedTriangle, RootWords, decode_node, encode_printed_triangle, encode_triangle, node_bounds,
+    scaled_step, with_links,
+};
+use slimbvh_core::float::power_of_two;
+use slimbvh_core::lattice::LatticeBox;
+use slimbvh_core::{LeafTriangle, Node, NodeRef};
+use spirv_std::spirv;
+
+/// One thread per node. Reads the number of nodes, a zero and the plain nodes. Stores the node in the printed codec, with links
+/// to triangles that are stored in full, and the root's box.
+#[spirv(compute(threads(64)))]
+pub fn encode_printed_f32(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] zero: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] nodes: &mut [PrintedNode],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] root: &mut [RootWords],
+) {
+    let node = thread_index(id);
+    let i = node as usize;
+    if node < total.x && i < plain.len() && i < nodes.len() {
+        let codec = PrintedCodec { zero: zero.x };
+        let bounds = node_bounds(node, plain, &codec);
+        nodes[i] = codec.encode(&bounds, &plain[i]).node;
+        store_root(node, RootWords::of_printed(&bounds), root);
+    }
+}
+
+/// As [`encode_printed_f32`]. Reads the triangles, too. Stores those of the leaves below the node in its boxes.
+#[spirv(compute(threads(64)))]
+pub fn encode_printed_leaf10(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] zero: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [PrintedNode],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] records: &mut [PrintedTriangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] root: &mut [RootWords],
+) {
+    let node = thread_index(id);
+    let i = node as usize;
+    if node < total.x && i < plain.len() && i < nodes.len() {
+        let codec = PrintedCodec { zero: zero.x };
+        let bounds = node_bounds(node, plain, &codec);
+        let coded = codec.encode(&bounds, &plain[i]);
+        nodes[i] = coded.node;
+        store_printed(plain[i].left, &coded.left, zero.x, triangles, records);
+        store_printed(plain[i].right, &coded.right, zero.x, triangles, records);
+        store_root(node, RootWords::of_printed(&bounds), root);
+    }
+}
+
+/// One thread per node. Reads the number of nodes and the plain nodes. Stores the node in 10 bits on the finest lattice, with
+/// links to triangles that are stored in full, and the root's box.
+#[spirv(compute(threads(64)))]
+pub fn encode_q10_f32(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &mut [[u32; 4]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] root: &mut [RootWords],
+) {
+    store_lattice_node::<10, 4>(thread_index(id), total, plain, nodes, root);
+}
+
+/// As [`encode_q10_f32`], in 21 bits.
+#[spirv(compute(threads(64)))]
+pub fn encode_q21_f32(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &mut [[u32; 7]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] root: &mut [RootWords],
+) {
+    store_lattice_node::<21, 7>(thread_index(id), total, plain, nodes, root);
+}
+
+/// One thread per node. Reads the number of nodes, the scene's exponent, that of the mesh's lattice in the caller's unit, and
+/// the plain nodes. Stores the node in 10 bits on that lattice, yet without links, its box, the words that each triangle of the
+/// leaves below it takes, and the root's box.
+#[spirv(compute(threads(64)))]
+pub fn encode_q10_sizes(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] exponent: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 2)] step: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [[u32; 4]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] boxes: &mut [LatticeBox],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] sizes: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] root: &mut [RootWords],
+) {
+    let step = scaled_step(step.x as i32, exponent.x as i32);
+    let outputs = (boxes, sizes, root);
+    store_sizes::<10, 4>(thread_index(id), total, step, plain, nodes, outputs);
+}
+
+/// As [`encode_q10_sizes`], in 21 bits.
+#[spirv(compute(threads(64)))]
+pub fn encode_q21_sizes(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] exponent: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 2)] step: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [[u32; 7]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] boxes: &mut [LatticeBox],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] sizes: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] root: &mut [RootWords],
+) {
+    let step = scaled_step(step.x as i32, exponent.x as i32);
+    let outputs = (boxes, sizes, root);
+    store_sizes::<21, 7>(thread_index(id), total, step, plain, nodes, outputs);
+}
+
+/// One thread per node. Reads the number of nodes, the root, the plain nodes, the triangles, the nodes' boxes, where each
+/// triangle's words begin, and the node without links. Stores it with links, and the triangles of the leaves below it.
+#[spirv(compute(threads(64)))]
+pub fn encode_q10_lattice(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] root: &[UVec4; 2],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] boxes: &[LatticeBox],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] begins: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] nodes: &mut [[u32; 4]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] words: &mut [u32],
+) {
+    let step = root_words(root).step_exponent();
+    let inputs = (plain, triangles, boxes, begins);
+    store_linked::<10, 4>(thread_index(id), total, step, inputs, nodes, words);
+}
+
+/// As [`encode_q10_lattice`], in 21 bits.
+#[spirv(compute(threads(64)))]
+pub fn encode_q21_lattice(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] root: &[UVec4; 2],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] boxes: &[LatticeBox],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] begins: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] nodes: &mut [[u32; 7]],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] words: &mut [u32],
+) {
+    let step = root_words(root).step_exponent();
+    let inputs = (plain, triangles, boxes, begins);
+    store_linked::<21, 7>(thread_index(id), total, step, inputs, nodes, words);
+}
+
+/// What is known of a coded tree beforehand, from a uniform.
+#[inline(always)]
+pub(crate) fn root_words(root: &[UVec4; 2]) -> RootWords {
+    RootWords {
+        low: root[0].to_array(),
+        high: root[1].to_array(),
+    }
+}
+
+#[inline(always)]
+fn store_root(node: u32, words: RootWords, root: &mut [RootWords]) {
+    if node == 0 && !root.is_empty() {
+        root[0] = words;
+    }
+}
+
+#[inline(always)]
+fn store_printed(
+    child: NodeRef,
+    bounds: &PrintedBox,
+    zero: u32,
+    triangles: &[LeafTriangle],
+    records: &mut [PrintedTriangle],
+) {
+    if child.is_leaf() {
+        for number in 0..child.count() {
+            let i = (child.first() + number) as usize;
+            if i < triangles.len() && i < records.len() {
+                records[i] = encode_printed_triangle(&triangles[i], bounds, zero);
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn store_lattice_node<const BITS: u32, const WORDS: usize>(
+    node: u32,
+    total: &UVec4,
+    plain: &[Node],
+    nodes: &mut [[u32; WORDS]],
+    root: &mut [RootWords],
+) {
+    let i = node as usize;
+    if node < total.x && i < plain.len() && i < nodes.len() {
+        let codec = LatticeCodec::<BITS, WORDS> {
+            step_exponent: FINEST_STEP,
+        };
+        let bounds = node_bounds(node, plain, &codec);
+        let coded = codec.encode(&bounds, &plain[i]);
+        let triangle = Links::first_triangle(plain[i].left, plain[i].right);
+        let links = Links::new(plain[i].left, plain[i].right, triangle);
+        nodes[i] = with_links::<BITS, WORDS>(coded.words, links);
+        store_root(node, RootWords::of_lattice(&bounds, FINEST_STEP), root);
+    }
+}
+
+#[inline(always)]
+fn store_sizes<const BITS: u32, const WORDS: usize>(
+    node: u32,
+    total: &UVec4,
+    step_exponent: i32,
+    plain: &[Node],
+    nodes: &mut [[u32; WORDS]],
+    (boxes, sizes, root): (&mut [LatticeBox], &mut [u32], &mut [RootWords]),
+) {
+    let i = node as usize;
+    if node < total.x && i < plain.len() && i < nodes.len() && i < boxes.len() {
+        let codec = LatticeCodec::<BITS, WORDS> { step_exponent };
+        let bounds = node_bounds(node, plain, &codec);
+        let coded = codec.encode(&bounds, &plain[i]);
+        nodes[i] = coded.words;
+        boxes[i] = bounds;
+        store_size(plain[i].left, &coded.left, sizes);
+        store_size(plain[i].right, &coded.right, sizes);
+        store_root(node, RootWords::of_lattice(&bounds, step_exponent), root);
+    }
+}
+
+#[inline(always)]
+fn store_size(child: NodeRef, bounds: &LatticeBox, sizes: &mut [u32]) {
+    if child.is_leaf() {
+        let size = LeafWidth::of(bounds).words();
+        for number in 0..child.count() {
+            let i = (child.first() + number) as usize;
+            if i < sizes.len() {
+                sizes[i] = size;
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn store_linked<const BITS: u32, const WORDS: usize>(
+    node: u32,
+    total: &UVec4,
+    step_exponent: i32,
+    (plain, triangles, boxes, begins): (&[Node], &[LeafTriangle], &[LatticeBox], &[u32]),
+    nodes: &mut [[u32; WORDS]],
+    words: &mut [u32],
+) {
+    let i = node as usize;
+    if node < total.x && i < plain.len() && i < boxes.len() && i < nodes.len() {
+        let [left, right] = decode_node::<BITS, WORDS>(&nodes[i], &boxes[i]);
+        nodes[i] = with_links::<BITS, WORDS>(nodes[i], links(&plain[i], begins));
+        let children = [(plain[i].left, left), (plain[i].right, right)];
+        for number in 0..2usize {
+            let (child, bounds) = children[number];
+            store_triangles(child, &bounds, step_exponent, (triangles, begins), words);
+        }
+    }
+}
+
+/// Links to where triangles' words begin.
+#[inline(always)]
+fn links(plain: &Node, begins: &[u32]) -> Links {
+    let triangle = Links::first_triangle(plain.left, plain.right) as usize;
+    let place = if triangle < begins.len() {
+        begins[triangle]
+    } else {
+        0
+    };
+    Links::new(plain.left, plain.right, place)
+}
+
+#[inline(always)]
+fn store_triangles(
+    child: NodeRef,
+    bounds: &LatticeBox,
+    step_exponent: i32,
+    (triangles, begins): (&[LeafTriangle], &[u32]),
+    words: &mut [u32],
+) {
+    if child.is_leaf() {
+        let size = LeafWidth::of(bounds).words();
+        for number in 0..child.count() {
+            let i = (child.first() + number) as usize;
+            if i < triangles.len() && i < begins.len() {
+                let own = encode_triangle(&triangles[i], bounds, power_of_two(step_exponent));
+                for word in 0..10u32 {
+                    let to = (begins[i] + word) as usize;
+                    if word < size && to < words.len() {
+                        words[to] = own[word as usize];
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! A hierarchy from the GPU's memory, or some of its numbers.
+
+use super::{Bvh, Coded, Coding};
+use crate::LatticeBits;
+use crate::coded::{self, CodedNodes, CodedTriangles};
+use crate::gpu::buffer::Download;
+use crate::gpu::{Gpu, GpuError};
+use bytemuck::{AnyBitPattern, NoUninit};
+use slimbvh_core::encode::RootWords;
+use slimbvh_core::{Aabb, LeafTriangle, Node};
+
+impl Bvh {
+    /// Reads how many inner nodes and triangles there are, and waits for it.
+    ///
+    /// # Errors
+    /// If it has not been built yet, or the device was lost.
+    pub fn read_counts(&self, gpu: &Gpu) -> Result<[u32; 2], GpuError> {
+        let built = self.built()?;
+        let [total, count] = read_firsts(gpu, [&built.total, &built.count])?;
+        Ok([total, count])
+    }
+
+    /// Reads how many bytes the nodes and the triangles in leaves take, and waits for it. The buffers have room for more.
+    ///
+    /// # Errors
+    /// If it has not been built yet, or the device was lost.
+    pub fn read_bytes(&self, gpu: &Gpu) -> Result<[u64; 2], GpuError> {
+        let built = self.built()?;
+        let [node_count, triangle_count] = self.read_counts(gpu)?.map(u64::from);
+        let coding = built.coding();
+        let node_bytes = coding.map_or(size_of::<Node>() as u64, Coding::node_bytes);
+        let words = match &built.coded {
+            Some(coded) if coded.coding.is_mixed() => read_firsts(gpu, [&coded.word_total])?[0],
+            _ => 0,
+        };
+        let triangle_bytes = match coding.and_then(Coding::most_triangle_bytes) {
+            None => triangle_count * size_of::<LeafTriangle>() as u64,
+            Some(_) if words > 0 => 4 * u64::from(words),
+            Some(bytes) => triangle_count * bytes,
+        };
+        Ok([node_count * node_bytes, triangle_bytes])
+    }
+
+    /// Copies the hierarchy from the GPU, and waits for it.
+    ///
+    /// # Errors
+    /// If it has not been built yet, or the device was lost.
+    pub fn download(&self, gpu: &Gpu) -> Result<crate::Bvh, GpuError> {
+        let built = self.built()?;
+        let mut frame = gpu.frame();
+        let [nodes, triangles] = built.stored();
+        let ranges = [
+            &built.total,
+            &built.count,
+            &built.exponent,
+            &built.bounds,
+            nodes,
+            triangles,
+        ];
+        let [total, count, exponent, bounds, nodes, triangles] =
+            gpu.checked(|| Ok(ranges.map(|range| frame.download(range))))?;
+        let coded = built.coded.as_ref();
+        let root = gpu.checked(|| {
+            let root = |coded: &Coded| [&coded.root, &coded.word_total].map(|r| frame.download(r));
+            Ok(coded.map(root))
+        })?;
+        frame.submit()?.wait()?;
+        let first = |words: Vec<u32>| words.first().map_or(0, |&word| word as usize);
+        let (node_count, triangle_count) = (first(total.read(gpu)?), first(count.read(gpu)?));
+        let exponent: Vec<i32> = exponent.read(gpu)?;
+        let corners: Vec<[f32; 3]> = bounds.read(gpu)?;
+        let mut bvh = crate::Bvh {
+            mesh_triangle_count: built.triangle_count as usize,
+            depth_bound: built.depth_bound,
+            ..crate::Bvh::default()
+        };
+        let corner = |i: usize| corners.get(i).copied().unwrap_or_default().into();
+        bvh.set_bounds(Aabb {
+            min: corner(0),
+            max: corner(1),
+        });
+        bvh.scene_exponent = exponent.first().copied().unwrap_or(0);
+        let Some((coded, [root, words])) = coded.zip(root) else {
+            bvh.nodes = take(gpu, nodes, node_count)?;
+            bvh.triangles = take(gpu, triangles, triangle_count)?;
+            return Ok(bvh);
+        };
+        let root: Vec<RootWords> = root.read(gpu)?;
+        let root = root.first().copied().unwrap_or_default();
+        let word_count = first(words.read(gpu)?);
+        let nodes = coded_nodes(gpu, coded.coding, (nodes, node_count), &root)?;
+        let triangles = match coded.coding {
+            Coding::PrintedF32 | Coding::Q10F32 | Coding::Q21F32 => {
+                bvh.triangles = take(gpu, triangles, triangle_count)?;
+                CodedTriangles::F32
+            }
+            Coding::PrintedLeaf10 => CodedTriangles::Leaf10(take(gpu, triangles, triangle_count)?),
+            Coding::Q10Lattice | Coding::Q21Lattice => {
+                CodedTriangles::Lattice(take(gpu, triangles, word_count)?)
+            }
+        };
+        bvh.coded = Some(coded::Coded {
+            nodes,
+            triangles,
+            triangle_count,
+        });
+        Ok(bvh)
+    }
+}
+
+fn coded_nodes(
+    gpu: &Gpu,
+    coding: Coding,
+    (nodes, count): (Download, usize),
+    root: &RootWords,
+) -> Result<CodedNodes, GpuError> {
+    let bits = match coding {
+        Coding::PrintedF32 | Coding::PrintedLeaf10 => {
+            return Ok(CodedNodes::Printed {
+                root: root.printed(),
+                nodes: take(gpu, nodes, count)?,
+            });
+        }
+        Coding::Q10F32 | Coding::Q10Lattice => LatticeBits::Q10,
+        Coding::Q21F32 | Coding::Q21Lattice => LatticeBits::Q21,
+    };
+    Ok(CodedNodes::Lattice {
+        bits,
+        root: root.lattice(),
+        step_exponent: root.step_exponent(),
+        words: take(gpu, nodes, count * bits.words())?,
+    })
+}
+
+/// The first elements of a buffer.
+fn take<T: AnyBitPattern + NoUninit>(
+    gpu: &Gpu,
+    from: Download,
+    count: usize,
+) -> Result<Vec<T>, GpuError> {
+    let mut all = from.read(gpu)?;
+    all.truncate(count);
+    Ok(all)
+}
+
+/// The first word of each range.
+fn read_firsts<const N: usize>(
+    gpu: &Gpu,
+    ranges: [&super::Range; N],
+) -> Result<[u32; N], GpuError> {
+    let mut frame = gpu.frame();
+    let downloads = gpu.checked(|| Ok(ranges.map(|range| frame.download(range))))?;
+    frame.submit()?.wait()?;
+    let mut firsts = [0; N];
+    for (first, download) in firsts.iter_mut().zip(downloads) {
+        let words: Vec<u32> = download.read(gpu)?;
+        *first = words.first().copied().unwrap_or(0);
+    }
+    Ok(firsts)
+}

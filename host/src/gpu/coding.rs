@@ -1,0 +1,148 @@
+//! Which codecs the GPU has, and their kernels.
+
+use super::{GpuError, Kernel};
+use crate::{BuildConfig, LatticeBits, MeshCodec, NodeCodec};
+use slimbvh_core::encode::{PrintedNode, PrintedTriangle, node_words};
+
+/// How nodes and triangles are stored, where that is not in full.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coding {
+    PrintedF32,
+    PrintedLeaf10,
+    Q10F32,
+    Q10Lattice,
+    Q21F32,
+    Q21Lattice,
+}
+
+impl Coding {
+    /// What a configuration asks for; none where everything is stored in full.
+    ///
+    /// # Errors
+    /// For codecs that only the CPU has.
+    pub fn of(config: &BuildConfig) -> Result<Option<Self>, GpuError> {
+        let is_f32 = config.mesh == MeshCodec::F32;
+        Ok(match config.nodes {
+            NodeCodec::F32 => None,
+            NodeCodec::Printed if is_f32 => Some(Self::PrintedF32),
+            NodeCodec::Printed => Some(Self::PrintedLeaf10),
+            NodeCodec::Lattice(LatticeBits::Q10) if is_f32 => Some(Self::Q10F32),
+            NodeCodec::Lattice(LatticeBits::Q10) => Some(Self::Q10Lattice),
+            NodeCodec::Lattice(LatticeBits::Q21) if is_f32 => Some(Self::Q21F32),
+            NodeCodec::Lattice(LatticeBits::Q21) => Some(Self::Q21Lattice),
+            NodeCodec::Lattice(bits) => {
+                return Err(GpuError::Codec { bits: bits.count() });
+            }
+        })
+    }
+
+    /// Bytes of a node.
+    pub const fn node_bytes(self) -> u64 {
+        match self {
+            Self::PrintedF32 | Self::PrintedLeaf10 => size_of::<PrintedNode>() as u64,
+            Self::Q10F32 | Self::Q10Lattice => 4 * node_words(10) as u64,
+            Self::Q21F32 | Self::Q21Lattice => 4 * node_words(21) as u64,
+        }
+    }
+
+    /// The most bytes of a triangle; none where it is stored in full.
+    pub const fn most_triangle_bytes(self) -> Option<u64> {
+        match self {
+            Self::PrintedF32 | Self::Q10F32 | Self::Q21F32 => None,
+            Self::PrintedLeaf10 => Some(size_of::<PrintedTriangle>() as u64),
+            Self::Q10Lattice | Self::Q21Lattice => Some(4 * MOST_WORDS),
+        }
+    }
+
+    /// Whether triangles take as many words as their leaf needs.
+    pub const fn is_mixed(self) -> bool {
+        matches!(self, Self::Q10Lattice | Self::Q21Lattice)
+    }
+}
+
+/// The most words that a triangle on the lattice takes.
+pub const MOST_WORDS: u64 = slimbvh_core::encode::LeafWidth::Wide.words() as u64;
+
+/// The kernels that trace one kind of hierarchies.
+#[derive(Clone, Copy, Debug)]
+pub struct Traces {
+    pub closest: Kernel,
+    pub any: Kernel,
+    pub nearest: Kernel,
+    pub counted: Kernel,
+    pub paths: Kernel,
+    pub paths_counted: Kernel,
+    pub shadows: Kernel,
+}
+
+/// Those of hierarchies in full, in which all triangles count.
+const PLAIN: Traces = Traces {
+    closest: Kernel::trace_closest,
+    any: Kernel::trace_any,
+    nearest: Kernel::trace_nearest,
+    counted: Kernel::trace_counted,
+    paths: Kernel::trace_paths,
+    paths_counted: Kernel::trace_paths_counted,
+    shadows: Kernel::trace_shadows,
+};
+
+/// The kernels of a coding, or of hierarchies in full.
+pub const fn traces(coding: Option<Coding>) -> Traces {
+    let Some(coding) = coding else { return PLAIN };
+    match coding {
+        Coding::PrintedF32 => Traces {
+            closest: Kernel::trace_closest_printed_f32,
+            any: Kernel::trace_any_printed_f32,
+            nearest: Kernel::trace_nearest_printed_f32,
+            counted: Kernel::trace_counted_printed_f32,
+            paths: Kernel::trace_paths_printed_f32,
+            paths_counted: Kernel::trace_paths_counted_printed_f32,
+            shadows: Kernel::trace_shadows_printed_f32,
+        },
+        Coding::PrintedLeaf10 => Traces {
+            closest: Kernel::trace_closest_printed_leaf10,
+            any: Kernel::trace_any_printed_leaf10,
+            nearest: Kernel::trace_nearest_printed_leaf10,
+            counted: Kernel::trace_counted_printed_leaf10,
+            paths: Kernel::trace_paths_printed_leaf10,
+            paths_counted: Kernel::trace_paths_counted_printed_leaf10,
+            shadows: Kernel::trace_shadows_printed_leaf10,
+        },
+        Coding::Q10F32 => Traces {
+            closest: Kernel::trace_closest_q10_f32,
+            any: Kernel::trace_any_q10_f32,
+            nearest: Kernel::trace_nearest_q10_f32,
+            counted: Kernel::trace_counted_q10_f32,
+            paths: Kernel::trace_paths_q10_f32,
+            paths_counted: Kernel::trace_paths_counted_q10_f32,
+            shadows: Kernel::trace_shadows_q10_f32,
+        },
+        Coding::Q10Lattice => Traces {
+            closest: Kernel::trace_closest_q10_lattice,
+            any: Kernel::trace_any_q10_lattice,
+            nearest: Kernel::trace_nearest_q10_lattice,
+            counted: Kernel::trace_counted_q10_lattice,
+            paths: Kernel::trace_paths_q10_lattice,
+            paths_counted: Kernel::trace_paths_counted_q10_lattice,
+            shadows: Kernel::trace_shadows_q10_lattice,
+        },
+        Coding::Q21F32 => Traces {
+            closest: Kernel::trace_closest_q21_f32,
+            any: Kernel::trace_any_q21_f32,
+            nearest: Kernel::trace_nearest_q21_f32,
+            counted: Kernel::trace_counted_q21_f32,
+            paths: Kernel::trace_paths_q21_f32,
+            paths_counted: Kernel::trace_paths_counted_q21_f32,
+            shadows: Kernel::trace_shadows_q21_f32,
+        },
+        Coding::Q21Lattice => Traces {
+            closest: Kernel::trace_closest_q21_lattice,
+            any: Kernel::trace_any_q21_lattice,
+            nearest: Kernel::trace_nearest_q21_lattice,
+            counted: Kernel::trace_counted_q21_lattice,
+            paths: Kernel::trace_paths_q21_lattice,
+            paths_counted: Kernel::trace_paths_counted_q21_lattice,
+            shadows: Kernel::trace_shadows_q21_lattice,
+        },
+    }
+}

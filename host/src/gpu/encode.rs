@@ -1,0 +1,120 @@
+//! Stage `encode`: nodes and triangles in codecs, in one dispatch, or in two around a scan.
+
+use super::buffer::{Range, Slot};
+use super::bvh::{Built, Coded};
+use super::coding::Coding;
+use super::program::{Groups, Recorder, Uniform};
+use super::scan::Scan;
+use super::{Gpu, Kernel};
+use slimbvh_core::lattice::LatticeBox;
+use wgpu::BufferUsages;
+
+/// Codes hierarchies, and keeps its buffers and what is plain of them.
+#[derive(Debug)]
+pub struct Encoder {
+    nodes: Slot,
+    triangles: Slot,
+    boxes: Slot,
+    sizes: Slot,
+    scan: Scan,
+}
+
+impl Encoder {
+    /// An encoder without buffers yet.
+    pub const fn new() -> Self {
+        let copied = BufferUsages::STORAGE.union(BufferUsages::COPY_DST);
+        Self {
+            nodes: Slot::storage("slimbvh plain nodes"),
+            triangles: Slot::new("slimbvh plain leaf triangles", copied),
+            boxes: Slot::storage("slimbvh decoded boxes"),
+            sizes: Slot::new("slimbvh triangle sizes", copied),
+            scan: Scan::new(),
+        }
+    }
+
+    /// A place for plain nodes, before they are coded.
+    pub fn plain_nodes(&mut self, gpu: &Gpu, bytes: u64) -> Range {
+        self.nodes.range(gpu, bytes)
+    }
+
+    /// A place for plain triangles, before they are coded.
+    pub fn plain_triangles(&mut self, gpu: &Gpu, bytes: u64) -> Range {
+        self.triangles.range(gpu, bytes)
+    }
+
+    /// Records that a plain hierarchy be coded; `each_node` gives every node a thread, `step_exponent` is that of the mesh's
+    /// lattice, in the caller's unit.
+    pub fn record(
+        &mut self,
+        gpu: &Gpu,
+        recorder: &mut Recorder,
+        bvh: &Built,
+        coded: &Coded,
+        step_exponent: i32,
+        each_node: impl Fn() -> Groups,
+    ) {
+        recorder.stage("encode");
+        let total = Uniform::Stored(&bvh.total);
+        // What no compiler knows.
+        let zero = Uniform::Params([0; 4]);
+        let (plain, leaves) = (&bvh.nodes, &bvh.triangles);
+        let (nodes, root) = (&coded.nodes, &coded.root);
+        let [sizes_kernel, kernel] = match coded.coding {
+            Coding::PrintedF32 => {
+                let kernel = Kernel::encode_printed_f32;
+                let to = &[nodes, root];
+                return recorder.dispatch(kernel, &[total, zero], &[plain], to, each_node());
+            }
+            Coding::PrintedLeaf10 => {
+                let kernel = Kernel::encode_printed_leaf10;
+                let to = &[nodes, &coded.triangles, root];
+                let from = &[plain, leaves];
+                return recorder.dispatch(kernel, &[total, zero], from, to, each_node());
+            }
+            Coding::Q10F32 | Coding::Q21F32 => {
+                let kernel = if coded.coding == Coding::Q10F32 {
+                    Kernel::encode_q10_f32
+                } else {
+                    Kernel::encode_q21_f32
+                };
+                return recorder.dispatch(kernel, &[total], &[plain], &[nodes, root], each_node());
+            }
+            Coding::Q10Lattice => [Kernel::encode_q10_sizes, Kernel::encode_q10_lattice],
+            Coding::Q21Lattice => [Kernel::encode_q21_sizes, Kernel::encode_q21_lattice],
+        };
+
+        // How many words each triangle takes follows from its leaf's box; where it begins, from all before it.
+        const BOX_BYTES: u64 = size_of::<LatticeBox>() as u64;
+        let node_count = coded.nodes.size / coded.coding.node_bytes();
+        let boxes = self.boxes.range(gpu, BOX_BYTES * node_count);
+        let boxes = &boxes.touching_nodes(BOX_BYTES);
+        let sizes = &self
+            .sizes
+            .range(gpu, 4 * u64::from(bvh.triangle_count.max(1)));
+        // A reduced hierarchy has no more triangles than that, and a scan sums all there are.
+        recorder.clear(sizes);
+        let step = Uniform::Params([step_exponent as u32, 0, 0, 0]);
+        recorder.dispatch(
+            sizes_kernel,
+            &[total, Uniform::Stored(&bvh.exponent), step],
+            &[plain],
+            &[nodes, boxes, sizes, root],
+            each_node(),
+        );
+        self.scan.record(gpu, recorder, sizes, &coded.word_total);
+        recorder.read(nodes);
+        recorder.dispatch(
+            kernel,
+            &[total, Uniform::Stored(root)],
+            &[plain, leaves, boxes, sizes],
+            &[nodes, &coded.triangles],
+            each_node(),
+        );
+    }
+
+    pub fn bytes(&self) -> u64 {
+        let slots = [&self.nodes, &self.triangles, &self.boxes, &self.sizes];
+        let slots = slots.iter().map(|slot| slot.bytes()).sum::<u64>();
+        slots + self.scan.bytes()
+    }
+}

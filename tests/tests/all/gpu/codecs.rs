@@ -1,0 +1,357 @@
+//! Hierarchies in codecs: the same bytes as the CPU's, the same answers, the same pictures.
+
+use super::pictures::{VIEWS, check_as, hall_of_mirrors, settings};
+use super::trace::{Answers, rays_at};
+use crate::decisions::targets;
+use glam::Vec3;
+use proptest::prelude::*;
+use slimbvh::generate::{default_scene, icosphere, soup};
+use slimbvh::gpu::{self, Facing, Gpu, GpuError, Subset};
+use slimbvh::{BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, View};
+use slimbvh_core::classify::{Reach, Sides};
+use slimbvh_core::frustum::Frustum;
+use slimbvh_tests::gpu::{done, gpu, is_software};
+use slimbvh_tests::parity::same_bits;
+use slimbvh_tests::rays::some_rays;
+use slimbvh_tests::strategies::{any_mesh, large_mesh};
+use slimbvh_tests::{CODE_BITS, build_as, cases};
+
+const Q10: NodeCodec = NodeCodec::Lattice(LatticeBits::Q10);
+const Q21: NodeCodec = NodeCodec::Lattice(LatticeBits::Q21);
+
+/// All that the GPU has; a lattice of this step.
+fn configs(code_bits: CodeBits, step_exponent: i32) -> [BuildConfig; 6] {
+    let lattice = MeshCodec::Lattice { step_exponent };
+    [
+        (NodeCodec::Printed, MeshCodec::F32),
+        (NodeCodec::Printed, MeshCodec::Leaf10),
+        (Q10, MeshCodec::F32),
+        (Q10, lattice),
+        (Q21, MeshCodec::F32),
+        (Q21, lattice),
+    ]
+    .map(|(nodes, mesh)| BuildConfig {
+        code_bits,
+        nodes,
+        mesh,
+    })
+}
+
+/// A mesh on a lattice some steps coarser than the finest, and its step.
+fn snapped(mesh: &Mesh, coarser: i32) -> (Mesh, i32) {
+    let step_exponent = mesh.finest_step() + coarser;
+    let mut snapped = mesh.clone();
+    snapped.snap(step_exponent);
+    (snapped, step_exponent)
+}
+
+/// Compares all that a hierarchy in a codec holds.
+fn same_stored(gpu: &slimbvh::Bvh, cpu: &slimbvh::Bvh) -> Result<(), String> {
+    let what = |fault| format!("{:?}: {fault}", cpu.codecs());
+    same_bits(gpu.root_words().as_slice(), cpu.root_words().as_slice()).map_err(what)?;
+    let [a, b] = [gpu, cpu].map(slimbvh::Bvh::stored);
+    same_bits(a[0], b[0]).map_err(|fault| what(format!("nodes: {fault}")))?;
+    same_bits(a[1], b[1]).map_err(|fault| what(format!("triangles: {fault}")))?;
+    let numbers = |bvh: &slimbvh::Bvh| {
+        [
+            bvh.scene_exponent(),
+            bvh.triangle_count() as i32,
+            bvh.mesh_triangle_count() as i32,
+        ]
+    };
+    same_bits(&numbers(gpu), &numbers(cpu)).map_err(what)?;
+    if gpu.codecs() != cpu.codecs() {
+        return Err(what(format!("{:?}", gpu.codecs())));
+    }
+    Ok(())
+}
+
+/// Builds on the GPU.
+fn build_on(gpu: &Gpu, mesh: &Mesh, config: BuildConfig) -> gpu::Bvh {
+    let mesh = done(gpu::Mesh::upload(gpu, mesh));
+    let mut bvh = gpu::Bvh::new();
+    let mut frame = gpu.frame();
+    done(gpu::Builder::new(config).build(&mut frame, &mesh, &mut bvh));
+    done(frame.submit());
+    bvh
+}
+
+fn check_bytes(gpu: &Gpu, mesh: &Mesh, config: BuildConfig) -> Result<(), String> {
+    let bvh = build_on(gpu, mesh, config);
+    let expected = build_as(mesh, config);
+    same_stored(&done(bvh.download(gpu)), &expected)?;
+    let bytes = [expected.node_bytes(), expected.triangle_bytes()];
+    same_bits(&done(bvh.read_bytes(gpu)), &bytes.map(|b| b as u64))
+}
+
+proptest! {
+    #![proptest_config(cases(24))]
+
+    #[test]
+    fn coded_hierarchies_have_the_bytes_of_the_cpu(mesh in any_mesh(), coarser in 0i32..20) {
+        let Some(gpu) = gpu() else { return Ok(()) };
+        let (mesh, step_exponent) = snapped(&mesh, coarser);
+        for code_bits in CODE_BITS {
+            for config in configs(code_bits, step_exponent) {
+                prop_assert_eq!(check_bytes(gpu, &mesh, config), Ok(()));
+            }
+        }
+    }
+
+    #[test]
+    fn coded_hierarchies_answer_as_on_the_cpu(mesh in any_mesh(), recipes in some_rays(100), coarser in 0i32..20) {
+        let Some(gpu) = gpu() else { return Ok(()) };
+        let (mesh, step_exponent) = snapped(&mesh, coarser);
+        let rays: Vec<_> = recipes.iter().map(|recipe| recipe.cook(&mesh)).collect();
+        for config in configs(CodeBits::Bits30, step_exponent) {
+            let answers = Answers::of_gpu(gpu, &mesh, config, &rays);
+            let expected = Answers::of_cpu(&build_as(&mesh, config), &rays);
+            let result = answers.compare(&expected, is_software(gpu));
+            prop_assert_eq!(result, Ok(()), "{:?}", config);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(4))]
+
+    #[test]
+    fn large_coded_hierarchies_have_the_bytes_of_the_cpu(mesh in large_mesh(), coarser in 0i32..20) {
+        let Some(gpu) = gpu() else { return Ok(()) };
+        let (mesh, step_exponent) = snapped(&mesh, coarser);
+        for config in configs(CodeBits::Bits30, step_exponent) {
+            prop_assert_eq!(check_bytes(gpu, &mesh, config), Ok(()));
+        }
+    }
+
+    #[test]
+    fn refitted_coded_hierarchies_have_the_bytes_of_the_cpu(mesh in large_mesh(), factors in proptest::array::uniform3(-3f32..3.0)) {
+        let Some(gpu) = gpu() else { return Ok(()) };
+        let mut moved = mesh.clone();
+        for (vertex, i) in moved.vertices.iter_mut().zip(0..) {
+            *vertex = [0, 1, 2].map(|axis| vertex[axis] * factors[(axis + i) % 3]);
+        }
+        let step_exponent = mesh.finest_step().max(moved.finest_step()) + 4;
+        let mut mesh = mesh;
+        mesh.snap(step_exponent);
+        moved.snap(step_exponent);
+        for config in configs(CodeBits::Bits30, step_exponent) {
+            let places = [&mesh, &moved].map(|mesh| done(gpu::Mesh::upload(gpu, mesh)));
+            let (mut builder, mut bvh) = (gpu::Builder::new(config), gpu::Bvh::new());
+            let mut frame = gpu.frame();
+            done(builder.build(&mut frame, &places[0], &mut bvh));
+            done(builder.refit(&mut frame, &places[1], &mut bvh));
+            done(frame.submit());
+            let mut expected = build_as(&mesh, config);
+            done(slimbvh::Builder::new(config).refit(&moved, &mut expected));
+            prop_assert_eq!(same_stored(&done(bvh.download(gpu)), &expected), Ok(()));
+        }
+    }
+}
+
+/// Some large, some of nothing or next to it, one after the other in the same memory.
+#[test]
+fn what_was_coded_before_changes_no_byte() {
+    let Some(gpu) = gpu() else { return };
+    let step_exponent = -14;
+    for config in configs(CodeBits::Bits30, step_exponent) {
+        let (mut builder, mut bvh) = (gpu::Builder::new(config), gpu::Bvh::new());
+        for count in [9000, 5, 0, 1, 12_000, 4, 700, 0] {
+            let mut mesh = soup(count, u64::from(count));
+            mesh.snap(step_exponent);
+            let uploaded = done(gpu::Mesh::upload(gpu, &mesh));
+            let expected = build_as(&mesh, config);
+            for is_refitted in [false, true] {
+                let mut frame = gpu.frame();
+                done(builder.build(&mut frame, &uploaded, &mut bvh));
+                if is_refitted {
+                    done(builder.refit(&mut frame, &uploaded, &mut bvh));
+                }
+                done(frame.submit());
+                done(same_stored(&done(bvh.download(gpu)), &expected));
+            }
+        }
+    }
+}
+
+/// Subsets of a mesh, whose sizes only the GPU knows.
+#[test]
+fn reduced_coded_hierarchies_have_the_bytes_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    let mut mesh = icosphere(Vec3::new(0.3, -0.2, 0.1), 1.5, 4);
+    let step_exponent = -12;
+    mesh.snap(step_exponent);
+    let components = vec![0; mesh.indices.len()];
+    let targets = targets(&mesh, 6, 3);
+    let (mut smallest, mut largest) = (usize::MAX, 0);
+    for code_bits in CODE_BITS {
+        for config in configs(code_bits, step_exponent) {
+            let uploaded = done(gpu::Mesh::upload(gpu, &mesh));
+            let on_gpu = done(gpu::Components::upload(gpu, &components));
+            let (mut builder, mut cpu) = (gpu::Builder::new(config), slimbvh::Builder::new(config));
+            let mut frame = gpu.frame();
+            done(builder.sort(&mut frame, &uploaded));
+            done(cpu.sort(&mesh));
+            let mut sets = Vec::new();
+            for target in &targets {
+                let (mut facing, mut bvh) = (Facing::new(), gpu::Bvh::new());
+                done(facing.set(&mut frame, target, &Frustum::EVERYWHERE, &[1]));
+                let subset = Subset::Facing {
+                    components: &on_gpu,
+                    facing: &facing,
+                };
+                done(builder.build_sorted(&mut frame, &uploaded, subset, &mut bvh));
+                sets.push(bvh);
+            }
+            // The whole tree again, after its parts.
+            let mut whole = gpu::Bvh::new();
+            done(builder.build_sorted(&mut frame, &uploaded, Subset::All, &mut whole));
+            done(frame.submit());
+            done(same_stored(
+                &done(whole.download(gpu)),
+                &build_as(&mesh, config),
+            ));
+            for (target, set) in targets.iter().zip(&sets) {
+                let reach = Reach {
+                    sides: Sides {
+                        components: &components,
+                        sides: &[1],
+                    },
+                    target: *target,
+                    frustum: Frustum::EVERYWHERE,
+                };
+                let mut expected = slimbvh::Bvh::default();
+                cpu.build_sorted(&mesh, slimbvh::Subset::Of(reach), &mut expected);
+                done(same_stored(&done(set.download(gpu)), &expected));
+                smallest = smallest.min(expected.triangle_count());
+                largest = largest.max(expected.triangle_count());
+            }
+        }
+    }
+    assert!(
+        smallest < mesh.indices.len() / 2 && largest > 0,
+        "{smallest} {largest}"
+    );
+}
+
+#[test]
+fn answers_in_coded_generated_meshes_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for (name, mesh) in crate::meshes::generated() {
+        let (mesh, step_exponent) = snapped(&mesh, 8);
+        let rays = rays_at(&mesh, 500, 3);
+        for config in configs(CodeBits::Bits63, step_exponent) {
+            let answers = Answers::of_gpu(gpu, &mesh, config, &rays);
+            let expected = Answers::of_cpu(&build_as(&mesh, config), &rays);
+            let result = answers.compare(&expected, is_software(gpu));
+            assert_eq!(result, Ok(()), "{name} {config:?}");
+        }
+    }
+}
+
+#[test]
+fn pictures_through_coded_hierarchies_are_those_of_the_cpu() {
+    let Some(gpu) = gpu() else { return };
+    for (name, scene) in [
+        ("default scene", default_scene()),
+        ("hall of mirrors", hall_of_mirrors()),
+    ] {
+        let (mesh, step_exponent) = snapped(&scene.mesh, 6);
+        let scene = slimbvh::Scene { mesh, ..scene };
+        for config in configs(CodeBits::Bits30, step_exponent) {
+            let name = format!("{name}, {:?}, {:?}", config.nodes, config.mesh);
+            for view in VIEWS {
+                if view == View::Color || view == View::Heatmap || config.nodes == Q10 {
+                    check_as(gpu, &name, &scene, &settings(view), config);
+                }
+            }
+        }
+    }
+}
+
+/// The control: one bit of a node's planes, or of a triangle, in a hierarchy over another mesh.
+#[test]
+fn one_moved_step_of_a_vertex_is_found() {
+    let Some(gpu) = gpu() else { return };
+    let step_exponent = -10;
+    let mut sound = soup(900, 2);
+    sound.snap(step_exponent);
+    let mut moved = sound.clone();
+    moved.vertices[1000][1] += 2f32.powi(step_exponent);
+    for config in configs(CodeBits::Bits30, step_exponent) {
+        let built = done(build_on(gpu, &moved, config).download(gpu));
+        done(same_stored(&built, &build_as(&moved, config)));
+        // By boxes of 10 bits and less a step may go unseen; by triangles in full and on the lattice it does not.
+        let is_seen = same_stored(&built, &build_as(&sound, config)).is_err();
+        assert!(is_seen || config.mesh == MeshCodec::Leaf10, "{config:?}");
+    }
+}
+
+/// One flipped bit of what is stored is seen by the comparison, wherever it is.
+#[test]
+fn one_flipped_bit_of_a_node_is_found() {
+    let mesh = soup(60, 5);
+    let bvh = build_as(&mesh, configs(CodeBits::Bits30, 0)[2]);
+    let [nodes, _] = bvh.stored();
+    for bit in 0..8 * nodes.len() {
+        let mut flipped = nodes.to_vec();
+        flipped[bit / 8] ^= 1 << (bit % 8);
+        assert!(same_bits(&flipped, nodes).is_err());
+    }
+}
+
+#[test]
+fn codecs_that_only_the_cpu_has_are_refused() {
+    let Some(gpu) = gpu() else { return };
+    let mesh = done(gpu::Mesh::upload(gpu, &soup(10, 1)));
+    for bits in LatticeBits::ALL {
+        let config = BuildConfig {
+            nodes: NodeCodec::Lattice(bits),
+            ..BuildConfig::default()
+        };
+        let mut builder = gpu::Builder::new(config);
+        let built = builder.build(&mut gpu.frame(), &mesh, &mut gpu::Bvh::new());
+        if matches!(bits, LatticeBits::Q10 | LatticeBits::Q21) {
+            assert_eq!(built, Ok(()));
+        } else {
+            let bits = bits.count();
+            assert_eq!(built, Err(GpuError::Codec { bits }));
+            let said = built.map_or_else(|error| error.to_string(), |()| String::new());
+            let expected = format!(
+                "nodes of {bits} bits are stored on the CPU only; the GPU has f32, printed, q10 and q21"
+            );
+            assert_eq!(said, expected);
+        }
+    }
+}
+
+/// What was plain of a hierarchy is the builder's, until it builds another.
+#[test]
+fn only_the_coded_hierarchy_that_was_built_last_is_refitted() {
+    let Some(gpu) = gpu() else { return };
+    let mesh = soup(300, 1);
+    let uploaded = done(gpu::Mesh::upload(gpu, &mesh));
+    let config = configs(CodeBits::Bits30, 0)[2];
+    let [mut builder, mut other] = [0, 1].map(|_| gpu::Builder::new(config));
+    let [mut first, mut second] = [0, 1].map(|_| gpu::Bvh::new());
+    let mut frame = gpu.frame();
+    done(builder.build(&mut frame, &uploaded, &mut first));
+    done(builder.build(&mut frame, &uploaded, &mut second));
+    let is_refused = |refitted| matches!(refitted, Err(GpuError::Unfit { .. }));
+    assert!(is_refused(builder.refit(&mut frame, &uploaded, &mut first)));
+    assert!(is_refused(other.refit(&mut frame, &uploaded, &mut second)));
+    done(builder.refit(&mut frame, &uploaded, &mut second));
+    // Built by another in between: what the first one has is of an older tree.
+    done(other.build(&mut frame, &uploaded, &mut second));
+    assert!(is_refused(builder.refit(
+        &mut frame,
+        &uploaded,
+        &mut second
+    )));
+    assert!(second.bindings().is_err());
+    done(frame.submit());
+    let expected = build_as(&mesh, config);
+    for bvh in [&first, &second] {
+        done(same_stored(&done(bvh.download(gpu)), &expected));
+    }
+}
