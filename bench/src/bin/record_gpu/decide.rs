@@ -6,6 +6,7 @@ use slimbvh::gpu::{
 };
 use slimbvh::topology::Topology;
 use slimbvh::{BuildConfig, Mesh};
+use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 use std::time::Duration;
 
@@ -63,10 +64,14 @@ pub fn decide(
         }
         Ok::<_, GpuError>(median(times))
     };
+    let everywhere = Frustum::EVERYWHERE;
     let measuring = timed(&mut |frame| decisions.measure(frame, &builder, uploaded))?;
-    let aiming = timed(&mut |frame| eye.decide(frame, &decisions, &eye_place, Answer::Facing))?;
+    let aiming = timed(&mut |frame| {
+        eye.decide(frame, &decisions, (&eye_place, &everywhere), Answer::Facing)
+    })?;
     let smaller = Answer::Smaller { eye: &eye };
-    let choosing = timed(&mut |frame| light.decide(frame, &decisions, &sun, smaller))?;
+    let choosing =
+        timed(&mut |frame| light.decide(frame, &decisions, (&sun, &everywhere), smaller))?;
     let steps = [
         ("measure components", decisions.work(), measuring),
         ("sides for an eye", eye.work(), aiming),
