@@ -1,5 +1,6 @@
 //! In how many bytes hierarchies are stored.
 
+use slimbvh_core::encode::LeafWidth;
 use thiserror::Error;
 
 /// How inner nodes are stored. None changes an answer: boxes only grow.
@@ -96,6 +97,15 @@ pub enum MeshCodec {
         /// The lattice's step is 2 to this power, in the mesh's unit.
         step_exponent: i32,
     },
+}
+
+/// The most triangles that can be stored so: links name a word among those of all, each of which may take ten.
+pub(crate) const fn most_triangles(mesh: MeshCodec) -> usize {
+    const MOST: usize = slimbvh_core::MAX_TRIANGLES as usize;
+    match mesh {
+        MeshCodec::F32 | MeshCodec::Leaf10 => MOST,
+        MeshCodec::Lattice { .. } => MOST / LeafWidth::Wide.words() as usize,
+    }
 }
 
 /// Codecs that do not go together.

@@ -5,15 +5,15 @@ use super::encode::Encoder;
 use super::order::{Order, gather_again, scene_bounds};
 use super::refit::{fill_boxes, fill_pyramid};
 use super::topology::Connections;
-use crate::codec::{MeshCodec, NodeCodec};
+use crate::codec::{MeshCodec, NodeCodec, most_triangles};
 use crate::{Bvh, Mesh, MeshError, Stages};
+use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::Reach;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
 use slimbvh_core::refit::PyramidBox;
 use slimbvh_core::topology::{Codes30, Codes63, depth_bound};
-use slimbvh_core::{Aabb, MAX_TRIANGLES};
 use thiserror::Error;
 
 /// How finely triangles are told apart along the space-filling curve.
@@ -138,8 +138,8 @@ impl Builder {
         mesh.validate()?;
         match self.config.mesh {
             MeshCodec::Lattice { step_exponent } => {
-                // Links name a word among those of all triangles, each of which may take ten.
-                let (triangle_count, limit) = (mesh.indices.len(), MAX_TRIANGLES as usize / 10);
+                let triangle_count = mesh.indices.len();
+                let limit = most_triangles(self.config.mesh);
                 if triangle_count > limit {
                     return Err(MeshError::TooManyTriangles {
                         triangle_count,

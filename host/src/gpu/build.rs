@@ -2,7 +2,7 @@
 
 use super::buffer::{Range, Slot};
 use super::bvh::{self, Built};
-use super::coding::{Coding, MOST_WORDS};
+use super::coding::Coding;
 use super::encode::Encoder;
 use super::facing::{Components, FacingRanges, Subset};
 use super::program::{Groups, Program, Recorder, Uniform, groups, threads};
@@ -10,7 +10,8 @@ use super::scan::Scan;
 use super::sort::{Keys, Sort};
 use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Kernel, Mesh};
-use crate::{BuildConfig, CodeBits, MeshCodec, RefitError};
+use crate::codec::most_triangles;
+use crate::{BuildConfig, CodeBits, MeshCodec, MeshError, RefitError};
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::launch::{BLOCK, LANES, dispatch};
@@ -25,14 +26,11 @@ const KEPT_PROGRAMS: usize = 16;
 /// What to do about a mesh that is too large.
 const TOO_LARGE: &str = "take a smaller mesh, or the CPU";
 
-/// The most words of triangles on a lattice: links hold where they begin in so many bits.
-const MOST_PLACES: u64 = 1 << 28;
-
 /// Builds hierarchies on the GPU, and keeps its buffers and programs from one to the next.
 ///
 /// In a codec, nodes and triangles are written in full first, into buffers of the builder's, and coded in the same frame. Of a
 /// mesh on a lattice ([`MeshCodec::Lattice`]) the vertices must lie on it, as [`crate::Mesh::snap`] leaves them: any other counts
-/// as the lattice's nearest point.
+/// as a point of the lattice next to it.
 #[derive(Debug)]
 pub struct Builder {
     config: BuildConfig,
@@ -237,13 +235,13 @@ impl Builder {
 
     /// Refuses a codec that only the CPU has, and a mesh that is larger than the GPU takes, before anything is allocated.
     pub(super) fn check(&self, gpu: &Gpu, triangle_count: u32) -> Result<(), GpuError> {
-        let coding = Coding::of(&self.config)?;
-        let most = MOST_PLACES / MOST_WORDS;
-        if coding.is_some_and(Coding::is_mixed) && u64::from(triangle_count) > most {
-            return Err(GpuError::Unfit {
-                what: "the mesh",
-                fault: format!("has {triangle_count} triangles; on a lattice {most} can be stored"),
-            });
+        Coding::of(&self.config)?;
+        let limit = most_triangles(self.config.mesh);
+        if triangle_count as usize > limit {
+            return Err(GpuError::Mesh(MeshError::TooManyTriangles {
+                triangle_count: triangle_count as usize,
+                limit,
+            }));
         }
         // What is coded is smaller than what is plain.
         gpu.check_sizes(&self.sizes(triangle_count), TOO_LARGE)

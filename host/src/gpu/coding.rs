@@ -2,7 +2,7 @@
 
 use super::{GpuError, Kernel};
 use crate::{BuildConfig, LatticeBits, MeshCodec, NodeCodec};
-use slimbvh_core::encode::{PrintedNode, PrintedTriangle, node_words};
+use slimbvh_core::encode::{LeafWidth, PrintedNode, PrintedTriangle, node_words};
 
 /// How nodes and triangles are stored, where that is not in full.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,7 +50,7 @@ impl Coding {
         match self {
             Self::PrintedF32 | Self::Q10F32 | Self::Q21F32 => None,
             Self::PrintedLeaf10 => Some(size_of::<PrintedTriangle>() as u64),
-            Self::Q10Lattice | Self::Q21Lattice => Some(4 * MOST_WORDS),
+            Self::Q10Lattice | Self::Q21Lattice => Some(4 * LeafWidth::Wide.words() as u64),
         }
     }
 
@@ -59,9 +59,6 @@ impl Coding {
         matches!(self, Self::Q10Lattice | Self::Q21Lattice)
     }
 }
-
-/// The most words that a triangle on the lattice takes.
-pub const MOST_WORDS: u64 = slimbvh_core::encode::LeafWidth::Wide.words() as u64;
 
 /// The kernels that trace one kind of hierarchies.
 #[derive(Clone, Copy, Debug)]

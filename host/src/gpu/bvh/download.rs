@@ -29,14 +29,15 @@ impl Bvh {
         let [node_count, triangle_count] = self.read_counts(gpu)?.map(u64::from);
         let coding = built.coding();
         let node_bytes = coding.map_or(size_of::<Node>() as u64, Coding::node_bytes);
-        let words = match &built.coded {
-            Some(coded) if coded.coding.is_mixed() => read_firsts(gpu, [&coded.word_total])?[0],
-            _ => 0,
-        };
-        let triangle_bytes = match coding.and_then(Coding::most_triangle_bytes) {
-            None => triangle_count * size_of::<LeafTriangle>() as u64,
-            Some(_) if words > 0 => 4 * u64::from(words),
-            Some(bytes) => triangle_count * bytes,
+        let triangle_bytes = match &built.coded {
+            Some(coded) if coded.coding.is_mixed() => {
+                let [words] = read_firsts(gpu, [&coded.word_total])?;
+                4 * u64::from(words)
+            }
+            _ => {
+                let each = coding.and_then(Coding::most_triangle_bytes);
+                triangle_count * each.unwrap_or(size_of::<LeafTriangle>() as u64)
+            }
         };
         Ok([node_count * node_bytes, triangle_bytes])
     }
