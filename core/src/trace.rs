@@ -4,25 +4,23 @@ use crate::classify::Except;
 use crate::float::max;
 use crate::ray::{Hit, PreparedRay, Ray};
 use crate::slab::{PlanePair, slab};
-use crate::topology::depth_bound;
 use crate::watertight::intersect;
 
 mod collect;
 mod sources;
+mod stack;
 
 pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, NearestHits};
 pub use sources::{BruteForce, LeafTriangles, PlainNodes};
+pub use stack::{BoxColumns, Column, Cursor, STACK_SIZE, Stack};
 
 /// Where the traversal finds nodes.
 pub trait NodeSource {
     /// What names a node on the stack, with all that decoding it needs.
-    type Cursor: Copy;
+    type Cursor: Cursor;
 
     /// What decoding a leaf's triangles needs: its box, where that is their frame.
     type Frame: Copy;
-
-    /// Fills the stack before use; all bits zero, so that one constant does it.
-    const UNUSED: Self::Cursor;
 
     /// Where to begin, for a ray whose axes are in this order.
     fn root(&self, axes: [u32; 3]) -> Self::Cursor;
@@ -88,37 +86,6 @@ pub trait Rule {
     fn counts(&self, primitive: u32, corners: &[[f32; 3]; 3], axes: [u32; 3]) -> bool;
 }
 
-/// The stack holds one entry a level below the root. Trees of 63-bit codes have at most 63 + 28 levels
-/// ([`crate::topology::depth_bound`]), trees of 30-bit codes 30 + 28.
-pub const STACK_SIZE: usize = 128;
-const _: () = assert!(STACK_SIZE as u32 > depth_bound(63, crate::MAX_TRIANGLES));
-
-/// Nodes that wait. Memory of a caller who asks more than once: it need not be cleared in between.
-#[derive(Clone, Copy, Debug)]
-pub struct Stack<C> {
-    cursors: [C; STACK_SIZE],
-    enter: [f32; STACK_SIZE],
-}
-
-impl<C: Copy> Stack<C> {
-    /// Nothing waits. Takes what a source fills it with before use ([`NodeSource::UNUSED`]).
-    #[inline(always)]
-    #[must_use]
-    pub const fn new(unused: C) -> Self {
-        Self {
-            cursors: [unused; STACK_SIZE],
-            enter: [0.0; STACK_SIZE],
-        }
-    }
-
-    /// For nodes of a source.
-    #[inline(always)]
-    #[must_use]
-    pub const fn of<N: NodeSource<Cursor = C>>(_: &N) -> Self {
-        Self::new(N::UNUSED)
-    }
-}
-
 /// [`traverse_with`], with a stack of its own.
 #[inline(always)]
 pub fn traverse<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collector>(
@@ -128,7 +95,7 @@ pub fn traverse<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Collecto
     rule: &R,
     collector: &mut C,
 ) {
-    let mut stack = Stack::of(nodes);
+    let mut stack = Stack::EMPTY;
     traverse_with(&mut stack, nodes, triangles, ray, rule, collector);
 }
 
@@ -154,8 +121,8 @@ pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Col
         if !at_node {
             // Take the nearest node that waits, unless a hit has been found before it.
             depth -= 1;
-            cursor = stack.cursors[depth % STACK_SIZE];
-            at_node = stack.enter[depth % STACK_SIZE] <= collector.limit();
+            cursor = stack.cursor(depth);
+            at_node = stack.enter(depth) <= collector.limit();
         }
         if at_node {
             steps -= 1;
@@ -187,9 +154,8 @@ pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Frame>, R: Rule, C: Col
                 let (meets_left, meets_right) = (boxes.meets_a, boxes.meets_b);
                 let left_first = enter_left <= enter_right;
                 if meets_left && meets_right {
-                    stack.cursors[depth % STACK_SIZE] =
-                        if left_first { node.right } else { node.left };
-                    stack.enter[depth % STACK_SIZE] = max(enter_left, enter_right);
+                    let far = if left_first { node.right } else { node.left };
+                    stack.put(depth, far, max(enter_left, enter_right));
                     depth += 1;
                     cursor = if left_first { node.left } else { node.right };
                 } else {

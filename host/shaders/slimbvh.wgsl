@@ -81,104 +81,104 @@ var<private> slimbvh_hit: SlimbvhTypeB;
 fn slimbvh_trace() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_234_: i32;
     var phi_235_: i32;
-    var phi_245_: bool;
-    var phi_255_: u32;
+    var phi_236_: i32;
+    var phi_246_: bool;
     var phi_256_: u32;
-    var phi_258_: bool;
-    var phi_263_: u32;
-    var phi_275_: i32;
-    var phi_295_: i32;
-    var phi_349_: f32;
-    var phi_360_: f32;
-    var phi_405_: f32;
-    var phi_416_: f32;
-    var phi_461_: f32;
-    var phi_472_: f32;
-    var phi_568_: f32;
+    var phi_257_: u32;
+    var phi_259_: bool;
+    var phi_264_: u32;
+    var phi_276_: i32;
+    var phi_296_: i32;
+    var phi_350_: f32;
+    var phi_361_: f32;
+    var phi_406_: f32;
+    var phi_417_: f32;
+    var phi_462_: f32;
+    var phi_473_: f32;
     var phi_569_: f32;
-    var phi_579_: SlimbvhTypeK;
-    var phi_2226_: bool;
-    var phi_852_: SlimbvhTypeK;
-    var phi_855_: u32;
-    var phi_857_: u32;
-    var phi_859_: bool;
-    var phi_861_: u32;
-    var phi_872_: bool;
-    var phi_903_: u32;
-    var phi_904_: bool;
-    var phi_905_: u32;
-    var phi_1734_: SlimbvhTypeL;
-    var phi_2078_: u32;
-    var phi_2105_: u32;
-    var phi_2106_: u32;
-    var phi_2107_: u32;
-    var phi_2109_: u32;
-    var phi_2110_: u32;
-    var phi_2111_: bool;
-    var phi_2120_: u32;
-    var phi_2125_: u32;
-    var phi_2126_: bool;
-    var phi_920_: SlimbvhTypeK;
-    var phi_923_: SlimbvhTypeA;
-    var phi_924_: SlimbvhTypeA;
-    var phi_946_: SlimbvhTypeA;
-    var phi_967_: u32;
-    var phi_1056_: array<array<f32, 3>, 3>;
-    var phi_1527_: vec3<f32>;
-    var phi_1528_: vec3<f32>;
-    var phi_1559_: bool;
-    var phi_1568_: vec3<f32>;
-    var phi_1608_: SlimbvhTypeE;
-    var phi_1610_: SlimbvhTypeE;
-    var phi_1611_: bool;
-    var phi_1615_: SlimbvhTypeE;
-    var phi_1616_: SlimbvhTypeE;
-    var phi_1617_: SlimbvhTypeE;
-    var phi_1618_: bool;
-    var phi_1622_: SlimbvhTypeE;
-    var phi_1623_: bool;
-    var phi_1627_: SlimbvhTypeE;
-    var phi_1628_: bool;
-    var phi_1632_: SlimbvhTypeE;
-    var phi_1657_: bool;
-    var phi_1658_: bool;
-    var phi_1665_: SlimbvhTypeK;
-    var phi_1666_: SlimbvhTypeK;
-    var phi_1667_: SlimbvhTypeK;
-    var phi_921_: SlimbvhTypeK;
-    var phi_2220_: bool;
+    var phi_570_: f32;
+    var phi_580_: SlimbvhTypeK;
+    var phi_1963_: bool;
+    var phi_590_: SlimbvhTypeK;
+    var phi_593_: u32;
+    var phi_595_: u32;
+    var phi_597_: bool;
+    var phi_599_: u32;
+    var phi_610_: bool;
+    var phi_642_: u32;
+    var phi_643_: bool;
+    var phi_644_: u32;
+    var phi_1473_: SlimbvhTypeL;
+    var phi_1817_: u32;
+    var phi_1845_: u32;
+    var phi_1846_: u32;
+    var phi_1847_: u32;
+    var phi_1849_: u32;
+    var phi_1850_: u32;
+    var phi_1851_: bool;
+    var phi_1860_: u32;
+    var phi_1865_: u32;
+    var phi_1866_: bool;
+    var phi_659_: SlimbvhTypeK;
+    var phi_662_: SlimbvhTypeA;
+    var phi_663_: SlimbvhTypeA;
+    var phi_685_: SlimbvhTypeA;
+    var phi_706_: u32;
+    var phi_795_: array<array<f32, 3>, 3>;
+    var phi_1266_: vec3<f32>;
+    var phi_1267_: vec3<f32>;
+    var phi_1298_: bool;
+    var phi_1307_: vec3<f32>;
+    var phi_1347_: SlimbvhTypeE;
+    var phi_1349_: SlimbvhTypeE;
+    var phi_1350_: bool;
+    var phi_1354_: SlimbvhTypeE;
+    var phi_1355_: SlimbvhTypeE;
+    var phi_1356_: SlimbvhTypeE;
+    var phi_1357_: bool;
+    var phi_1361_: SlimbvhTypeE;
+    var phi_1362_: bool;
+    var phi_1366_: SlimbvhTypeE;
+    var phi_1367_: bool;
+    var phi_1371_: SlimbvhTypeE;
+    var phi_1396_: bool;
+    var phi_1397_: bool;
+    var phi_1404_: SlimbvhTypeK;
+    var phi_1405_: SlimbvhTypeK;
+    var phi_1406_: SlimbvhTypeK;
+    var phi_660_: SlimbvhTypeK;
+    var phi_1957_: bool;
     var local_2: SlimbvhTypeK;
     var local_3: SlimbvhTypeK;
-    var phi_1674_: bool;
-    var phi_2339_: bool;
-    var phi_2128_: SlimbvhTypeK;
-    var phi_2129_: u32;
-    var phi_2130_: bool;
-    var phi_2131_: u32;
-    var phi_2338_: bool;
-    var phi_2132_: SlimbvhTypeK;
-    var phi_2133_: u32;
-    var phi_2134_: u32;
-    var phi_2135_: bool;
-    var phi_2136_: u32;
-    var phi_2337_: bool;
-    var phi_2137_: SlimbvhTypeK;
-    var phi_2138_: u32;
-    var phi_2139_: u32;
-    var phi_2140_: bool;
-    var phi_2141_: u32;
-    var phi_2336_: bool;
-    var phi_853_: SlimbvhTypeK;
-    var phi_856_: u32;
-    var phi_858_: u32;
-    var phi_860_: bool;
-    var phi_862_: u32;
-    var phi_2142_: bool;
-    var phi_2335_: bool;
+    var phi_1413_: bool;
+    var phi_2076_: bool;
+    var phi_1868_: SlimbvhTypeK;
+    var phi_1869_: u32;
+    var phi_1870_: bool;
+    var phi_1871_: u32;
+    var phi_2075_: bool;
+    var phi_1872_: SlimbvhTypeK;
+    var phi_1873_: u32;
+    var phi_1874_: u32;
+    var phi_1875_: bool;
+    var phi_1876_: u32;
+    var phi_2074_: bool;
+    var phi_1877_: SlimbvhTypeK;
+    var phi_1878_: u32;
+    var phi_1879_: u32;
+    var phi_1880_: bool;
+    var phi_1881_: u32;
+    var phi_2073_: bool;
+    var phi_591_: SlimbvhTypeK;
+    var phi_594_: u32;
+    var phi_596_: u32;
+    var phi_598_: bool;
+    var phi_600_: u32;
+    var phi_1882_: bool;
+    var phi_2072_: bool;
     var local_4: SlimbvhTypeK;
-    var phi_2194_: SlimbvhTypeE;
+    var phi_1934_: SlimbvhTypeE;
     var local_5: SlimbvhTypeK;
 
     switch bitcast<i32>(0u) {
@@ -207,60 +207,60 @@ fn slimbvh_trace() {
             if _e120 {
                 let _e123 = (bitcast<u32>(bitcast<f32>(_e103)) & 2147483647u);
                 if (_e123 >= 8388608u) {
-                    phi_234_ = (bitcast<i32>((_e123 >> bitcast<u32>(23i))) - 127i);
+                    phi_235_ = (bitcast<i32>((_e123 >> bitcast<u32>(23i))) - 127i);
                 } else {
-                    phi_234_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e123)), 32u, (_e123 == 0u))));
+                    phi_235_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e123)), 32u, (_e123 == 0u))));
                 }
-                let _e137 = phi_234_;
-                phi_235_ = _e137;
+                let _e137 = phi_235_;
+                phi_236_ = _e137;
             } else {
-                phi_235_ = 0i;
+                phi_236_ = 0i;
             }
-            let _e139 = phi_235_;
+            let _e139 = phi_236_;
             let _e140 = (_e89 == _e103);
             if _e140 {
-                phi_245_ = true;
+                phi_246_ = true;
             } else {
-                phi_245_ = (_e91 == _e103);
+                phi_246_ = (_e91 == _e103);
             }
-            let _e143 = phi_245_;
+            let _e143 = phi_246_;
             let _e144 = select(1u, 0u, _e140);
             if _e143 {
                 let _e145 = (_e144 + 1u);
-                phi_255_ = _e145;
                 phi_256_ = _e145;
-                phi_258_ = select(true, false, (_e145 == 2u));
+                phi_257_ = _e145;
+                phi_259_ = select(true, false, (_e145 == 2u));
             } else {
-                phi_255_ = u32();
-                phi_256_ = 0u;
-                phi_258_ = true;
+                phi_256_ = u32();
+                phi_257_ = 0u;
+                phi_259_ = true;
             }
-            let _e149 = phi_255_;
-            let _e151 = phi_256_;
-            let _e153 = phi_258_;
+            let _e149 = phi_256_;
+            let _e151 = phi_257_;
+            let _e153 = phi_259_;
             if _e153 {
-                phi_263_ = (_e151 + 1u);
+                phi_264_ = (_e151 + 1u);
             } else {
-                phi_263_ = 0u;
+                phi_264_ = 0u;
             }
-            let _e157 = phi_263_;
+            let _e157 = phi_264_;
             let _e158 = select(_e149, _e151, _e153);
             let _e159 = select(_e144, select(2u, _e144, _e143), _e153);
             if (_e87 < -126i) {
-                phi_275_ = -126i;
+                phi_276_ = -126i;
             } else {
-                phi_275_ = select(_e87, 127i, (_e87 > 127i));
+                phi_276_ = select(_e87, 127i, (_e87 > 127i));
             }
-            let _e164 = phi_275_;
+            let _e164 = phi_276_;
             let _e169 = bitcast<f32>((bitcast<u32>((_e164 + 127i)) << bitcast<u32>(23i)));
             let _e175 = bitcast<f32>((bitcast<u32>(((_e87 - _e164) + 127i)) << bitcast<u32>(23i)));
             let _e176 = -(_e139);
             if (_e176 < -126i) {
-                phi_295_ = -126i;
+                phi_296_ = -126i;
             } else {
-                phi_295_ = select(_e176, 127i, (_e176 > 127i));
+                phi_296_ = select(_e176, 127i, (_e176 > 127i));
             }
-            let _e181 = phi_295_;
+            let _e181 = phi_296_;
             let _e186 = bitcast<f32>((bitcast<u32>((_e181 + 127i)) << bitcast<u32>(23i)));
             let _e192 = bitcast<f32>((bitcast<u32>(((_e176 - _e181) + 127i)) << bitcast<u32>(23i)));
             let _e193 = (_e158 == 0u);
@@ -270,20 +270,20 @@ fn slimbvh_trace() {
             let _e206 = (bitcast<f32>((bitcast<u32>(_e202) & 2147483647u)) < 0.00000000000000000086736174f);
             if _e206 {
                 let _e210 = (bitcast<f32>((bitcast<u32>(_e198) & 2147483647u)) * 0.00000011920929f);
-                phi_349_ = select(0.00000000000011368684f, _e210, (_e210 > 0.00000000000011368684f));
+                phi_350_ = select(0.00000000000011368684f, _e210, (_e210 > 0.00000000000011368684f));
             } else {
-                phi_349_ = 0f;
+                phi_350_ = 0f;
             }
-            let _e214 = phi_349_;
+            let _e214 = phi_350_;
             let _e215 = (_e198 + _e214);
             let _e216 = (_e198 - _e214);
             let _e217 = select(_e202, 0f, _e206);
             if _e206 {
-                phi_360_ = 38685626000000000000000000f;
+                phi_361_ = 38685626000000000000000000f;
             } else {
-                phi_360_ = (1f / _e202);
+                phi_361_ = (1f / _e202);
             }
-            let _e220 = phi_360_;
+            let _e220 = phi_361_;
             let _e221 = (_e157 == 0u);
             let _e223 = (_e157 == 2u);
             let _e226 = ((select(select(_e70.y, _e70.x, _e221), _e70.z, _e223) * _e169) * _e175);
@@ -291,20 +291,20 @@ fn slimbvh_trace() {
             let _e234 = (bitcast<f32>((bitcast<u32>(_e230) & 2147483647u)) < 0.00000000000000000086736174f);
             if _e234 {
                 let _e238 = (bitcast<f32>((bitcast<u32>(_e226) & 2147483647u)) * 0.00000011920929f);
-                phi_405_ = select(0.00000000000011368684f, _e238, (_e238 > 0.00000000000011368684f));
+                phi_406_ = select(0.00000000000011368684f, _e238, (_e238 > 0.00000000000011368684f));
             } else {
-                phi_405_ = 0f;
+                phi_406_ = 0f;
             }
-            let _e242 = phi_405_;
+            let _e242 = phi_406_;
             let _e243 = (_e226 + _e242);
             let _e244 = (_e226 - _e242);
             let _e245 = select(_e230, 0f, _e234);
             if _e234 {
-                phi_416_ = 38685626000000000000000000f;
+                phi_417_ = 38685626000000000000000000f;
             } else {
-                phi_416_ = (1f / _e230);
+                phi_417_ = (1f / _e230);
             }
-            let _e248 = phi_416_;
+            let _e248 = phi_417_;
             let _e249 = (_e159 == 0u);
             let _e251 = (_e159 == 2u);
             let _e254 = ((select(select(_e70.y, _e70.x, _e249), _e70.z, _e251) * _e169) * _e175);
@@ -312,20 +312,20 @@ fn slimbvh_trace() {
             let _e262 = (bitcast<f32>((bitcast<u32>(_e258) & 2147483647u)) < 0.00000000000000000086736174f);
             if _e262 {
                 let _e266 = (bitcast<f32>((bitcast<u32>(_e254) & 2147483647u)) * 0.00000011920929f);
-                phi_461_ = select(0.00000000000011368684f, _e266, (_e266 > 0.00000000000011368684f));
+                phi_462_ = select(0.00000000000011368684f, _e266, (_e266 > 0.00000000000011368684f));
             } else {
-                phi_461_ = 0f;
+                phi_462_ = 0f;
             }
-            let _e270 = phi_461_;
+            let _e270 = phi_462_;
             let _e271 = (_e254 + _e270);
             let _e272 = (_e254 - _e270);
             let _e273 = select(_e258, 0f, _e262);
             if _e262 {
-                phi_472_ = 38685626000000000000000000f;
+                phi_473_ = 38685626000000000000000000f;
             } else {
-                phi_472_ = (1f / _e258);
+                phi_473_ = (1f / _e258);
             }
-            let _e276 = phi_472_;
+            let _e276 = phi_473_;
             let _e279 = bitcast<f32>((bitcast<u32>(_e198) & 2147483647u));
             let _e282 = bitcast<f32>((bitcast<u32>(_e226) & 2147483647u));
             let _e284 = select(_e282, _e279, (_e279 > _e282));
@@ -339,92 +339,92 @@ fn slimbvh_trace() {
                 let _e310 = select(340282350000000000000000000000000000000f, _e308, (_e308 < 340282350000000000000000000000000000000f));
                 let _e315 = (((_e83 * _e300) * _e300) * _e307);
                 let _e317 = select(340282350000000000000000000000000000000f, _e315, (_e315 < 340282350000000000000000000000000000000f));
-                phi_568_ = select(-340282350000000000000000000000000000000f, _e317, (_e317 > -340282350000000000000000000000000000000f));
-                phi_569_ = select(-340282350000000000000000000000000000000f, _e310, (_e310 > -340282350000000000000000000000000000000f));
+                phi_569_ = select(-340282350000000000000000000000000000000f, _e317, (_e317 > -340282350000000000000000000000000000000f));
+                phi_570_ = select(-340282350000000000000000000000000000000f, _e310, (_e310 > -340282350000000000000000000000000000000f));
             } else {
-                phi_568_ = 0f;
-                phi_569_ = 1f;
+                phi_569_ = 0f;
+                phi_570_ = 1f;
             }
-            let _e321 = phi_568_;
-            let _e323 = phi_569_;
+            let _e321 = phi_569_;
+            let _e323 = phi_570_;
             let _e324 = slimbvh_any_will_do.member;
             if (_e324 == 1u) {
-                phi_579_ = SlimbvhTypeK(SlimbvhTypeJ(SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e321), true);
+                phi_580_ = SlimbvhTypeK(SlimbvhTypeJ(SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e321), true);
             } else {
-                phi_579_ = SlimbvhTypeK(SlimbvhTypeJ(SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e321), false);
+                phi_580_ = SlimbvhTypeK(SlimbvhTypeJ(SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e321), false);
             }
-            let _e331 = phi_579_;
+            let _e331 = phi_580_;
             local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
             local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-            phi_2226_ = false;
-            phi_852_ = _e331;
-            phi_855_ = select(0u, 2147483648u, (_e63 == 0u));
-            phi_857_ = ((3u * _e63) + 1u);
-            phi_859_ = (_e323 <= _e321);
-            phi_861_ = 0u;
+            phi_1963_ = false;
+            phi_590_ = _e331;
+            phi_593_ = select(0u, 2147483648u, (_e63 == 0u));
+            phi_595_ = ((3u * _e63) + 1u);
+            phi_597_ = (_e323 <= _e321);
+            phi_599_ = 0u;
             loop {
-                let _e338 = phi_2226_;
-                let _e340 = phi_852_;
-                let _e342 = phi_855_;
-                let _e344 = phi_857_;
-                let _e346 = phi_859_;
-                let _e348 = phi_861_;
+                let _e338 = phi_1963_;
+                let _e340 = phi_590_;
+                let _e342 = phi_593_;
+                let _e344 = phi_595_;
+                let _e346 = phi_597_;
+                let _e348 = phi_599_;
                 local_4 = _e340;
                 if _e346 {
-                    phi_872_ = true;
+                    phi_610_ = true;
                 } else {
-                    phi_872_ = (_e348 > 0u);
+                    phi_610_ = (_e348 > 0u);
                 }
-                let _e351 = phi_872_;
+                let _e351 = phi_610_;
                 if _e351 {
                     let _e352 = (_e344 > 0u);
                     if _e352 {
                         if _e346 {
-                            phi_903_ = _e342;
-                            phi_904_ = _e346;
-                            phi_905_ = _e348;
+                            phi_642_ = _e342;
+                            phi_643_ = _e346;
+                            phi_644_ = _e348;
                         } else {
                             let _e353 = (_e348 - 1u);
                             let _e354 = (_e353 % 128u);
                             let _e355 = (_e354 < 128u);
                             if _e355 {
                             } else {
-                                phi_2335_ = true;
+                                phi_2072_ = true;
                                 break;
                             }
                             let _e357 = local_1[_e354];
                             if _e355 {
                             } else {
-                                phi_2335_ = true;
+                                phi_2072_ = true;
                                 break;
                             }
                             let _e359 = local[_e354];
-                            phi_903_ = _e357;
-                            phi_904_ = (_e359 <= _e340.member.member_1);
-                            phi_905_ = _e353;
+                            phi_642_ = _e357;
+                            phi_643_ = (_e359 <= _e340.member.member_1);
+                            phi_644_ = _e353;
                         }
-                        let _e364 = phi_903_;
-                        let _e366 = phi_904_;
-                        let _e368 = phi_905_;
+                        let _e364 = phi_642_;
+                        let _e366 = phi_643_;
+                        let _e368 = phi_644_;
                         if _e366 {
                             if ((_e364 & 2147483648u) != 0u) {
-                                phi_920_ = _e340;
-                                phi_923_ = SlimbvhTypeA(0u, ((_e364 >> bitcast<u32>(28u)) & 7u));
+                                phi_659_ = _e340;
+                                phi_662_ = SlimbvhTypeA(0u, ((_e364 >> bitcast<u32>(28u)) & 7u));
                                 loop {
-                                    let _e567 = phi_920_;
-                                    let _e569 = phi_923_;
+                                    let _e567 = phi_659_;
+                                    let _e569 = phi_662_;
                                     local_2 = _e567;
                                     local_3 = _e567;
                                     local_5 = _e567;
                                     if (_e569.member < _e569.member_1) {
-                                        phi_924_ = SlimbvhTypeA((_e569.member + 1u), _e569.member_1);
-                                        phi_946_ = SlimbvhTypeA(1u, _e569.member);
+                                        phi_663_ = SlimbvhTypeA((_e569.member + 1u), _e569.member_1);
+                                        phi_685_ = SlimbvhTypeA(1u, _e569.member);
                                     } else {
-                                        phi_924_ = _e569;
-                                        phi_946_ = SlimbvhTypeA(0u, SlimbvhTypeA().member_1);
+                                        phi_663_ = _e569;
+                                        phi_685_ = SlimbvhTypeA(0u, SlimbvhTypeA().member_1);
                                     }
-                                    let _e582 = phi_924_;
-                                    let _e584 = phi_946_;
+                                    let _e582 = phi_663_;
+                                    let _e584 = phi_685_;
                                     let _e588 = (bitcast<i32>(_e584.member) != 0i);
                                     if _e588 {
                                         let _e589 = ((_e364 & 268435455u) + _e584.member_1);
@@ -432,21 +432,21 @@ fn slimbvh_trace() {
                                         if _e590 {
                                             if _e590 {
                                             } else {
-                                                phi_2220_ = true;
+                                                phi_1957_ = true;
                                                 break;
                                             }
                                             let _e594 = slimbvh_triangles.member[_e589].member_1;
-                                            phi_967_ = _e594;
+                                            phi_706_ = _e594;
                                         } else {
-                                            phi_967_ = 4294967295u;
+                                            phi_706_ = 4294967295u;
                                         }
-                                        let _e596 = phi_967_;
+                                        let _e596 = phi_706_;
                                         if (_e589 >= _e65) {
-                                            phi_1056_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                            phi_795_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                         } else {
                                             if _e590 {
                                             } else {
-                                                phi_2220_ = true;
+                                                phi_1957_ = true;
                                                 break;
                                             }
                                             let _e598 = (_e158 % 3u);
@@ -454,67 +454,67 @@ fn slimbvh_trace() {
                                             let _e600 = (_e159 % 3u);
                                             if (_e598 < 9u) {
                                             } else {
-                                                phi_2220_ = true;
+                                                phi_1957_ = true;
                                                 break;
                                             }
                                             let _e606 = slimbvh_triangles.member[_e589].member[_e598];
                                             if (_e599 < 9u) {
                                             } else {
-                                                phi_2220_ = true;
+                                                phi_1957_ = true;
                                                 break;
                                             }
                                             let _e612 = slimbvh_triangles.member[_e589].member[_e599];
                                             if (_e600 < 9u) {
                                             } else {
-                                                phi_2220_ = true;
+                                                phi_1957_ = true;
                                                 break;
                                             }
                                             let _e618 = slimbvh_triangles.member[_e589].member[_e600];
                                             let _e620 = (3u + _e598);
                                             if (_e620 < 9u) {
                                             } else {
-                                                phi_2220_ = true;
+                                                phi_1957_ = true;
                                                 break;
                                             }
                                             let _e626 = slimbvh_triangles.member[_e589].member[_e620];
                                             let _e627 = (3u + _e599);
                                             if (_e627 < 9u) {
                                             } else {
-                                                phi_2220_ = true;
+                                                phi_1957_ = true;
                                                 break;
                                             }
                                             let _e633 = slimbvh_triangles.member[_e589].member[_e627];
                                             let _e634 = (3u + _e600);
                                             if (_e634 < 9u) {
                                             } else {
-                                                phi_2220_ = true;
+                                                phi_1957_ = true;
                                                 break;
                                             }
                                             let _e640 = slimbvh_triangles.member[_e589].member[_e634];
                                             let _e642 = (6u + _e598);
                                             if (_e642 < 9u) {
                                             } else {
-                                                phi_2220_ = true;
+                                                phi_1957_ = true;
                                                 break;
                                             }
                                             let _e648 = slimbvh_triangles.member[_e589].member[_e642];
                                             let _e649 = (6u + _e599);
                                             if (_e649 < 9u) {
                                             } else {
-                                                phi_2220_ = true;
+                                                phi_1957_ = true;
                                                 break;
                                             }
                                             let _e655 = slimbvh_triangles.member[_e589].member[_e649];
                                             let _e656 = (6u + _e600);
                                             if (_e656 < 9u) {
                                             } else {
-                                                phi_2220_ = true;
+                                                phi_1957_ = true;
                                                 break;
                                             }
                                             let _e662 = slimbvh_triangles.member[_e589].member[_e656];
-                                            phi_1056_ = array<array<f32, 3>, 3>(array<f32, 3>(_e606, _e612, _e618), array<f32, 3>(_e626, _e633, _e640), array<f32, 3>(_e648, _e655, _e662));
+                                            phi_795_ = array<array<f32, 3>, 3>(array<f32, 3>(_e606, _e612, _e618), array<f32, 3>(_e626, _e633, _e640), array<f32, 3>(_e648, _e655, _e662));
                                         }
-                                        let _e666 = phi_1056_;
+                                        let _e666 = phi_795_;
                                         let _e675 = (_e666[0][2] - _e254);
                                         let _e678 = (((_e666[0][0] - _e198) * _e273) - (_e675 * _e217));
                                         let _e681 = (((_e666[0][1] - _e226) * _e273) - (_e675 * _e245));
@@ -541,8 +541,8 @@ fn slimbvh_trace() {
                                             let _e737 = select(0f, _e735, (_e735 > 0f));
                                             let _e739 = ((_e729 + _e733) + _e737);
                                             if (_e739 < 0.000000000000000000000000000000000000011754944f) {
-                                                phi_1622_ = SlimbvhTypeE();
-                                                phi_1623_ = true;
+                                                phi_1361_ = SlimbvhTypeE();
+                                                phi_1362_ = true;
                                             } else {
                                                 let _e742 = select(_e666[1][0], _e666[0][0], (_e666[0][0] < _e666[1][0]));
                                                 let _e746 = select(_e666[1][0], _e666[0][0], (_e666[0][0] > _e666[1][0]));
@@ -569,12 +569,12 @@ fn slimbvh_trace() {
                                                 let _e797 = -(_e778);
                                                 let _e803 = select(_e323, _e788, (_e788 > _e323));
                                                 if (_e803 > (_e796 + (select(_e797, _e780, (_e780 > _e797)) * 0.0000019073523f))) {
-                                                    phi_1617_ = SlimbvhTypeE();
-                                                    phi_1618_ = true;
+                                                    phi_1356_ = SlimbvhTypeE();
+                                                    phi_1357_ = true;
                                                 } else {
                                                     let _e805 = (_e803 > _e567.member.member_1);
                                                     if _e805 {
-                                                        phi_1616_ = SlimbvhTypeE();
+                                                        phi_1355_ = SlimbvhTypeE();
                                                     } else {
                                                         let _e809 = (_e666[1][0] - _e666[0][0]);
                                                         let _e810 = (_e666[1][1] - _e666[0][1]);
@@ -606,30 +606,30 @@ fn slimbvh_trace() {
                                                         let _e861 = select(_e846, _e833, (_e833 > _e846));
                                                         let _e863 = select(_e859, _e861, (_e861 > _e859));
                                                         if (_e833 == _e863) {
-                                                            phi_1527_ = _e816;
-                                                            phi_1528_ = _e820;
+                                                            phi_1266_ = _e816;
+                                                            phi_1267_ = _e820;
                                                         } else {
                                                             let _e866 = vec3((_e846 == _e863));
-                                                            phi_1527_ = select(_e812, _e820, _e866);
-                                                            phi_1528_ = select(_e816, _e812, _e866);
+                                                            phi_1266_ = select(_e812, _e820, _e866);
+                                                            phi_1267_ = select(_e816, _e812, _e866);
                                                         }
-                                                        let _e870 = phi_1527_;
-                                                        let _e872 = phi_1528_;
+                                                        let _e870 = phi_1266_;
+                                                        let _e872 = phi_1267_;
                                                         let _e879 = ((_e870.y * _e872.z) - (_e872.y * _e870.z));
                                                         let _e884 = ((_e870.z * _e872.x) - (_e872.z * _e870.x));
                                                         let _e887 = ((_e870.x * _e872.y) - (_e872.x * _e870.y));
                                                         if (_e729 >= _e733) {
-                                                            phi_1559_ = select(true, false, (_e729 >= _e737));
+                                                            phi_1298_ = select(true, false, (_e729 >= _e737));
                                                         } else {
-                                                            phi_1559_ = true;
+                                                            phi_1298_ = true;
                                                         }
-                                                        let _e892 = phi_1559_;
+                                                        let _e892 = phi_1298_;
                                                         if _e892 {
-                                                            phi_1568_ = select(vec3<f32>(_e666[2][0], _e666[2][1], _e666[2][2]), vec3<f32>(_e666[1][0], _e666[1][1], _e666[1][2]), vec3((_e733 >= _e737)));
+                                                            phi_1307_ = select(vec3<f32>(_e666[2][0], _e666[2][1], _e666[2][2]), vec3<f32>(_e666[1][0], _e666[1][1], _e666[1][2]), vec3((_e733 >= _e737)));
                                                         } else {
-                                                            phi_1568_ = vec3<f32>(_e666[0][0], _e666[0][1], _e666[0][2]);
+                                                            phi_1307_ = vec3<f32>(_e666[0][0], _e666[0][1], _e666[0][2]);
                                                         }
-                                                        let _e897 = phi_1568_;
+                                                        let _e897 = phi_1307_;
                                                         let _e914 = ((((_e879 * (_e897.x - _e198)) + (_e884 * (_e897.y - _e226))) + (_e887 * (_e897.z - _e254))) / (((_e879 * _e217) + (_e884 * _e245)) + (_e887 * _e273)));
                                                         let _e916 = select(_e796, _e914, (_e914 < _e796));
                                                         let _e918 = select(_e788, _e916, (_e916 > _e788));
@@ -637,149 +637,149 @@ fn slimbvh_trace() {
                                                             let _e920 = (_e918 <= _e567.member.member_1);
                                                             if _e920 {
                                                                 let _e921 = (1f / _e739);
-                                                                phi_1608_ = SlimbvhTypeE(_e918, (_e733 * _e921), (_e737 * _e921), _e596);
+                                                                phi_1347_ = SlimbvhTypeE(_e918, (_e733 * _e921), (_e737 * _e921), _e596);
                                                             } else {
-                                                                phi_1608_ = SlimbvhTypeE();
+                                                                phi_1347_ = SlimbvhTypeE();
                                                             }
-                                                            let _e926 = phi_1608_;
-                                                            phi_1610_ = _e926;
-                                                            phi_1611_ = select(true, false, _e920);
+                                                            let _e926 = phi_1347_;
+                                                            phi_1349_ = _e926;
+                                                            phi_1350_ = select(true, false, _e920);
                                                         } else {
-                                                            phi_1610_ = SlimbvhTypeE();
-                                                            phi_1611_ = true;
+                                                            phi_1349_ = SlimbvhTypeE();
+                                                            phi_1350_ = true;
                                                         }
-                                                        let _e929 = phi_1610_;
-                                                        let _e931 = phi_1611_;
+                                                        let _e929 = phi_1349_;
+                                                        let _e931 = phi_1350_;
                                                         if _e931 {
-                                                            phi_1615_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                            phi_1354_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                         } else {
-                                                            phi_1615_ = _e929;
+                                                            phi_1354_ = _e929;
                                                         }
-                                                        let _e933 = phi_1615_;
-                                                        phi_1616_ = _e933;
+                                                        let _e933 = phi_1354_;
+                                                        phi_1355_ = _e933;
                                                     }
-                                                    let _e935 = phi_1616_;
-                                                    phi_1617_ = _e935;
-                                                    phi_1618_ = _e805;
+                                                    let _e935 = phi_1355_;
+                                                    phi_1356_ = _e935;
+                                                    phi_1357_ = _e805;
                                                 }
-                                                let _e937 = phi_1617_;
-                                                let _e939 = phi_1618_;
-                                                phi_1622_ = _e937;
-                                                phi_1623_ = _e939;
+                                                let _e937 = phi_1356_;
+                                                let _e939 = phi_1357_;
+                                                phi_1361_ = _e937;
+                                                phi_1362_ = _e939;
                                             }
-                                            let _e941 = phi_1622_;
-                                            let _e943 = phi_1623_;
-                                            phi_1627_ = _e941;
-                                            phi_1628_ = _e943;
+                                            let _e941 = phi_1361_;
+                                            let _e943 = phi_1362_;
+                                            phi_1366_ = _e941;
+                                            phi_1367_ = _e943;
                                         } else {
-                                            phi_1627_ = SlimbvhTypeE();
-                                            phi_1628_ = true;
+                                            phi_1366_ = SlimbvhTypeE();
+                                            phi_1367_ = true;
                                         }
-                                        let _e945 = phi_1627_;
-                                        let _e947 = phi_1628_;
+                                        let _e945 = phi_1366_;
+                                        let _e947 = phi_1367_;
                                         if _e947 {
-                                            phi_1632_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                            phi_1371_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                         } else {
-                                            phi_1632_ = _e945;
+                                            phi_1371_ = _e945;
                                         }
-                                        let _e949 = phi_1632_;
+                                        let _e949 = phi_1371_;
                                         if (_e949.member_3 != 4294967295u) {
                                             if (_e596 != 4294967295u) {
                                                 if (_e949.member < _e567.member.member.member) {
-                                                    phi_1658_ = true;
+                                                    phi_1397_ = true;
                                                 } else {
                                                     if (_e949.member == _e567.member.member.member) {
-                                                        phi_1657_ = (_e949.member_3 < _e567.member.member.member_3);
+                                                        phi_1396_ = (_e949.member_3 < _e567.member.member.member_3);
                                                     } else {
-                                                        phi_1657_ = false;
+                                                        phi_1396_ = false;
                                                     }
-                                                    let _e964 = phi_1657_;
-                                                    phi_1658_ = _e964;
+                                                    let _e964 = phi_1396_;
+                                                    phi_1397_ = _e964;
                                                 }
-                                                let _e966 = phi_1658_;
+                                                let _e966 = phi_1397_;
                                                 if _e966 {
-                                                    phi_1665_ = SlimbvhTypeK(SlimbvhTypeJ(_e949, _e949.member), _e567.member_1);
+                                                    phi_1404_ = SlimbvhTypeK(SlimbvhTypeJ(_e949, _e949.member), _e567.member_1);
                                                 } else {
-                                                    phi_1665_ = _e567;
+                                                    phi_1404_ = _e567;
                                                 }
-                                                let _e972 = phi_1665_;
-                                                phi_1666_ = _e972;
+                                                let _e972 = phi_1404_;
+                                                phi_1405_ = _e972;
                                             } else {
-                                                phi_1666_ = _e567;
+                                                phi_1405_ = _e567;
                                             }
-                                            let _e974 = phi_1666_;
-                                            phi_1667_ = _e974;
+                                            let _e974 = phi_1405_;
+                                            phi_1406_ = _e974;
                                         } else {
-                                            phi_1667_ = _e567;
+                                            phi_1406_ = _e567;
                                         }
-                                        let _e976 = phi_1667_;
-                                        phi_921_ = _e976;
+                                        let _e976 = phi_1406_;
+                                        phi_660_ = _e976;
                                     } else {
-                                        phi_921_ = SlimbvhTypeK();
+                                        phi_660_ = SlimbvhTypeK();
                                     }
-                                    let _e978 = phi_921_;
+                                    let _e978 = phi_660_;
                                     continue;
                                     continuing {
-                                        phi_920_ = _e978;
-                                        phi_923_ = _e582;
-                                        phi_2220_ = _e338;
+                                        phi_659_ = _e978;
+                                        phi_662_ = _e582;
+                                        phi_1957_ = _e338;
                                         break if !(_e588);
                                     }
                                 }
-                                let _e981 = phi_2220_;
-                                phi_2335_ = _e981;
+                                let _e981 = phi_1957_;
+                                phi_2072_ = _e981;
                                 if _e981 {
                                     break;
                                 }
                                 let _e983 = local_2;
                                 if _e983.member_1 {
                                     let _e986 = local_3;
-                                    phi_1674_ = (_e986.member.member.member_3 != 4294967295u);
+                                    phi_1413_ = (_e986.member.member.member_3 != 4294967295u);
                                 } else {
-                                    phi_1674_ = false;
+                                    phi_1413_ = false;
                                 }
-                                let _e992 = phi_1674_;
-                                phi_2339_ = _e981;
+                                let _e992 = phi_1413_;
+                                phi_2076_ = _e981;
                                 let _e1160 = local_5;
-                                phi_2128_ = _e1160;
-                                phi_2129_ = _e364;
-                                phi_2130_ = false;
-                                phi_2131_ = select(_e368, 0u, _e992);
+                                phi_1868_ = _e1160;
+                                phi_1869_ = _e364;
+                                phi_1870_ = false;
+                                phi_1871_ = select(_e368, 0u, _e992);
                             } else {
                                 if (_e364 >= _e63) {
-                                    phi_1734_ = SlimbvhTypeL(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                    phi_1473_ = SlimbvhTypeL(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                 } else {
                                     if (_e364 < _e63) {
                                     } else {
-                                        phi_2335_ = true;
+                                        phi_2072_ = true;
                                         break;
                                     }
                                     let _e378 = (_e158 % 3u);
                                     if (_e378 < 3u) {
                                     } else {
-                                        phi_2335_ = true;
+                                        phi_2072_ = true;
                                         break;
                                     }
                                     let _e384 = slimbvh_nodes.member[_e364].member[_e378];
                                     let _e390 = (_e157 % 3u);
                                     if (_e390 < 3u) {
                                     } else {
-                                        phi_2335_ = true;
+                                        phi_2072_ = true;
                                         break;
                                     }
                                     let _e396 = slimbvh_nodes.member[_e364].member[_e390];
                                     let _e402 = (_e159 % 3u);
                                     if (_e402 < 3u) {
                                     } else {
-                                        phi_2335_ = true;
+                                        phi_2072_ = true;
                                         break;
                                     }
                                     let _e408 = slimbvh_nodes.member[_e364].member[_e402];
                                     let _e418 = slimbvh_nodes.member[_e364].member_1;
                                     let _e422 = slimbvh_nodes.member[_e364].member_2;
-                                    phi_1734_ = SlimbvhTypeL(array<vec4<f32>, 3>(vec4<f32>(_e384[0], _e384[1], _e384[2], _e384[3]), vec4<f32>(_e396[0], _e396[1], _e396[2], _e396[3]), vec4<f32>(_e408[0], _e408[1], _e408[2], _e408[3])), _e418, _e422);
+                                    phi_1473_ = SlimbvhTypeL(array<vec4<f32>, 3>(vec4<f32>(_e384[0], _e384[1], _e384[2], _e384[3]), vec4<f32>(_e396[0], _e396[1], _e396[2], _e396[3]), vec4<f32>(_e408[0], _e408[1], _e408[2], _e408[3])), _e418, _e422);
                                 }
-                                let _e425 = phi_1734_;
+                                let _e425 = phi_1473_;
                                 let _e438 = ((_e425.member[0].x - _e215) * _e220);
                                 let _e439 = ((_e425.member[0].y - _e215) * _e220);
                                 let _e440 = ((_e425.member[0].z - _e216) * _e220);
@@ -822,152 +822,152 @@ fn slimbvh_trace() {
                                 if _e526 {
                                     if _e527 {
                                         if _e528 {
-                                            phi_2078_ = _e425.member_2;
+                                            phi_1817_ = _e425.member_2;
                                         } else {
-                                            phi_2078_ = _e425.member_1;
+                                            phi_1817_ = _e425.member_1;
                                         }
-                                        let _e532 = phi_2078_;
-                                        let _e533 = (_e368 % 128u);
-                                        let _e534 = (_e533 < 128u);
-                                        if _e534 {
+                                        let _e532 = phi_1817_;
+                                        let _e535 = (_e368 % 128u);
+                                        let _e536 = (_e535 < 128u);
+                                        if _e536 {
                                         } else {
-                                            phi_2335_ = true;
+                                            phi_2072_ = true;
                                             break;
                                         }
-                                        local_1[_e533] = _e532;
-                                        if _e534 {
+                                        local_1[_e535] = _e532;
+                                        if _e536 {
                                         } else {
-                                            phi_2335_ = true;
+                                            phi_2072_ = true;
                                             break;
                                         }
-                                        local[_e533] = select(_e521, _e519, (_e519 > _e521));
+                                        local[_e535] = select(_e521, _e519, (_e519 > _e521));
                                         if _e528 {
-                                            phi_2105_ = _e425.member_1;
+                                            phi_1845_ = _e425.member_1;
                                         } else {
-                                            phi_2105_ = _e425.member_2;
+                                            phi_1845_ = _e425.member_2;
                                         }
-                                        let _e543 = phi_2105_;
-                                        phi_2106_ = _e543;
-                                        phi_2107_ = (_e368 + 1u);
+                                        let _e543 = phi_1845_;
+                                        phi_1846_ = _e543;
+                                        phi_1847_ = (_e368 + 1u);
                                     } else {
-                                        phi_2106_ = u32();
-                                        phi_2107_ = u32();
+                                        phi_1846_ = u32();
+                                        phi_1847_ = u32();
                                     }
-                                    let _e545 = phi_2106_;
-                                    let _e547 = phi_2107_;
-                                    phi_2109_ = _e545;
-                                    phi_2110_ = _e547;
-                                    phi_2111_ = select(true, false, _e527);
+                                    let _e545 = phi_1846_;
+                                    let _e547 = phi_1847_;
+                                    phi_1849_ = _e545;
+                                    phi_1850_ = _e547;
+                                    phi_1851_ = select(true, false, _e527);
                                 } else {
-                                    phi_2109_ = u32();
-                                    phi_2110_ = u32();
-                                    phi_2111_ = true;
+                                    phi_1849_ = u32();
+                                    phi_1850_ = u32();
+                                    phi_1851_ = true;
                                 }
-                                let _e550 = phi_2109_;
-                                let _e552 = phi_2110_;
-                                let _e554 = phi_2111_;
+                                let _e550 = phi_1849_;
+                                let _e552 = phi_1850_;
+                                let _e554 = phi_1851_;
                                 if _e554 {
                                     if _e526 {
-                                        phi_2120_ = _e425.member_1;
+                                        phi_1860_ = _e425.member_1;
                                     } else {
-                                        phi_2120_ = _e425.member_2;
+                                        phi_1860_ = _e425.member_2;
                                     }
-                                    let _e558 = phi_2120_;
-                                    phi_2125_ = _e558;
-                                    phi_2126_ = select(_e527, true, _e526);
+                                    let _e558 = phi_1860_;
+                                    phi_1865_ = _e558;
+                                    phi_1866_ = select(_e527, true, _e526);
                                 } else {
-                                    phi_2125_ = _e550;
-                                    phi_2126_ = _e366;
+                                    phi_1865_ = _e550;
+                                    phi_1866_ = _e366;
                                 }
-                                let _e561 = phi_2125_;
-                                let _e563 = phi_2126_;
-                                phi_2339_ = _e338;
-                                phi_2128_ = _e340;
-                                phi_2129_ = _e561;
-                                phi_2130_ = _e563;
-                                phi_2131_ = select(_e552, _e368, _e554);
+                                let _e561 = phi_1865_;
+                                let _e563 = phi_1866_;
+                                phi_2076_ = _e338;
+                                phi_1868_ = _e340;
+                                phi_1869_ = _e561;
+                                phi_1870_ = _e563;
+                                phi_1871_ = select(_e552, _e368, _e554);
                             }
-                            let _e995 = phi_2339_;
-                            let _e997 = phi_2128_;
-                            let _e999 = phi_2129_;
-                            let _e1001 = phi_2130_;
-                            let _e1003 = phi_2131_;
-                            phi_2338_ = _e995;
-                            phi_2132_ = _e997;
-                            phi_2133_ = _e999;
-                            phi_2134_ = (_e344 - 1u);
-                            phi_2135_ = _e1001;
-                            phi_2136_ = _e1003;
+                            let _e995 = phi_2076_;
+                            let _e997 = phi_1868_;
+                            let _e999 = phi_1869_;
+                            let _e1001 = phi_1870_;
+                            let _e1003 = phi_1871_;
+                            phi_2075_ = _e995;
+                            phi_1872_ = _e997;
+                            phi_1873_ = _e999;
+                            phi_1874_ = (_e344 - 1u);
+                            phi_1875_ = _e1001;
+                            phi_1876_ = _e1003;
                         } else {
-                            phi_2338_ = _e338;
-                            phi_2132_ = _e340;
-                            phi_2133_ = _e364;
-                            phi_2134_ = _e344;
-                            phi_2135_ = _e366;
-                            phi_2136_ = _e368;
+                            phi_2075_ = _e338;
+                            phi_1872_ = _e340;
+                            phi_1873_ = _e364;
+                            phi_1874_ = _e344;
+                            phi_1875_ = _e366;
+                            phi_1876_ = _e368;
                         }
-                        let _e1005 = phi_2338_;
-                        let _e1007 = phi_2132_;
-                        let _e1009 = phi_2133_;
-                        let _e1011 = phi_2134_;
-                        let _e1013 = phi_2135_;
-                        let _e1015 = phi_2136_;
-                        phi_2337_ = _e1005;
-                        phi_2137_ = _e1007;
-                        phi_2138_ = _e1009;
-                        phi_2139_ = _e1011;
-                        phi_2140_ = _e1013;
-                        phi_2141_ = _e1015;
+                        let _e1005 = phi_2075_;
+                        let _e1007 = phi_1872_;
+                        let _e1009 = phi_1873_;
+                        let _e1011 = phi_1874_;
+                        let _e1013 = phi_1875_;
+                        let _e1015 = phi_1876_;
+                        phi_2074_ = _e1005;
+                        phi_1877_ = _e1007;
+                        phi_1878_ = _e1009;
+                        phi_1879_ = _e1011;
+                        phi_1880_ = _e1013;
+                        phi_1881_ = _e1015;
                     } else {
-                        phi_2337_ = _e338;
-                        phi_2137_ = SlimbvhTypeK();
-                        phi_2138_ = u32();
-                        phi_2139_ = u32();
-                        phi_2140_ = bool();
-                        phi_2141_ = u32();
+                        phi_2074_ = _e338;
+                        phi_1877_ = SlimbvhTypeK();
+                        phi_1878_ = u32();
+                        phi_1879_ = u32();
+                        phi_1880_ = bool();
+                        phi_1881_ = u32();
                     }
-                    let _e1017 = phi_2337_;
-                    let _e1019 = phi_2137_;
-                    let _e1021 = phi_2138_;
-                    let _e1023 = phi_2139_;
-                    let _e1025 = phi_2140_;
-                    let _e1027 = phi_2141_;
-                    phi_2336_ = _e1017;
-                    phi_853_ = _e1019;
-                    phi_856_ = _e1021;
-                    phi_858_ = _e1023;
-                    phi_860_ = _e1025;
-                    phi_862_ = _e1027;
-                    phi_2142_ = _e352;
+                    let _e1017 = phi_2074_;
+                    let _e1019 = phi_1877_;
+                    let _e1021 = phi_1878_;
+                    let _e1023 = phi_1879_;
+                    let _e1025 = phi_1880_;
+                    let _e1027 = phi_1881_;
+                    phi_2073_ = _e1017;
+                    phi_591_ = _e1019;
+                    phi_594_ = _e1021;
+                    phi_596_ = _e1023;
+                    phi_598_ = _e1025;
+                    phi_600_ = _e1027;
+                    phi_1882_ = _e352;
                 } else {
-                    phi_2336_ = _e338;
-                    phi_853_ = SlimbvhTypeK();
-                    phi_856_ = u32();
-                    phi_858_ = u32();
-                    phi_860_ = bool();
-                    phi_862_ = u32();
-                    phi_2142_ = false;
+                    phi_2073_ = _e338;
+                    phi_591_ = SlimbvhTypeK();
+                    phi_594_ = u32();
+                    phi_596_ = u32();
+                    phi_598_ = bool();
+                    phi_600_ = u32();
+                    phi_1882_ = false;
                 }
-                let _e1029 = phi_2336_;
-                let _e1031 = phi_853_;
-                let _e1033 = phi_856_;
-                let _e1035 = phi_858_;
-                let _e1037 = phi_860_;
-                let _e1039 = phi_862_;
-                let _e1041 = phi_2142_;
+                let _e1029 = phi_2073_;
+                let _e1031 = phi_591_;
+                let _e1033 = phi_594_;
+                let _e1035 = phi_596_;
+                let _e1037 = phi_598_;
+                let _e1039 = phi_600_;
+                let _e1041 = phi_1882_;
                 continue;
                 continuing {
-                    phi_2226_ = _e1029;
-                    phi_852_ = _e1031;
-                    phi_855_ = _e1033;
-                    phi_857_ = _e1035;
-                    phi_859_ = _e1037;
-                    phi_861_ = _e1039;
-                    phi_2335_ = _e1029;
+                    phi_1963_ = _e1029;
+                    phi_590_ = _e1031;
+                    phi_593_ = _e1033;
+                    phi_595_ = _e1035;
+                    phi_597_ = _e1037;
+                    phi_599_ = _e1039;
+                    phi_2072_ = _e1029;
                     break if !(_e1041);
                 }
             }
-            let _e1044 = phi_2335_;
+            let _e1044 = phi_2072_;
             if _e1044 {
                 break;
             }
@@ -978,11 +978,11 @@ fn slimbvh_trace() {
                 let _e1060 = bitcast<f32>((bitcast<u32>((_e1053 + 127i)) << bitcast<u32>(23i)));
                 let _e1068 = (((_e1046.member.member.member * _e1060) * _e1060) * bitcast<f32>((bitcast<u32>(((_e1052 - (2i * _e1053)) + 127i)) << bitcast<u32>(23i))));
                 let _e1070 = select(340282350000000000000000000000000000000f, _e1068, (_e1068 < 340282350000000000000000000000000000000f));
-                phi_2194_ = SlimbvhTypeE(select(-340282350000000000000000000000000000000f, _e1070, (_e1070 > -340282350000000000000000000000000000000f)), _e1046.member.member.member_1, _e1046.member.member.member_2, _e1046.member.member.member_3);
+                phi_1934_ = SlimbvhTypeE(select(-340282350000000000000000000000000000000f, _e1070, (_e1070 > -340282350000000000000000000000000000000f)), _e1046.member.member.member_1, _e1046.member.member.member_2, _e1046.member.member.member_3);
             } else {
-                phi_2194_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                phi_1934_ = SlimbvhTypeE(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
             }
-            let _e1077 = phi_2194_;
+            let _e1077 = phi_1934_;
             slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1077.member), bitcast<u32>(_e1077.member_1), bitcast<u32>(_e1077.member_2), _e1077.member_3);
             break;
         }

@@ -46,17 +46,17 @@ struct type_32 {
     member: array<type_30>,
 }
 
-struct type_41 {
+struct type_42 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<type_27>,
 }
 
-struct type_45 {
+struct type_46 {
     member: f32,
     member_1: bool,
 }
@@ -69,117 +69,117 @@ var<storage> global_2: type_32;
 @group(0) @binding(2) 
 var<storage> global_3: type_18;
 @group(0) @binding(3) 
-var<storage> global_4: type_43;
+var<storage> global_4: type_44;
 @group(0) @binding(4) 
 var<storage, read_write> global_5: type_4;
 
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_265_: i32;
     var phi_266_: i32;
-    var phi_276_: bool;
-    var phi_286_: u32;
+    var phi_267_: i32;
+    var phi_277_: bool;
     var phi_287_: u32;
-    var phi_289_: bool;
-    var phi_294_: u32;
-    var phi_306_: i32;
-    var phi_326_: i32;
-    var phi_344_: f32;
-    var phi_350_: f32;
-    var phi_361_: f32;
-    var phi_367_: f32;
-    var phi_390_: f32;
-    var phi_401_: f32;
-    var phi_410_: f32;
-    var phi_416_: f32;
-    var phi_427_: f32;
-    var phi_433_: f32;
-    var phi_456_: f32;
-    var phi_467_: f32;
-    var phi_476_: f32;
-    var phi_482_: f32;
-    var phi_493_: f32;
-    var phi_499_: f32;
-    var phi_522_: f32;
-    var phi_533_: f32;
-    var phi_633_: f32;
+    var phi_288_: u32;
+    var phi_290_: bool;
+    var phi_295_: u32;
+    var phi_307_: i32;
+    var phi_327_: i32;
+    var phi_345_: f32;
+    var phi_351_: f32;
+    var phi_362_: f32;
+    var phi_368_: f32;
+    var phi_391_: f32;
+    var phi_402_: f32;
+    var phi_411_: f32;
+    var phi_417_: f32;
+    var phi_428_: f32;
+    var phi_434_: f32;
+    var phi_457_: f32;
+    var phi_468_: f32;
+    var phi_477_: f32;
+    var phi_483_: f32;
+    var phi_494_: f32;
+    var phi_500_: f32;
+    var phi_523_: f32;
+    var phi_534_: f32;
     var phi_634_: f32;
-    var phi_2205_: bool;
-    var phi_908_: type_45;
-    var phi_911_: u32;
-    var phi_913_: u32;
-    var phi_915_: bool;
-    var phi_917_: u32;
-    var phi_928_: bool;
-    var phi_959_: u32;
-    var phi_960_: bool;
-    var phi_961_: u32;
-    var phi_1761_: type_41;
-    var phi_2105_: u32;
-    var phi_2132_: u32;
-    var phi_2133_: u32;
-    var phi_2134_: u32;
-    var phi_2136_: u32;
-    var phi_2137_: u32;
-    var phi_2138_: bool;
-    var phi_2147_: u32;
-    var phi_2152_: u32;
-    var phi_2153_: bool;
-    var phi_976_: type_45;
-    var phi_979_: type_7;
-    var phi_980_: type_7;
-    var phi_1002_: type_7;
-    var phi_1023_: u32;
-    var phi_1112_: array<array<f32, 3>, 3>;
-    var phi_1583_: vec3<f32>;
-    var phi_1584_: vec3<f32>;
-    var phi_1615_: bool;
-    var phi_1624_: vec3<f32>;
-    var phi_1664_: type_26;
-    var phi_1666_: type_26;
-    var phi_1667_: bool;
-    var phi_1671_: type_26;
-    var phi_1672_: type_26;
-    var phi_1673_: type_26;
-    var phi_1674_: bool;
-    var phi_1678_: type_26;
-    var phi_1679_: bool;
-    var phi_1683_: type_26;
-    var phi_1684_: bool;
-    var phi_1688_: type_26;
-    var phi_1699_: type_45;
-    var phi_1700_: type_45;
-    var phi_977_: type_45;
-    var phi_2199_: bool;
-    var local_2: type_45;
-    var phi_2314_: bool;
-    var phi_2155_: type_45;
-    var phi_2156_: u32;
-    var phi_2157_: bool;
-    var phi_2158_: u32;
-    var phi_2313_: bool;
-    var phi_2159_: type_45;
-    var phi_2160_: u32;
-    var phi_2161_: u32;
-    var phi_2162_: bool;
-    var phi_2163_: u32;
-    var phi_2312_: bool;
-    var phi_2164_: type_45;
-    var phi_2165_: u32;
-    var phi_2166_: u32;
-    var phi_2167_: bool;
-    var phi_2168_: u32;
-    var phi_2311_: bool;
-    var phi_909_: type_45;
-    var phi_912_: u32;
-    var phi_914_: u32;
-    var phi_916_: bool;
-    var phi_918_: u32;
-    var phi_2169_: bool;
-    var phi_2310_: bool;
-    var local_3: type_45;
-    var local_4: type_45;
+    var phi_635_: f32;
+    var phi_1942_: bool;
+    var phi_646_: type_46;
+    var phi_649_: u32;
+    var phi_651_: u32;
+    var phi_653_: bool;
+    var phi_655_: u32;
+    var phi_666_: bool;
+    var phi_698_: u32;
+    var phi_699_: bool;
+    var phi_700_: u32;
+    var phi_1500_: type_42;
+    var phi_1844_: u32;
+    var phi_1872_: u32;
+    var phi_1873_: u32;
+    var phi_1874_: u32;
+    var phi_1876_: u32;
+    var phi_1877_: u32;
+    var phi_1878_: bool;
+    var phi_1887_: u32;
+    var phi_1892_: u32;
+    var phi_1893_: bool;
+    var phi_715_: type_46;
+    var phi_718_: type_7;
+    var phi_719_: type_7;
+    var phi_741_: type_7;
+    var phi_762_: u32;
+    var phi_851_: array<array<f32, 3>, 3>;
+    var phi_1322_: vec3<f32>;
+    var phi_1323_: vec3<f32>;
+    var phi_1354_: bool;
+    var phi_1363_: vec3<f32>;
+    var phi_1403_: type_26;
+    var phi_1405_: type_26;
+    var phi_1406_: bool;
+    var phi_1410_: type_26;
+    var phi_1411_: type_26;
+    var phi_1412_: type_26;
+    var phi_1413_: bool;
+    var phi_1417_: type_26;
+    var phi_1418_: bool;
+    var phi_1422_: type_26;
+    var phi_1423_: bool;
+    var phi_1427_: type_26;
+    var phi_1438_: type_46;
+    var phi_1439_: type_46;
+    var phi_716_: type_46;
+    var phi_1936_: bool;
+    var local_2: type_46;
+    var phi_2051_: bool;
+    var phi_1895_: type_46;
+    var phi_1896_: u32;
+    var phi_1897_: bool;
+    var phi_1898_: u32;
+    var phi_2050_: bool;
+    var phi_1899_: type_46;
+    var phi_1900_: u32;
+    var phi_1901_: u32;
+    var phi_1902_: bool;
+    var phi_1903_: u32;
+    var phi_2049_: bool;
+    var phi_1904_: type_46;
+    var phi_1905_: u32;
+    var phi_1906_: u32;
+    var phi_1907_: bool;
+    var phi_1908_: u32;
+    var phi_2048_: bool;
+    var phi_647_: type_46;
+    var phi_650_: u32;
+    var phi_652_: u32;
+    var phi_654_: bool;
+    var phi_656_: u32;
+    var phi_1909_: bool;
+    var phi_2047_: bool;
+    var local_3: type_46;
+    var local_4: type_46;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -221,199 +221,199 @@ fn function_() {
                     if _e154 {
                         let _e157 = (bitcast<u32>(bitcast<f32>(_e129)) & 2147483647u);
                         if (_e157 >= 8388608u) {
-                            phi_265_ = (bitcast<i32>((_e157 >> bitcast<u32>(23i))) - 127i);
+                            phi_266_ = (bitcast<i32>((_e157 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_265_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e157)), 32u, (_e157 == 0u))));
+                            phi_266_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e157)), 32u, (_e157 == 0u))));
                         }
-                        let _e171 = phi_265_;
-                        phi_266_ = _e171;
+                        let _e171 = phi_266_;
+                        phi_267_ = _e171;
                     } else {
-                        phi_266_ = 0i;
+                        phi_267_ = 0i;
                     }
-                    let _e173 = phi_266_;
+                    let _e173 = phi_267_;
                     let _e174 = (_e90 == _e129);
                     if _e174 {
-                        phi_276_ = true;
+                        phi_277_ = true;
                     } else {
-                        phi_276_ = (_e97 == _e129);
+                        phi_277_ = (_e97 == _e129);
                     }
-                    let _e177 = phi_276_;
+                    let _e177 = phi_277_;
                     let _e178 = select(1u, 0u, _e174);
                     if _e177 {
                         let _e179 = (_e178 + 1u);
-                        phi_286_ = _e179;
                         phi_287_ = _e179;
-                        phi_289_ = select(true, false, (_e179 == 2u));
+                        phi_288_ = _e179;
+                        phi_290_ = select(true, false, (_e179 == 2u));
                     } else {
-                        phi_286_ = u32();
-                        phi_287_ = 0u;
-                        phi_289_ = true;
+                        phi_287_ = u32();
+                        phi_288_ = 0u;
+                        phi_290_ = true;
                     }
-                    let _e183 = phi_286_;
-                    let _e185 = phi_287_;
-                    let _e187 = phi_289_;
+                    let _e183 = phi_287_;
+                    let _e185 = phi_288_;
+                    let _e187 = phi_290_;
                     if _e187 {
-                        phi_294_ = (_e185 + 1u);
+                        phi_295_ = (_e185 + 1u);
                     } else {
-                        phi_294_ = 0u;
+                        phi_295_ = 0u;
                     }
-                    let _e191 = phi_294_;
+                    let _e191 = phi_295_;
                     let _e192 = select(_e183, _e185, _e187);
                     let _e193 = select(_e178, select(2u, _e178, _e177), _e187);
                     if (_e78 < -126i) {
-                        phi_306_ = -126i;
+                        phi_307_ = -126i;
                     } else {
-                        phi_306_ = select(_e78, 127i, (_e78 > 127i));
+                        phi_307_ = select(_e78, 127i, (_e78 > 127i));
                     }
-                    let _e198 = phi_306_;
+                    let _e198 = phi_307_;
                     let _e203 = bitcast<f32>((bitcast<u32>((_e198 + 127i)) << bitcast<u32>(23i)));
                     let _e209 = bitcast<f32>((bitcast<u32>(((_e78 - _e198) + 127i)) << bitcast<u32>(23i)));
                     let _e210 = -(_e173);
                     if (_e210 < -126i) {
-                        phi_326_ = -126i;
+                        phi_327_ = -126i;
                     } else {
-                        phi_326_ = select(_e210, 127i, (_e210 > 127i));
+                        phi_327_ = select(_e210, 127i, (_e210 > 127i));
                     }
-                    let _e215 = phi_326_;
+                    let _e215 = phi_327_;
                     let _e220 = bitcast<f32>((bitcast<u32>((_e215 + 127i)) << bitcast<u32>(23i)));
                     let _e226 = bitcast<f32>((bitcast<u32>(((_e210 - _e215) + 127i)) << bitcast<u32>(23i)));
                     let _e230 = global_4.member[_e74].member;
                     let _e231 = (_e192 == 0u);
                     if _e231 {
-                        phi_344_ = _e230[0];
+                        phi_345_ = _e230[0];
                     } else {
-                        phi_344_ = _e230[1];
+                        phi_345_ = _e230[1];
                     }
-                    let _e235 = phi_344_;
+                    let _e235 = phi_345_;
                     let _e236 = (_e192 == 2u);
                     if _e236 {
-                        phi_350_ = _e230[2];
+                        phi_351_ = _e230[2];
                     } else {
-                        phi_350_ = _e235;
+                        phi_351_ = _e235;
                     }
-                    let _e239 = phi_350_;
+                    let _e239 = phi_351_;
                     let _e241 = ((_e239 * _e203) * _e209);
                     let _e242 = global_4.member[_e74].member_2;
                     if _e231 {
-                        phi_361_ = _e242[0];
+                        phi_362_ = _e242[0];
                     } else {
-                        phi_361_ = _e242[1];
+                        phi_362_ = _e242[1];
                     }
-                    let _e246 = phi_361_;
+                    let _e246 = phi_362_;
                     if _e236 {
-                        phi_367_ = _e242[2];
+                        phi_368_ = _e242[2];
                     } else {
-                        phi_367_ = _e246;
+                        phi_368_ = _e246;
                     }
-                    let _e249 = phi_367_;
+                    let _e249 = phi_368_;
                     let _e251 = ((_e249 * _e220) * _e226);
                     let _e255 = (bitcast<f32>((bitcast<u32>(_e251) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e255 {
                         let _e259 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) * 0.00000011920929f);
-                        phi_390_ = select(0.00000000000011368684f, _e259, (_e259 > 0.00000000000011368684f));
+                        phi_391_ = select(0.00000000000011368684f, _e259, (_e259 > 0.00000000000011368684f));
                     } else {
-                        phi_390_ = 0f;
+                        phi_391_ = 0f;
                     }
-                    let _e263 = phi_390_;
+                    let _e263 = phi_391_;
                     let _e264 = (_e241 + _e263);
                     let _e265 = (_e241 - _e263);
                     let _e266 = select(_e251, 0f, _e255);
                     if _e255 {
-                        phi_401_ = 38685626000000000000000000f;
+                        phi_402_ = 38685626000000000000000000f;
                     } else {
-                        phi_401_ = (1f / _e251);
+                        phi_402_ = (1f / _e251);
                     }
-                    let _e269 = phi_401_;
+                    let _e269 = phi_402_;
                     let _e270 = (_e191 == 0u);
                     if _e270 {
-                        phi_410_ = _e230[0];
+                        phi_411_ = _e230[0];
                     } else {
-                        phi_410_ = _e230[1];
+                        phi_411_ = _e230[1];
                     }
-                    let _e274 = phi_410_;
+                    let _e274 = phi_411_;
                     let _e275 = (_e191 == 2u);
                     if _e275 {
-                        phi_416_ = _e230[2];
+                        phi_417_ = _e230[2];
                     } else {
-                        phi_416_ = _e274;
+                        phi_417_ = _e274;
                     }
-                    let _e278 = phi_416_;
+                    let _e278 = phi_417_;
                     let _e280 = ((_e278 * _e203) * _e209);
                     if _e270 {
-                        phi_427_ = _e242[0];
+                        phi_428_ = _e242[0];
                     } else {
-                        phi_427_ = _e242[1];
+                        phi_428_ = _e242[1];
                     }
-                    let _e284 = phi_427_;
+                    let _e284 = phi_428_;
                     if _e275 {
-                        phi_433_ = _e242[2];
+                        phi_434_ = _e242[2];
                     } else {
-                        phi_433_ = _e284;
+                        phi_434_ = _e284;
                     }
-                    let _e287 = phi_433_;
+                    let _e287 = phi_434_;
                     let _e289 = ((_e287 * _e220) * _e226);
                     let _e293 = (bitcast<f32>((bitcast<u32>(_e289) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e293 {
                         let _e297 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) * 0.00000011920929f);
-                        phi_456_ = select(0.00000000000011368684f, _e297, (_e297 > 0.00000000000011368684f));
+                        phi_457_ = select(0.00000000000011368684f, _e297, (_e297 > 0.00000000000011368684f));
                     } else {
-                        phi_456_ = 0f;
+                        phi_457_ = 0f;
                     }
-                    let _e301 = phi_456_;
+                    let _e301 = phi_457_;
                     let _e302 = (_e280 + _e301);
                     let _e303 = (_e280 - _e301);
                     let _e304 = select(_e289, 0f, _e293);
                     if _e293 {
-                        phi_467_ = 38685626000000000000000000f;
+                        phi_468_ = 38685626000000000000000000f;
                     } else {
-                        phi_467_ = (1f / _e289);
+                        phi_468_ = (1f / _e289);
                     }
-                    let _e307 = phi_467_;
+                    let _e307 = phi_468_;
                     let _e308 = (_e193 == 0u);
                     if _e308 {
-                        phi_476_ = _e230[0];
+                        phi_477_ = _e230[0];
                     } else {
-                        phi_476_ = _e230[1];
+                        phi_477_ = _e230[1];
                     }
-                    let _e312 = phi_476_;
+                    let _e312 = phi_477_;
                     let _e313 = (_e193 == 2u);
                     if _e313 {
-                        phi_482_ = _e230[2];
+                        phi_483_ = _e230[2];
                     } else {
-                        phi_482_ = _e312;
+                        phi_483_ = _e312;
                     }
-                    let _e316 = phi_482_;
+                    let _e316 = phi_483_;
                     let _e318 = ((_e316 * _e203) * _e209);
                     if _e308 {
-                        phi_493_ = _e242[0];
+                        phi_494_ = _e242[0];
                     } else {
-                        phi_493_ = _e242[1];
+                        phi_494_ = _e242[1];
                     }
-                    let _e322 = phi_493_;
+                    let _e322 = phi_494_;
                     if _e313 {
-                        phi_499_ = _e242[2];
+                        phi_500_ = _e242[2];
                     } else {
-                        phi_499_ = _e322;
+                        phi_500_ = _e322;
                     }
-                    let _e325 = phi_499_;
+                    let _e325 = phi_500_;
                     let _e327 = ((_e325 * _e220) * _e226);
                     let _e331 = (bitcast<f32>((bitcast<u32>(_e327) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e331 {
                         let _e335 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) * 0.00000011920929f);
-                        phi_522_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
+                        phi_523_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
                     } else {
-                        phi_522_ = 0f;
+                        phi_523_ = 0f;
                     }
-                    let _e339 = phi_522_;
+                    let _e339 = phi_523_;
                     let _e340 = (_e318 + _e339);
                     let _e341 = (_e318 - _e339);
                     let _e342 = select(_e327, 0f, _e331);
                     if _e331 {
-                        phi_533_ = 38685626000000000000000000f;
+                        phi_534_ = 38685626000000000000000000f;
                     } else {
-                        phi_533_ = (1f / _e327);
+                        phi_534_ = (1f / _e327);
                     }
-                    let _e345 = phi_533_;
+                    let _e345 = phi_534_;
                     let _e348 = bitcast<f32>((bitcast<u32>(_e241) & 2147483647u));
                     let _e351 = bitcast<f32>((bitcast<u32>(_e280) & 2147483647u));
                     let _e353 = select(_e351, _e348, (_e348 > _e351));
@@ -427,84 +427,84 @@ fn function_() {
                         let _e379 = select(340282350000000000000000000000000000000f, _e377, (_e377 < 340282350000000000000000000000000000000f));
                         let _e384 = (((_e148 * _e369) * _e369) * _e376);
                         let _e386 = select(340282350000000000000000000000000000000f, _e384, (_e384 < 340282350000000000000000000000000000000f));
-                        phi_633_ = select(-340282350000000000000000000000000000000f, _e386, (_e386 > -340282350000000000000000000000000000000f));
-                        phi_634_ = select(-340282350000000000000000000000000000000f, _e379, (_e379 > -340282350000000000000000000000000000000f));
+                        phi_634_ = select(-340282350000000000000000000000000000000f, _e386, (_e386 > -340282350000000000000000000000000000000f));
+                        phi_635_ = select(-340282350000000000000000000000000000000f, _e379, (_e379 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_633_ = 0f;
-                        phi_634_ = 1f;
+                        phi_634_ = 0f;
+                        phi_635_ = 1f;
                     }
-                    let _e390 = phi_633_;
-                    let _e392 = phi_634_;
+                    let _e390 = phi_634_;
+                    let _e392 = phi_635_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2205_ = false;
-                    phi_908_ = type_45(_e390, false);
-                    phi_911_ = select(0u, 2147483648u, (_e64 == 0u));
-                    phi_913_ = ((3u * _e64) + 1u);
-                    phi_915_ = (_e392 <= _e390);
-                    phi_917_ = 0u;
+                    phi_1942_ = false;
+                    phi_646_ = type_46(_e390, false);
+                    phi_649_ = select(0u, 2147483648u, (_e64 == 0u));
+                    phi_651_ = ((3u * _e64) + 1u);
+                    phi_653_ = (_e392 <= _e390);
+                    phi_655_ = 0u;
                     loop {
-                        let _e400 = phi_2205_;
-                        let _e402 = phi_908_;
-                        let _e404 = phi_911_;
-                        let _e406 = phi_913_;
-                        let _e408 = phi_915_;
-                        let _e410 = phi_917_;
+                        let _e400 = phi_1942_;
+                        let _e402 = phi_646_;
+                        let _e404 = phi_649_;
+                        let _e406 = phi_651_;
+                        let _e408 = phi_653_;
+                        let _e410 = phi_655_;
                         local_3 = _e402;
                         if _e408 {
-                            phi_928_ = true;
+                            phi_666_ = true;
                         } else {
-                            phi_928_ = (_e410 > 0u);
+                            phi_666_ = (_e410 > 0u);
                         }
-                        let _e413 = phi_928_;
+                        let _e413 = phi_666_;
                         if _e413 {
                             let _e414 = (_e406 > 0u);
                             if _e414 {
                                 if _e408 {
-                                    phi_959_ = _e404;
-                                    phi_960_ = _e408;
-                                    phi_961_ = _e410;
+                                    phi_698_ = _e404;
+                                    phi_699_ = _e408;
+                                    phi_700_ = _e410;
                                 } else {
                                     let _e415 = (_e410 - 1u);
                                     let _e416 = (_e415 % 128u);
                                     let _e417 = (_e416 < 128u);
                                     if _e417 {
                                     } else {
-                                        phi_2310_ = true;
+                                        phi_2047_ = true;
                                         break;
                                     }
                                     let _e419 = local_1[_e416];
                                     if _e417 {
                                     } else {
-                                        phi_2310_ = true;
+                                        phi_2047_ = true;
                                         break;
                                     }
                                     let _e421 = local[_e416];
-                                    phi_959_ = _e419;
-                                    phi_960_ = (_e421 <= _e402.member);
-                                    phi_961_ = _e415;
+                                    phi_698_ = _e419;
+                                    phi_699_ = (_e421 <= _e402.member);
+                                    phi_700_ = _e415;
                                 }
-                                let _e425 = phi_959_;
-                                let _e427 = phi_960_;
-                                let _e429 = phi_961_;
+                                let _e425 = phi_698_;
+                                let _e427 = phi_699_;
+                                let _e429 = phi_700_;
                                 if _e427 {
                                     if ((_e425 & 2147483648u) != 0u) {
-                                        phi_976_ = _e402;
-                                        phi_979_ = type_7(0u, ((_e425 >> bitcast<u32>(28u)) & 7u));
+                                        phi_715_ = _e402;
+                                        phi_718_ = type_7(0u, ((_e425 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e627 = phi_976_;
-                                            let _e629 = phi_979_;
+                                            let _e627 = phi_715_;
+                                            let _e629 = phi_718_;
                                             local_2 = _e627;
                                             local_4 = _e627;
                                             if (_e629.member < _e629.member_1) {
-                                                phi_980_ = type_7((_e629.member + 1u), _e629.member_1);
-                                                phi_1002_ = type_7(1u, _e629.member);
+                                                phi_719_ = type_7((_e629.member + 1u), _e629.member_1);
+                                                phi_741_ = type_7(1u, _e629.member);
                                             } else {
-                                                phi_980_ = _e629;
-                                                phi_1002_ = type_7(0u, type_7().member_1);
+                                                phi_719_ = _e629;
+                                                phi_741_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e642 = phi_980_;
-                                            let _e644 = phi_1002_;
+                                            let _e642 = phi_719_;
+                                            let _e644 = phi_741_;
                                             let _e648 = (bitcast<i32>(_e644.member) != 0i);
                                             if _e648 {
                                                 let _e649 = ((_e425 & 268435455u) + _e644.member_1);
@@ -512,21 +512,21 @@ fn function_() {
                                                 if _e650 {
                                                     if _e650 {
                                                     } else {
-                                                        phi_2199_ = true;
+                                                        phi_1936_ = true;
                                                         break;
                                                     }
                                                     let _e654 = global_3.member[_e649].member_1;
-                                                    phi_1023_ = _e654;
+                                                    phi_762_ = _e654;
                                                 } else {
-                                                    phi_1023_ = 4294967295u;
+                                                    phi_762_ = 4294967295u;
                                                 }
-                                                let _e656 = phi_1023_;
+                                                let _e656 = phi_762_;
                                                 if (_e649 >= _e66) {
-                                                    phi_1112_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_851_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e650 {
                                                     } else {
-                                                        phi_2199_ = true;
+                                                        phi_1936_ = true;
                                                         break;
                                                     }
                                                     let _e658 = (_e192 % 3u);
@@ -534,67 +534,67 @@ fn function_() {
                                                     let _e660 = (_e193 % 3u);
                                                     if (_e658 < 9u) {
                                                     } else {
-                                                        phi_2199_ = true;
+                                                        phi_1936_ = true;
                                                         break;
                                                     }
                                                     let _e666 = global_3.member[_e649].member[_e658];
                                                     if (_e659 < 9u) {
                                                     } else {
-                                                        phi_2199_ = true;
+                                                        phi_1936_ = true;
                                                         break;
                                                     }
                                                     let _e672 = global_3.member[_e649].member[_e659];
                                                     if (_e660 < 9u) {
                                                     } else {
-                                                        phi_2199_ = true;
+                                                        phi_1936_ = true;
                                                         break;
                                                     }
                                                     let _e678 = global_3.member[_e649].member[_e660];
                                                     let _e680 = (3u + _e658);
                                                     if (_e680 < 9u) {
                                                     } else {
-                                                        phi_2199_ = true;
+                                                        phi_1936_ = true;
                                                         break;
                                                     }
                                                     let _e686 = global_3.member[_e649].member[_e680];
                                                     let _e687 = (3u + _e659);
                                                     if (_e687 < 9u) {
                                                     } else {
-                                                        phi_2199_ = true;
+                                                        phi_1936_ = true;
                                                         break;
                                                     }
                                                     let _e693 = global_3.member[_e649].member[_e687];
                                                     let _e694 = (3u + _e660);
                                                     if (_e694 < 9u) {
                                                     } else {
-                                                        phi_2199_ = true;
+                                                        phi_1936_ = true;
                                                         break;
                                                     }
                                                     let _e700 = global_3.member[_e649].member[_e694];
                                                     let _e702 = (6u + _e658);
                                                     if (_e702 < 9u) {
                                                     } else {
-                                                        phi_2199_ = true;
+                                                        phi_1936_ = true;
                                                         break;
                                                     }
                                                     let _e708 = global_3.member[_e649].member[_e702];
                                                     let _e709 = (6u + _e659);
                                                     if (_e709 < 9u) {
                                                     } else {
-                                                        phi_2199_ = true;
+                                                        phi_1936_ = true;
                                                         break;
                                                     }
                                                     let _e715 = global_3.member[_e649].member[_e709];
                                                     let _e716 = (6u + _e660);
                                                     if (_e716 < 9u) {
                                                     } else {
-                                                        phi_2199_ = true;
+                                                        phi_1936_ = true;
                                                         break;
                                                     }
                                                     let _e722 = global_3.member[_e649].member[_e716];
-                                                    phi_1112_ = array<array<f32, 3>, 3>(array<f32, 3>(_e666, _e672, _e678), array<f32, 3>(_e686, _e693, _e700), array<f32, 3>(_e708, _e715, _e722));
+                                                    phi_851_ = array<array<f32, 3>, 3>(array<f32, 3>(_e666, _e672, _e678), array<f32, 3>(_e686, _e693, _e700), array<f32, 3>(_e708, _e715, _e722));
                                                 }
-                                                let _e726 = phi_1112_;
+                                                let _e726 = phi_851_;
                                                 let _e734 = (_e726[0][2] - _e318);
                                                 let _e737 = (((_e726[0][0] - _e241) * _e342) - (_e734 * _e266));
                                                 let _e740 = (((_e726[0][1] - _e280) * _e342) - (_e734 * _e304));
@@ -621,8 +621,8 @@ fn function_() {
                                                     let _e796 = select(0f, _e794, (_e794 > 0f));
                                                     let _e798 = ((_e788 + _e792) + _e796);
                                                     if (_e798 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1678_ = type_26();
-                                                        phi_1679_ = true;
+                                                        phi_1417_ = type_26();
+                                                        phi_1418_ = true;
                                                     } else {
                                                         let _e801 = select(_e726[1][0], _e726[0][0], (_e726[0][0] < _e726[1][0]));
                                                         let _e805 = select(_e726[1][0], _e726[0][0], (_e726[0][0] > _e726[1][0]));
@@ -649,12 +649,12 @@ fn function_() {
                                                         let _e856 = -(_e837);
                                                         let _e862 = select(_e392, _e847, (_e847 > _e392));
                                                         if (_e862 > (_e855 + (select(_e856, _e839, (_e839 > _e856)) * 0.0000019073523f))) {
-                                                            phi_1673_ = type_26();
-                                                            phi_1674_ = true;
+                                                            phi_1412_ = type_26();
+                                                            phi_1413_ = true;
                                                         } else {
                                                             let _e864 = (_e862 > _e627.member);
                                                             if _e864 {
-                                                                phi_1672_ = type_26();
+                                                                phi_1411_ = type_26();
                                                             } else {
                                                                 let _e868 = (_e726[1][0] - _e726[0][0]);
                                                                 let _e869 = (_e726[1][1] - _e726[0][1]);
@@ -686,30 +686,30 @@ fn function_() {
                                                                 let _e920 = select(_e905, _e892, (_e892 > _e905));
                                                                 let _e922 = select(_e918, _e920, (_e920 > _e918));
                                                                 if (_e892 == _e922) {
-                                                                    phi_1583_ = _e875;
-                                                                    phi_1584_ = _e879;
+                                                                    phi_1322_ = _e875;
+                                                                    phi_1323_ = _e879;
                                                                 } else {
                                                                     let _e925 = vec3((_e905 == _e922));
-                                                                    phi_1583_ = select(_e871, _e879, _e925);
-                                                                    phi_1584_ = select(_e875, _e871, _e925);
+                                                                    phi_1322_ = select(_e871, _e879, _e925);
+                                                                    phi_1323_ = select(_e875, _e871, _e925);
                                                                 }
-                                                                let _e929 = phi_1583_;
-                                                                let _e931 = phi_1584_;
+                                                                let _e929 = phi_1322_;
+                                                                let _e931 = phi_1323_;
                                                                 let _e938 = ((_e929.y * _e931.z) - (_e931.y * _e929.z));
                                                                 let _e943 = ((_e929.z * _e931.x) - (_e931.z * _e929.x));
                                                                 let _e946 = ((_e929.x * _e931.y) - (_e931.x * _e929.y));
                                                                 if (_e788 >= _e792) {
-                                                                    phi_1615_ = select(true, false, (_e788 >= _e796));
+                                                                    phi_1354_ = select(true, false, (_e788 >= _e796));
                                                                 } else {
-                                                                    phi_1615_ = true;
+                                                                    phi_1354_ = true;
                                                                 }
-                                                                let _e951 = phi_1615_;
+                                                                let _e951 = phi_1354_;
                                                                 if _e951 {
-                                                                    phi_1624_ = select(vec3<f32>(_e726[2][0], _e726[2][1], _e726[2][2]), vec3<f32>(_e726[1][0], _e726[1][1], _e726[1][2]), vec3((_e792 >= _e796)));
+                                                                    phi_1363_ = select(vec3<f32>(_e726[2][0], _e726[2][1], _e726[2][2]), vec3<f32>(_e726[1][0], _e726[1][1], _e726[1][2]), vec3((_e792 >= _e796)));
                                                                 } else {
-                                                                    phi_1624_ = vec3<f32>(_e726[0][0], _e726[0][1], _e726[0][2]);
+                                                                    phi_1363_ = vec3<f32>(_e726[0][0], _e726[0][1], _e726[0][2]);
                                                                 }
-                                                                let _e956 = phi_1624_;
+                                                                let _e956 = phi_1363_;
                                                                 let _e973 = ((((_e938 * (_e956.x - _e241)) + (_e943 * (_e956.y - _e280))) + (_e946 * (_e956.z - _e318))) / (((_e938 * _e266) + (_e943 * _e304)) + (_e946 * _e342)));
                                                                 let _e975 = select(_e855, _e973, (_e973 < _e855));
                                                                 let _e977 = select(_e847, _e975, (_e975 > _e847));
@@ -717,124 +717,124 @@ fn function_() {
                                                                     let _e979 = (_e977 <= _e627.member);
                                                                     if _e979 {
                                                                         let _e980 = (1f / _e798);
-                                                                        phi_1664_ = type_26(_e977, (_e792 * _e980), (_e796 * _e980), _e656);
+                                                                        phi_1403_ = type_26(_e977, (_e792 * _e980), (_e796 * _e980), _e656);
                                                                     } else {
-                                                                        phi_1664_ = type_26();
+                                                                        phi_1403_ = type_26();
                                                                     }
-                                                                    let _e985 = phi_1664_;
-                                                                    phi_1666_ = _e985;
-                                                                    phi_1667_ = select(true, false, _e979);
+                                                                    let _e985 = phi_1403_;
+                                                                    phi_1405_ = _e985;
+                                                                    phi_1406_ = select(true, false, _e979);
                                                                 } else {
-                                                                    phi_1666_ = type_26();
-                                                                    phi_1667_ = true;
+                                                                    phi_1405_ = type_26();
+                                                                    phi_1406_ = true;
                                                                 }
-                                                                let _e988 = phi_1666_;
-                                                                let _e990 = phi_1667_;
+                                                                let _e988 = phi_1405_;
+                                                                let _e990 = phi_1406_;
                                                                 if _e990 {
-                                                                    phi_1671_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1410_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1671_ = _e988;
+                                                                    phi_1410_ = _e988;
                                                                 }
-                                                                let _e992 = phi_1671_;
-                                                                phi_1672_ = _e992;
+                                                                let _e992 = phi_1410_;
+                                                                phi_1411_ = _e992;
                                                             }
-                                                            let _e994 = phi_1672_;
-                                                            phi_1673_ = _e994;
-                                                            phi_1674_ = _e864;
+                                                            let _e994 = phi_1411_;
+                                                            phi_1412_ = _e994;
+                                                            phi_1413_ = _e864;
                                                         }
-                                                        let _e996 = phi_1673_;
-                                                        let _e998 = phi_1674_;
-                                                        phi_1678_ = _e996;
-                                                        phi_1679_ = _e998;
+                                                        let _e996 = phi_1412_;
+                                                        let _e998 = phi_1413_;
+                                                        phi_1417_ = _e996;
+                                                        phi_1418_ = _e998;
                                                     }
-                                                    let _e1000 = phi_1678_;
-                                                    let _e1002 = phi_1679_;
-                                                    phi_1683_ = _e1000;
-                                                    phi_1684_ = _e1002;
+                                                    let _e1000 = phi_1417_;
+                                                    let _e1002 = phi_1418_;
+                                                    phi_1422_ = _e1000;
+                                                    phi_1423_ = _e1002;
                                                 } else {
-                                                    phi_1683_ = type_26();
-                                                    phi_1684_ = true;
+                                                    phi_1422_ = type_26();
+                                                    phi_1423_ = true;
                                                 }
-                                                let _e1004 = phi_1683_;
-                                                let _e1006 = phi_1684_;
+                                                let _e1004 = phi_1422_;
+                                                let _e1006 = phi_1423_;
                                                 if _e1006 {
-                                                    phi_1688_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1427_ = type_26(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1688_ = _e1004;
+                                                    phi_1427_ = _e1004;
                                                 }
-                                                let _e1008 = phi_1688_;
+                                                let _e1008 = phi_1427_;
                                                 if (_e1008.member_3 != 4294967295u) {
                                                     if (_e656 != 4294967295u) {
-                                                        phi_1699_ = type_45(_e627.member, true);
+                                                        phi_1438_ = type_46(_e627.member, true);
                                                     } else {
-                                                        phi_1699_ = _e627;
+                                                        phi_1438_ = _e627;
                                                     }
-                                                    let _e1016 = phi_1699_;
-                                                    phi_1700_ = _e1016;
+                                                    let _e1016 = phi_1438_;
+                                                    phi_1439_ = _e1016;
                                                 } else {
-                                                    phi_1700_ = _e627;
+                                                    phi_1439_ = _e627;
                                                 }
-                                                let _e1018 = phi_1700_;
-                                                phi_977_ = _e1018;
+                                                let _e1018 = phi_1439_;
+                                                phi_716_ = _e1018;
                                             } else {
-                                                phi_977_ = type_45();
+                                                phi_716_ = type_46();
                                             }
-                                            let _e1020 = phi_977_;
+                                            let _e1020 = phi_716_;
                                             continue;
                                             continuing {
-                                                phi_976_ = _e1020;
-                                                phi_979_ = _e642;
-                                                phi_2199_ = _e400;
+                                                phi_715_ = _e1020;
+                                                phi_718_ = _e642;
+                                                phi_1936_ = _e400;
                                                 break if !(_e648);
                                             }
                                         }
-                                        let _e1023 = phi_2199_;
-                                        phi_2310_ = _e1023;
+                                        let _e1023 = phi_1936_;
+                                        phi_2047_ = _e1023;
                                         if _e1023 {
                                             break;
                                         }
                                         let _e1025 = local_2;
-                                        phi_2314_ = _e1023;
+                                        phi_2051_ = _e1023;
                                         let _e1165 = local_4;
-                                        phi_2155_ = _e1165;
-                                        phi_2156_ = _e425;
-                                        phi_2157_ = false;
-                                        phi_2158_ = select(_e429, 0u, _e1025.member_1);
+                                        phi_1895_ = _e1165;
+                                        phi_1896_ = _e425;
+                                        phi_1897_ = false;
+                                        phi_1898_ = select(_e429, 0u, _e1025.member_1);
                                     } else {
                                         if (_e425 >= _e64) {
-                                            phi_1761_ = type_41(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1500_ = type_42(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e425 < _e64) {
                                             } else {
-                                                phi_2310_ = true;
+                                                phi_2047_ = true;
                                                 break;
                                             }
                                             let _e439 = (_e192 % 3u);
                                             if (_e439 < 3u) {
                                             } else {
-                                                phi_2310_ = true;
+                                                phi_2047_ = true;
                                                 break;
                                             }
                                             let _e445 = global_2.member[_e425].member[_e439];
                                             let _e451 = (_e191 % 3u);
                                             if (_e451 < 3u) {
                                             } else {
-                                                phi_2310_ = true;
+                                                phi_2047_ = true;
                                                 break;
                                             }
                                             let _e457 = global_2.member[_e425].member[_e451];
                                             let _e463 = (_e193 % 3u);
                                             if (_e463 < 3u) {
                                             } else {
-                                                phi_2310_ = true;
+                                                phi_2047_ = true;
                                                 break;
                                             }
                                             let _e469 = global_2.member[_e425].member[_e463];
                                             let _e479 = global_2.member[_e425].member_1;
                                             let _e483 = global_2.member[_e425].member_2;
-                                            phi_1761_ = type_41(array<vec4<f32>, 3>(vec4<f32>(_e445[0], _e445[1], _e445[2], _e445[3]), vec4<f32>(_e457[0], _e457[1], _e457[2], _e457[3]), vec4<f32>(_e469[0], _e469[1], _e469[2], _e469[3])), _e479, _e483);
+                                            phi_1500_ = type_42(array<vec4<f32>, 3>(vec4<f32>(_e445[0], _e445[1], _e445[2], _e445[3]), vec4<f32>(_e457[0], _e457[1], _e457[2], _e457[3]), vec4<f32>(_e469[0], _e469[1], _e469[2], _e469[3])), _e479, _e483);
                                         }
-                                        let _e486 = phi_1761_;
+                                        let _e486 = phi_1500_;
                                         let _e498 = ((_e486.member[0].x - _e264) * _e269);
                                         let _e499 = ((_e486.member[0].y - _e264) * _e269);
                                         let _e500 = ((_e486.member[0].z - _e265) * _e269);
@@ -877,152 +877,152 @@ fn function_() {
                                         if _e586 {
                                             if _e587 {
                                                 if _e588 {
-                                                    phi_2105_ = _e486.member_2;
+                                                    phi_1844_ = _e486.member_2;
                                                 } else {
-                                                    phi_2105_ = _e486.member_1;
+                                                    phi_1844_ = _e486.member_1;
                                                 }
-                                                let _e592 = phi_2105_;
-                                                let _e593 = (_e429 % 128u);
-                                                let _e594 = (_e593 < 128u);
-                                                if _e594 {
+                                                let _e592 = phi_1844_;
+                                                let _e595 = (_e429 % 128u);
+                                                let _e596 = (_e595 < 128u);
+                                                if _e596 {
                                                 } else {
-                                                    phi_2310_ = true;
+                                                    phi_2047_ = true;
                                                     break;
                                                 }
-                                                local_1[_e593] = _e592;
-                                                if _e594 {
+                                                local_1[_e595] = _e592;
+                                                if _e596 {
                                                 } else {
-                                                    phi_2310_ = true;
+                                                    phi_2047_ = true;
                                                     break;
                                                 }
-                                                local[_e593] = select(_e581, _e579, (_e579 > _e581));
+                                                local[_e595] = select(_e581, _e579, (_e579 > _e581));
                                                 if _e588 {
-                                                    phi_2132_ = _e486.member_1;
+                                                    phi_1872_ = _e486.member_1;
                                                 } else {
-                                                    phi_2132_ = _e486.member_2;
+                                                    phi_1872_ = _e486.member_2;
                                                 }
-                                                let _e603 = phi_2132_;
-                                                phi_2133_ = _e603;
-                                                phi_2134_ = (_e429 + 1u);
+                                                let _e603 = phi_1872_;
+                                                phi_1873_ = _e603;
+                                                phi_1874_ = (_e429 + 1u);
                                             } else {
-                                                phi_2133_ = u32();
-                                                phi_2134_ = u32();
+                                                phi_1873_ = u32();
+                                                phi_1874_ = u32();
                                             }
-                                            let _e605 = phi_2133_;
-                                            let _e607 = phi_2134_;
-                                            phi_2136_ = _e605;
-                                            phi_2137_ = _e607;
-                                            phi_2138_ = select(true, false, _e587);
+                                            let _e605 = phi_1873_;
+                                            let _e607 = phi_1874_;
+                                            phi_1876_ = _e605;
+                                            phi_1877_ = _e607;
+                                            phi_1878_ = select(true, false, _e587);
                                         } else {
-                                            phi_2136_ = u32();
-                                            phi_2137_ = u32();
-                                            phi_2138_ = true;
+                                            phi_1876_ = u32();
+                                            phi_1877_ = u32();
+                                            phi_1878_ = true;
                                         }
-                                        let _e610 = phi_2136_;
-                                        let _e612 = phi_2137_;
-                                        let _e614 = phi_2138_;
+                                        let _e610 = phi_1876_;
+                                        let _e612 = phi_1877_;
+                                        let _e614 = phi_1878_;
                                         if _e614 {
                                             if _e586 {
-                                                phi_2147_ = _e486.member_1;
+                                                phi_1887_ = _e486.member_1;
                                             } else {
-                                                phi_2147_ = _e486.member_2;
+                                                phi_1887_ = _e486.member_2;
                                             }
-                                            let _e618 = phi_2147_;
-                                            phi_2152_ = _e618;
-                                            phi_2153_ = select(_e587, true, _e586);
+                                            let _e618 = phi_1887_;
+                                            phi_1892_ = _e618;
+                                            phi_1893_ = select(_e587, true, _e586);
                                         } else {
-                                            phi_2152_ = _e610;
-                                            phi_2153_ = _e427;
+                                            phi_1892_ = _e610;
+                                            phi_1893_ = _e427;
                                         }
-                                        let _e621 = phi_2152_;
-                                        let _e623 = phi_2153_;
-                                        phi_2314_ = _e400;
-                                        phi_2155_ = _e402;
-                                        phi_2156_ = _e621;
-                                        phi_2157_ = _e623;
-                                        phi_2158_ = select(_e612, _e429, _e614);
+                                        let _e621 = phi_1892_;
+                                        let _e623 = phi_1893_;
+                                        phi_2051_ = _e400;
+                                        phi_1895_ = _e402;
+                                        phi_1896_ = _e621;
+                                        phi_1897_ = _e623;
+                                        phi_1898_ = select(_e612, _e429, _e614);
                                     }
-                                    let _e1029 = phi_2314_;
-                                    let _e1031 = phi_2155_;
-                                    let _e1033 = phi_2156_;
-                                    let _e1035 = phi_2157_;
-                                    let _e1037 = phi_2158_;
-                                    phi_2313_ = _e1029;
-                                    phi_2159_ = _e1031;
-                                    phi_2160_ = _e1033;
-                                    phi_2161_ = (_e406 - 1u);
-                                    phi_2162_ = _e1035;
-                                    phi_2163_ = _e1037;
+                                    let _e1029 = phi_2051_;
+                                    let _e1031 = phi_1895_;
+                                    let _e1033 = phi_1896_;
+                                    let _e1035 = phi_1897_;
+                                    let _e1037 = phi_1898_;
+                                    phi_2050_ = _e1029;
+                                    phi_1899_ = _e1031;
+                                    phi_1900_ = _e1033;
+                                    phi_1901_ = (_e406 - 1u);
+                                    phi_1902_ = _e1035;
+                                    phi_1903_ = _e1037;
                                 } else {
-                                    phi_2313_ = _e400;
-                                    phi_2159_ = _e402;
-                                    phi_2160_ = _e425;
-                                    phi_2161_ = _e406;
-                                    phi_2162_ = _e427;
-                                    phi_2163_ = _e429;
+                                    phi_2050_ = _e400;
+                                    phi_1899_ = _e402;
+                                    phi_1900_ = _e425;
+                                    phi_1901_ = _e406;
+                                    phi_1902_ = _e427;
+                                    phi_1903_ = _e429;
                                 }
-                                let _e1039 = phi_2313_;
-                                let _e1041 = phi_2159_;
-                                let _e1043 = phi_2160_;
-                                let _e1045 = phi_2161_;
-                                let _e1047 = phi_2162_;
-                                let _e1049 = phi_2163_;
-                                phi_2312_ = _e1039;
-                                phi_2164_ = _e1041;
-                                phi_2165_ = _e1043;
-                                phi_2166_ = _e1045;
-                                phi_2167_ = _e1047;
-                                phi_2168_ = _e1049;
+                                let _e1039 = phi_2050_;
+                                let _e1041 = phi_1899_;
+                                let _e1043 = phi_1900_;
+                                let _e1045 = phi_1901_;
+                                let _e1047 = phi_1902_;
+                                let _e1049 = phi_1903_;
+                                phi_2049_ = _e1039;
+                                phi_1904_ = _e1041;
+                                phi_1905_ = _e1043;
+                                phi_1906_ = _e1045;
+                                phi_1907_ = _e1047;
+                                phi_1908_ = _e1049;
                             } else {
-                                phi_2312_ = _e400;
-                                phi_2164_ = type_45();
-                                phi_2165_ = u32();
-                                phi_2166_ = u32();
-                                phi_2167_ = bool();
-                                phi_2168_ = u32();
+                                phi_2049_ = _e400;
+                                phi_1904_ = type_46();
+                                phi_1905_ = u32();
+                                phi_1906_ = u32();
+                                phi_1907_ = bool();
+                                phi_1908_ = u32();
                             }
-                            let _e1051 = phi_2312_;
-                            let _e1053 = phi_2164_;
-                            let _e1055 = phi_2165_;
-                            let _e1057 = phi_2166_;
-                            let _e1059 = phi_2167_;
-                            let _e1061 = phi_2168_;
-                            phi_2311_ = _e1051;
-                            phi_909_ = _e1053;
-                            phi_912_ = _e1055;
-                            phi_914_ = _e1057;
-                            phi_916_ = _e1059;
-                            phi_918_ = _e1061;
-                            phi_2169_ = _e414;
+                            let _e1051 = phi_2049_;
+                            let _e1053 = phi_1904_;
+                            let _e1055 = phi_1905_;
+                            let _e1057 = phi_1906_;
+                            let _e1059 = phi_1907_;
+                            let _e1061 = phi_1908_;
+                            phi_2048_ = _e1051;
+                            phi_647_ = _e1053;
+                            phi_650_ = _e1055;
+                            phi_652_ = _e1057;
+                            phi_654_ = _e1059;
+                            phi_656_ = _e1061;
+                            phi_1909_ = _e414;
                         } else {
-                            phi_2311_ = _e400;
-                            phi_909_ = type_45();
-                            phi_912_ = u32();
-                            phi_914_ = u32();
-                            phi_916_ = bool();
-                            phi_918_ = u32();
-                            phi_2169_ = false;
+                            phi_2048_ = _e400;
+                            phi_647_ = type_46();
+                            phi_650_ = u32();
+                            phi_652_ = u32();
+                            phi_654_ = bool();
+                            phi_656_ = u32();
+                            phi_1909_ = false;
                         }
-                        let _e1063 = phi_2311_;
-                        let _e1065 = phi_909_;
-                        let _e1067 = phi_912_;
-                        let _e1069 = phi_914_;
-                        let _e1071 = phi_916_;
-                        let _e1073 = phi_918_;
-                        let _e1075 = phi_2169_;
+                        let _e1063 = phi_2048_;
+                        let _e1065 = phi_647_;
+                        let _e1067 = phi_650_;
+                        let _e1069 = phi_652_;
+                        let _e1071 = phi_654_;
+                        let _e1073 = phi_656_;
+                        let _e1075 = phi_1909_;
                         continue;
                         continuing {
-                            phi_2205_ = _e1063;
-                            phi_908_ = _e1065;
-                            phi_911_ = _e1067;
-                            phi_913_ = _e1069;
-                            phi_915_ = _e1071;
-                            phi_917_ = _e1073;
-                            phi_2310_ = _e1063;
+                            phi_1942_ = _e1063;
+                            phi_646_ = _e1065;
+                            phi_649_ = _e1067;
+                            phi_651_ = _e1069;
+                            phi_653_ = _e1071;
+                            phi_655_ = _e1073;
+                            phi_2047_ = _e1063;
                             break if !(_e1075);
                         }
                     }
-                    let _e1078 = phi_2310_;
+                    let _e1078 = phi_2047_;
                     if _e1078 {
                         break;
                     }

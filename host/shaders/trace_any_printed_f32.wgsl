@@ -34,37 +34,37 @@ struct type_26 {
     member_3: f32,
 }
 
-struct type_34 {
+struct type_35 {
     member: array<type_26>,
 }
 
-struct type_36 {
+struct type_37 {
     member: f32,
     member_1: bool,
 }
 
-struct type_38 {
+struct type_39 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_40 {
+struct type_41 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_42 {
-    member: array<type_40>,
+struct type_43 {
+    member: array<type_41>,
 }
 
-struct type_46 {
+struct type_48 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_49 {
-    member: type_46,
+struct type_50 {
+    member: type_48,
     member_1: u32,
 }
 
@@ -74,1155 +74,1239 @@ var<uniform> global_1: type_11;
 @group(0) @binding(3) 
 var<storage> global_2: type_18;
 @group(0) @binding(1) 
-var<uniform> global_3: type_38;
+var<uniform> global_3: type_39;
 @group(0) @binding(4) 
-var<storage> global_4: type_34;
+var<storage> global_4: type_35;
 @group(0) @binding(5) 
 var<storage, read_write> global_5: type_4;
 @group(0) @binding(2) 
-var<storage> global_6: type_42;
+var<storage> global_6: type_43;
 
 fn function_() {
-    var local: array<f32, 3>;
-    var local_1: array<f32, 3>;
+    var local: array<f32, 128>;
+    var local_1: array<f32, 128>;
     var local_2: array<f32, 128>;
-    var local_3: array<type_49, 128>;
-    var local_4: array<f32, 3>;
-    var local_5: array<f32, 3>;
-    var local_6: array<f32, 3>;
+    var local_3: array<f32, 128>;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<u32, 128>;
     var local_7: array<f32, 3>;
-    var local_8: array<u32, 3>;
-    var local_9: array<u32, 3>;
+    var local_8: array<f32, 3>;
+    var local_9: array<f32, 128>;
     var local_10: array<f32, 3>;
     var local_11: array<f32, 3>;
-    var phi_331_: i32;
-    var phi_332_: i32;
-    var phi_342_: bool;
-    var phi_352_: u32;
-    var phi_353_: u32;
-    var phi_355_: bool;
-    var phi_360_: u32;
-    var phi_373_: i32;
-    var phi_393_: i32;
-    var phi_411_: f32;
-    var phi_417_: f32;
-    var phi_428_: f32;
-    var phi_434_: f32;
-    var phi_457_: f32;
-    var phi_468_: f32;
-    var phi_477_: f32;
-    var phi_483_: f32;
-    var phi_494_: f32;
-    var phi_500_: f32;
-    var phi_523_: f32;
-    var phi_534_: f32;
-    var phi_543_: f32;
-    var phi_549_: f32;
-    var phi_560_: f32;
-    var phi_566_: f32;
-    var phi_589_: f32;
-    var phi_600_: f32;
-    var phi_700_: f32;
-    var phi_701_: f32;
-    var phi_4572_: bool;
-    var phi_2829_: type_36;
-    var phi_2832_: type_49;
-    var phi_2834_: u32;
-    var phi_2836_: bool;
-    var phi_2838_: u32;
-    var phi_2849_: bool;
-    var phi_2894_: type_49;
-    var phi_2895_: bool;
-    var phi_2896_: u32;
-    var phi_3673_: type_40;
-    var phi_3682_: type_7;
-    var phi_3683_: type_7;
-    var phi_3706_: type_7;
-    var phi_4565_: bool;
-    var phi_3836_: type_7;
-    var phi_3837_: type_7;
-    var phi_3860_: type_7;
-    var phi_4625_: bool;
-    var phi_4423_: type_49;
-    var phi_4462_: type_49;
-    var phi_4463_: type_49;
-    var phi_4464_: u32;
-    var phi_4466_: type_49;
-    var phi_4467_: u32;
-    var phi_4468_: bool;
-    var phi_4475_: type_49;
-    var phi_4480_: type_49;
-    var phi_4481_: bool;
-    var phi_2914_: type_36;
-    var phi_2917_: type_7;
-    var phi_2918_: type_7;
-    var phi_2940_: type_7;
-    var phi_2961_: u32;
-    var phi_3050_: array<array<f32, 3>, 3>;
-    var phi_3521_: vec3<f32>;
-    var phi_3522_: vec3<f32>;
-    var phi_3553_: bool;
-    var phi_3562_: vec3<f32>;
-    var phi_3602_: type_25;
-    var phi_3604_: type_25;
-    var phi_3605_: bool;
-    var phi_3609_: type_25;
-    var phi_3610_: type_25;
-    var phi_3611_: type_25;
-    var phi_3612_: bool;
-    var phi_3616_: type_25;
-    var phi_3617_: bool;
-    var phi_3621_: type_25;
-    var phi_3622_: bool;
-    var phi_3626_: type_25;
-    var phi_3637_: type_36;
-    var phi_3638_: type_36;
-    var phi_2915_: type_36;
-    var phi_4633_: bool;
-    var local_12: type_36;
-    var phi_4697_: bool;
-    var phi_4483_: type_36;
-    var phi_4484_: type_49;
-    var phi_4485_: bool;
-    var phi_4486_: u32;
-    var phi_4696_: bool;
-    var phi_4487_: type_36;
-    var phi_4488_: type_49;
-    var phi_4489_: u32;
-    var phi_4490_: bool;
-    var phi_4491_: u32;
-    var phi_4695_: bool;
-    var phi_4492_: type_36;
-    var phi_4493_: type_49;
-    var phi_4494_: u32;
-    var phi_4495_: bool;
-    var phi_4496_: u32;
-    var phi_4694_: bool;
-    var phi_2830_: type_36;
-    var phi_2833_: type_49;
-    var phi_2835_: u32;
-    var phi_2837_: bool;
-    var phi_2839_: u32;
-    var phi_4497_: bool;
-    var phi_4693_: bool;
-    var local_13: type_36;
-    var local_14: type_36;
+    var local_12: array<f32, 3>;
+    var local_13: array<f32, 3>;
+    var local_14: array<u32, 3>;
+    var local_15: array<u32, 3>;
+    var local_16: array<f32, 3>;
+    var local_17: array<f32, 3>;
+    var phi_334_: i32;
+    var phi_335_: i32;
+    var phi_345_: bool;
+    var phi_355_: u32;
+    var phi_356_: u32;
+    var phi_358_: bool;
+    var phi_363_: u32;
+    var phi_376_: i32;
+    var phi_396_: i32;
+    var phi_414_: f32;
+    var phi_420_: f32;
+    var phi_431_: f32;
+    var phi_437_: f32;
+    var phi_460_: f32;
+    var phi_471_: f32;
+    var phi_480_: f32;
+    var phi_486_: f32;
+    var phi_497_: f32;
+    var phi_503_: f32;
+    var phi_526_: f32;
+    var phi_537_: f32;
+    var phi_546_: f32;
+    var phi_552_: f32;
+    var phi_563_: f32;
+    var phi_569_: f32;
+    var phi_592_: f32;
+    var phi_603_: f32;
+    var phi_703_: f32;
+    var phi_704_: f32;
+    var phi_2613_: bool;
+    var phi_777_: type_37;
+    var phi_780_: type_50;
+    var phi_782_: u32;
+    var phi_784_: bool;
+    var phi_786_: u32;
+    var phi_797_: bool;
+    var phi_883_: type_50;
+    var phi_884_: bool;
+    var phi_885_: u32;
+    var phi_1662_: type_41;
+    var phi_1671_: type_7;
+    var phi_1672_: type_7;
+    var phi_1695_: type_7;
+    var phi_2606_: bool;
+    var phi_1825_: type_7;
+    var phi_1826_: type_7;
+    var phi_1849_: type_7;
+    var phi_2666_: bool;
+    var phi_2412_: type_50;
+    var phi_2489_: type_50;
+    var phi_2490_: type_50;
+    var phi_2491_: u32;
+    var phi_2493_: type_50;
+    var phi_2494_: u32;
+    var phi_2495_: bool;
+    var phi_2502_: type_50;
+    var phi_2507_: type_50;
+    var phi_2508_: bool;
+    var phi_903_: type_37;
+    var phi_906_: type_7;
+    var phi_907_: type_7;
+    var phi_929_: type_7;
+    var phi_950_: u32;
+    var phi_1039_: array<array<f32, 3>, 3>;
+    var phi_1510_: vec3<f32>;
+    var phi_1511_: vec3<f32>;
+    var phi_1542_: bool;
+    var phi_1551_: vec3<f32>;
+    var phi_1591_: type_25;
+    var phi_1593_: type_25;
+    var phi_1594_: bool;
+    var phi_1598_: type_25;
+    var phi_1599_: type_25;
+    var phi_1600_: type_25;
+    var phi_1601_: bool;
+    var phi_1605_: type_25;
+    var phi_1606_: bool;
+    var phi_1610_: type_25;
+    var phi_1611_: bool;
+    var phi_1615_: type_25;
+    var phi_1626_: type_37;
+    var phi_1627_: type_37;
+    var phi_904_: type_37;
+    var phi_2674_: bool;
+    var local_18: type_37;
+    var phi_2738_: bool;
+    var phi_2510_: type_37;
+    var phi_2511_: type_50;
+    var phi_2512_: bool;
+    var phi_2513_: u32;
+    var phi_2737_: bool;
+    var phi_2514_: type_37;
+    var phi_2515_: type_50;
+    var phi_2516_: u32;
+    var phi_2517_: bool;
+    var phi_2518_: u32;
+    var phi_2736_: bool;
+    var phi_2519_: type_37;
+    var phi_2520_: type_50;
+    var phi_2521_: u32;
+    var phi_2522_: bool;
+    var phi_2523_: u32;
+    var phi_2735_: bool;
+    var phi_778_: type_37;
+    var phi_781_: type_50;
+    var phi_783_: u32;
+    var phi_785_: bool;
+    var phi_787_: u32;
+    var phi_2524_: bool;
+    var phi_2734_: bool;
+    var local_19: type_37;
+    var local_20: type_37;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e80 = global;
-            let _e83 = arrayLength((&global_6.member));
-            let _e85 = arrayLength((&global_2.member));
-            let _e93 = global_3.member[0u][0u];
-            let _e97 = global_3.member[0u][1u];
-            let _e101 = global_3.member[0u][2u];
-            let _e105 = global_3.member[1u][0u];
-            let _e109 = global_3.member[1u][1u];
-            let _e113 = global_3.member[1u][2u];
-            let _e117 = global_3.member[1u][3u];
-            let _e120 = global_1.member[0u];
-            let _e121 = bitcast<i32>(_e120);
-            let _e131 = (_e80.x + (_e80.y * 2097152u));
-            let _e132 = (_e131 < arrayLength((&global_4.member)));
-            if _e132 {
-                let _e133 = (_e131 < arrayLength((&global_5.member)));
-                if _e133 {
-                    if _e132 {
+            let _e84 = global;
+            let _e87 = arrayLength((&global_6.member));
+            let _e89 = arrayLength((&global_2.member));
+            let _e97 = global_3.member[0u][0u];
+            let _e101 = global_3.member[0u][1u];
+            let _e105 = global_3.member[0u][2u];
+            let _e109 = global_3.member[1u][0u];
+            let _e113 = global_3.member[1u][1u];
+            let _e117 = global_3.member[1u][2u];
+            let _e121 = global_3.member[1u][3u];
+            let _e124 = global_1.member[0u];
+            let _e125 = bitcast<i32>(_e124);
+            let _e135 = (_e84.x + (_e84.y * 2097152u));
+            let _e136 = (_e135 < arrayLength((&global_4.member)));
+            if _e136 {
+                let _e137 = (_e135 < arrayLength((&global_5.member)));
+                if _e137 {
+                    if _e136 {
                     } else {
                         break;
                     }
-                    let _e141 = global_4.member[_e131].member_2[0u];
-                    let _e143 = (bitcast<u32>(_e141) & 2147483647u);
-                    let _e148 = global_4.member[_e131].member_2[1u];
-                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
-                    let _e155 = global_4.member[_e131].member_2[2u];
-                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
-                    let _e162 = global_4.member[_e131].member[0u];
-                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
-                    let _e169 = global_4.member[_e131].member[1u];
-                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
-                    let _e176 = global_4.member[_e131].member[2u];
-                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
-                    let _e180 = select(_e150, _e143, (_e150 < _e143));
-                    let _e182 = select(_e157, _e180, (_e157 < _e180));
-                    let _e184 = select(_e164, _e182, (_e164 < _e182));
-                    let _e186 = select(_e171, _e184, (_e171 < _e184));
-                    let _e188 = select(_e178, _e186, (_e178 < _e186));
-                    let _e192 = global_4.member[_e131].member_1;
-                    let _e194 = (bitcast<u32>(_e192) & 2147483647u);
-                    let _e201 = global_4.member[_e131].member_3;
-                    let _e207 = (((select(_e194, _e188, (_e194 < _e188)) < 2139095040u) && ((bitcast<u32>(_e201) & 2147483647u) <= 2139095040u)) && (_e182 > 0u));
-                    if _e207 {
-                        let _e210 = (bitcast<u32>(bitcast<f32>(_e182)) & 2147483647u);
-                        if (_e210 >= 8388608u) {
-                            phi_331_ = (bitcast<i32>((_e210 >> bitcast<u32>(23i))) - 127i);
+                    let _e145 = global_4.member[_e135].member_2[0u];
+                    let _e147 = (bitcast<u32>(_e145) & 2147483647u);
+                    let _e152 = global_4.member[_e135].member_2[1u];
+                    let _e154 = (bitcast<u32>(_e152) & 2147483647u);
+                    let _e159 = global_4.member[_e135].member_2[2u];
+                    let _e161 = (bitcast<u32>(_e159) & 2147483647u);
+                    let _e166 = global_4.member[_e135].member[0u];
+                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
+                    let _e173 = global_4.member[_e135].member[1u];
+                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
+                    let _e180 = global_4.member[_e135].member[2u];
+                    let _e182 = (bitcast<u32>(_e180) & 2147483647u);
+                    let _e184 = select(_e154, _e147, (_e154 < _e147));
+                    let _e186 = select(_e161, _e184, (_e161 < _e184));
+                    let _e188 = select(_e168, _e186, (_e168 < _e186));
+                    let _e190 = select(_e175, _e188, (_e175 < _e188));
+                    let _e192 = select(_e182, _e190, (_e182 < _e190));
+                    let _e196 = global_4.member[_e135].member_1;
+                    let _e198 = (bitcast<u32>(_e196) & 2147483647u);
+                    let _e205 = global_4.member[_e135].member_3;
+                    let _e211 = (((select(_e198, _e192, (_e198 < _e192)) < 2139095040u) && ((bitcast<u32>(_e205) & 2147483647u) <= 2139095040u)) && (_e186 > 0u));
+                    if _e211 {
+                        let _e214 = (bitcast<u32>(bitcast<f32>(_e186)) & 2147483647u);
+                        if (_e214 >= 8388608u) {
+                            phi_334_ = (bitcast<i32>((_e214 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_331_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e210)), 32u, (_e210 == 0u))));
+                            phi_334_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e214)), 32u, (_e214 == 0u))));
                         }
-                        let _e224 = phi_331_;
-                        phi_332_ = _e224;
+                        let _e228 = phi_334_;
+                        phi_335_ = _e228;
                     } else {
-                        phi_332_ = 0i;
+                        phi_335_ = 0i;
                     }
-                    let _e226 = phi_332_;
-                    let _e227 = (_e143 == _e182);
-                    if _e227 {
-                        phi_342_ = true;
+                    let _e230 = phi_335_;
+                    let _e231 = (_e147 == _e186);
+                    if _e231 {
+                        phi_345_ = true;
                     } else {
-                        phi_342_ = (_e150 == _e182);
+                        phi_345_ = (_e154 == _e186);
                     }
-                    let _e230 = phi_342_;
-                    let _e231 = select(1u, 0u, _e227);
-                    if _e230 {
-                        let _e232 = (_e231 + 1u);
-                        phi_352_ = _e232;
-                        phi_353_ = _e232;
-                        phi_355_ = select(true, false, (_e232 == 2u));
+                    let _e234 = phi_345_;
+                    let _e235 = select(1u, 0u, _e231);
+                    if _e234 {
+                        let _e236 = (_e235 + 1u);
+                        phi_355_ = _e236;
+                        phi_356_ = _e236;
+                        phi_358_ = select(true, false, (_e236 == 2u));
                     } else {
-                        phi_352_ = u32();
-                        phi_353_ = 0u;
-                        phi_355_ = true;
+                        phi_355_ = u32();
+                        phi_356_ = 0u;
+                        phi_358_ = true;
                     }
-                    let _e236 = phi_352_;
-                    let _e238 = phi_353_;
                     let _e240 = phi_355_;
-                    if _e240 {
-                        phi_360_ = (_e238 + 1u);
+                    let _e242 = phi_356_;
+                    let _e244 = phi_358_;
+                    if _e244 {
+                        phi_363_ = (_e242 + 1u);
                     } else {
-                        phi_360_ = 0u;
+                        phi_363_ = 0u;
                     }
-                    let _e244 = phi_360_;
-                    let _e245 = select(_e236, _e238, _e240);
-                    let _e246 = select(_e231, select(2u, _e231, _e230), _e240);
-                    if (_e121 < -126i) {
-                        phi_373_ = -126i;
+                    let _e248 = phi_363_;
+                    let _e249 = select(_e240, _e242, _e244);
+                    let _e250 = select(_e235, select(2u, _e235, _e234), _e244);
+                    if (_e125 < -126i) {
+                        phi_376_ = -126i;
                     } else {
-                        phi_373_ = select(_e121, 127i, (_e121 > 127i));
+                        phi_376_ = select(_e125, 127i, (_e125 > 127i));
                     }
-                    let _e251 = phi_373_;
-                    let _e256 = bitcast<f32>((bitcast<u32>((_e251 + 127i)) << bitcast<u32>(23i)));
-                    let _e262 = bitcast<f32>((bitcast<u32>(((_e121 - _e251) + 127i)) << bitcast<u32>(23i)));
-                    let _e263 = -(_e226);
-                    if (_e263 < -126i) {
-                        phi_393_ = -126i;
+                    let _e255 = phi_376_;
+                    let _e260 = bitcast<f32>((bitcast<u32>((_e255 + 127i)) << bitcast<u32>(23i)));
+                    let _e266 = bitcast<f32>((bitcast<u32>(((_e125 - _e255) + 127i)) << bitcast<u32>(23i)));
+                    let _e267 = -(_e230);
+                    if (_e267 < -126i) {
+                        phi_396_ = -126i;
                     } else {
-                        phi_393_ = select(_e263, 127i, (_e263 > 127i));
+                        phi_396_ = select(_e267, 127i, (_e267 > 127i));
                     }
-                    let _e268 = phi_393_;
-                    let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
-                    let _e279 = bitcast<f32>((bitcast<u32>(((_e263 - _e268) + 127i)) << bitcast<u32>(23i)));
-                    let _e283 = global_4.member[_e131].member;
-                    let _e284 = (_e245 == 0u);
-                    if _e284 {
-                        phi_411_ = _e283[0];
+                    let _e272 = phi_396_;
+                    let _e277 = bitcast<f32>((bitcast<u32>((_e272 + 127i)) << bitcast<u32>(23i)));
+                    let _e283 = bitcast<f32>((bitcast<u32>(((_e267 - _e272) + 127i)) << bitcast<u32>(23i)));
+                    let _e287 = global_4.member[_e135].member;
+                    let _e288 = (_e249 == 0u);
+                    if _e288 {
+                        phi_414_ = _e287[0];
                     } else {
-                        phi_411_ = _e283[1];
+                        phi_414_ = _e287[1];
                     }
-                    let _e288 = phi_411_;
-                    let _e289 = (_e245 == 2u);
-                    if _e289 {
-                        phi_417_ = _e283[2];
+                    let _e292 = phi_414_;
+                    let _e293 = (_e249 == 2u);
+                    if _e293 {
+                        phi_420_ = _e287[2];
                     } else {
-                        phi_417_ = _e288;
+                        phi_420_ = _e292;
                     }
-                    let _e292 = phi_417_;
-                    let _e294 = ((_e292 * _e256) * _e262);
-                    let _e295 = global_4.member[_e131].member_2;
-                    if _e284 {
-                        phi_428_ = _e295[0];
+                    let _e296 = phi_420_;
+                    let _e298 = ((_e296 * _e260) * _e266);
+                    let _e299 = global_4.member[_e135].member_2;
+                    if _e288 {
+                        phi_431_ = _e299[0];
                     } else {
-                        phi_428_ = _e295[1];
+                        phi_431_ = _e299[1];
                     }
-                    let _e299 = phi_428_;
-                    if _e289 {
-                        phi_434_ = _e295[2];
+                    let _e303 = phi_431_;
+                    if _e293 {
+                        phi_437_ = _e299[2];
                     } else {
-                        phi_434_ = _e299;
+                        phi_437_ = _e303;
                     }
-                    let _e302 = phi_434_;
-                    let _e304 = ((_e302 * _e273) * _e279);
-                    let _e308 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e308 {
-                        let _e312 = (bitcast<f32>((bitcast<u32>(_e294) & 2147483647u)) * 0.00000011920929f);
-                        phi_457_ = select(0.00000000000011368684f, _e312, (_e312 > 0.00000000000011368684f));
+                    let _e306 = phi_437_;
+                    let _e308 = ((_e306 * _e277) * _e283);
+                    let _e312 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e312 {
+                        let _e316 = (bitcast<f32>((bitcast<u32>(_e298) & 2147483647u)) * 0.00000011920929f);
+                        phi_460_ = select(0.00000000000011368684f, _e316, (_e316 > 0.00000000000011368684f));
                     } else {
-                        phi_457_ = 0f;
+                        phi_460_ = 0f;
                     }
-                    let _e316 = phi_457_;
-                    let _e317 = (_e294 + _e316);
-                    let _e318 = (_e294 - _e316);
-                    let _e319 = select(_e304, 0f, _e308);
-                    if _e308 {
-                        phi_468_ = 38685626000000000000000000f;
+                    let _e320 = phi_460_;
+                    let _e321 = (_e298 + _e320);
+                    let _e322 = (_e298 - _e320);
+                    let _e323 = select(_e308, 0f, _e312);
+                    if _e312 {
+                        phi_471_ = 38685626000000000000000000f;
                     } else {
-                        phi_468_ = (1f / _e304);
+                        phi_471_ = (1f / _e308);
                     }
-                    let _e322 = phi_468_;
-                    let _e323 = (_e244 == 0u);
-                    if _e323 {
-                        phi_477_ = _e283[0];
+                    let _e326 = phi_471_;
+                    let _e327 = (_e248 == 0u);
+                    if _e327 {
+                        phi_480_ = _e287[0];
                     } else {
-                        phi_477_ = _e283[1];
+                        phi_480_ = _e287[1];
                     }
-                    let _e327 = phi_477_;
-                    let _e328 = (_e244 == 2u);
-                    if _e328 {
-                        phi_483_ = _e283[2];
+                    let _e331 = phi_480_;
+                    let _e332 = (_e248 == 2u);
+                    if _e332 {
+                        phi_486_ = _e287[2];
                     } else {
-                        phi_483_ = _e327;
+                        phi_486_ = _e331;
                     }
-                    let _e331 = phi_483_;
-                    let _e333 = ((_e331 * _e256) * _e262);
-                    if _e323 {
-                        phi_494_ = _e295[0];
+                    let _e335 = phi_486_;
+                    let _e337 = ((_e335 * _e260) * _e266);
+                    if _e327 {
+                        phi_497_ = _e299[0];
                     } else {
-                        phi_494_ = _e295[1];
+                        phi_497_ = _e299[1];
                     }
-                    let _e337 = phi_494_;
-                    if _e328 {
-                        phi_500_ = _e295[2];
+                    let _e341 = phi_497_;
+                    if _e332 {
+                        phi_503_ = _e299[2];
                     } else {
-                        phi_500_ = _e337;
+                        phi_503_ = _e341;
                     }
-                    let _e340 = phi_500_;
-                    let _e342 = ((_e340 * _e273) * _e279);
-                    let _e346 = (bitcast<f32>((bitcast<u32>(_e342) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e346 {
-                        let _e350 = (bitcast<f32>((bitcast<u32>(_e333) & 2147483647u)) * 0.00000011920929f);
-                        phi_523_ = select(0.00000000000011368684f, _e350, (_e350 > 0.00000000000011368684f));
+                    let _e344 = phi_503_;
+                    let _e346 = ((_e344 * _e277) * _e283);
+                    let _e350 = (bitcast<f32>((bitcast<u32>(_e346) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e350 {
+                        let _e354 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) * 0.00000011920929f);
+                        phi_526_ = select(0.00000000000011368684f, _e354, (_e354 > 0.00000000000011368684f));
                     } else {
-                        phi_523_ = 0f;
+                        phi_526_ = 0f;
                     }
-                    let _e354 = phi_523_;
-                    let _e355 = (_e333 + _e354);
-                    let _e356 = (_e333 - _e354);
-                    let _e357 = select(_e342, 0f, _e346);
-                    if _e346 {
-                        phi_534_ = 38685626000000000000000000f;
+                    let _e358 = phi_526_;
+                    let _e359 = (_e337 + _e358);
+                    let _e360 = (_e337 - _e358);
+                    let _e361 = select(_e346, 0f, _e350);
+                    if _e350 {
+                        phi_537_ = 38685626000000000000000000f;
                     } else {
-                        phi_534_ = (1f / _e342);
+                        phi_537_ = (1f / _e346);
                     }
-                    let _e360 = phi_534_;
-                    let _e361 = (_e246 == 0u);
-                    if _e361 {
-                        phi_543_ = _e283[0];
+                    let _e364 = phi_537_;
+                    let _e365 = (_e250 == 0u);
+                    if _e365 {
+                        phi_546_ = _e287[0];
                     } else {
-                        phi_543_ = _e283[1];
+                        phi_546_ = _e287[1];
                     }
-                    let _e365 = phi_543_;
-                    let _e366 = (_e246 == 2u);
-                    if _e366 {
-                        phi_549_ = _e283[2];
+                    let _e369 = phi_546_;
+                    let _e370 = (_e250 == 2u);
+                    if _e370 {
+                        phi_552_ = _e287[2];
                     } else {
-                        phi_549_ = _e365;
+                        phi_552_ = _e369;
                     }
-                    let _e369 = phi_549_;
-                    let _e371 = ((_e369 * _e256) * _e262);
-                    if _e361 {
-                        phi_560_ = _e295[0];
+                    let _e373 = phi_552_;
+                    let _e375 = ((_e373 * _e260) * _e266);
+                    if _e365 {
+                        phi_563_ = _e299[0];
                     } else {
-                        phi_560_ = _e295[1];
+                        phi_563_ = _e299[1];
                     }
-                    let _e375 = phi_560_;
-                    if _e366 {
-                        phi_566_ = _e295[2];
+                    let _e379 = phi_563_;
+                    if _e370 {
+                        phi_569_ = _e299[2];
                     } else {
-                        phi_566_ = _e375;
+                        phi_569_ = _e379;
                     }
-                    let _e378 = phi_566_;
-                    let _e380 = ((_e378 * _e273) * _e279);
-                    let _e384 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e384 {
-                        let _e388 = (bitcast<f32>((bitcast<u32>(_e371) & 2147483647u)) * 0.00000011920929f);
-                        phi_589_ = select(0.00000000000011368684f, _e388, (_e388 > 0.00000000000011368684f));
+                    let _e382 = phi_569_;
+                    let _e384 = ((_e382 * _e277) * _e283);
+                    let _e388 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e388 {
+                        let _e392 = (bitcast<f32>((bitcast<u32>(_e375) & 2147483647u)) * 0.00000011920929f);
+                        phi_592_ = select(0.00000000000011368684f, _e392, (_e392 > 0.00000000000011368684f));
                     } else {
-                        phi_589_ = 0f;
+                        phi_592_ = 0f;
                     }
-                    let _e392 = phi_589_;
-                    let _e393 = (_e371 + _e392);
-                    let _e394 = (_e371 - _e392);
-                    let _e395 = select(_e380, 0f, _e384);
-                    if _e384 {
-                        phi_600_ = 38685626000000000000000000f;
+                    let _e396 = phi_592_;
+                    let _e397 = (_e375 + _e396);
+                    let _e398 = (_e375 - _e396);
+                    let _e399 = select(_e384, 0f, _e388);
+                    if _e388 {
+                        phi_603_ = 38685626000000000000000000f;
                     } else {
-                        phi_600_ = (1f / _e380);
+                        phi_603_ = (1f / _e384);
                     }
-                    let _e398 = phi_600_;
-                    let _e401 = bitcast<f32>((bitcast<u32>(_e294) & 2147483647u));
-                    let _e404 = bitcast<f32>((bitcast<u32>(_e333) & 2147483647u));
-                    let _e406 = select(_e404, _e401, (_e401 > _e404));
-                    let _e409 = bitcast<f32>((bitcast<u32>(_e371) & 2147483647u));
-                    let _e412 = (_e121 + _e226);
-                    if (_e207 && (select(_e409, _e406, (_e406 > _e409)) <= 1099511600000f)) {
-                        let _e415 = (_e412 / 3i);
-                        let _e422 = bitcast<f32>((bitcast<u32>((_e415 + 127i)) << bitcast<u32>(23i)));
-                        let _e429 = bitcast<f32>((bitcast<u32>(((_e412 - (2i * _e415)) + 127i)) << bitcast<u32>(23i)));
-                        let _e430 = (((_e192 * _e422) * _e422) * _e429);
-                        let _e432 = select(340282350000000000000000000000000000000f, _e430, (_e430 < 340282350000000000000000000000000000000f));
-                        let _e437 = (((_e201 * _e422) * _e422) * _e429);
-                        let _e439 = select(340282350000000000000000000000000000000f, _e437, (_e437 < 340282350000000000000000000000000000000f));
-                        phi_700_ = select(-340282350000000000000000000000000000000f, _e439, (_e439 > -340282350000000000000000000000000000000f));
-                        phi_701_ = select(-340282350000000000000000000000000000000f, _e432, (_e432 > -340282350000000000000000000000000000000f));
+                    let _e402 = phi_603_;
+                    let _e405 = bitcast<f32>((bitcast<u32>(_e298) & 2147483647u));
+                    let _e408 = bitcast<f32>((bitcast<u32>(_e337) & 2147483647u));
+                    let _e410 = select(_e408, _e405, (_e405 > _e408));
+                    let _e413 = bitcast<f32>((bitcast<u32>(_e375) & 2147483647u));
+                    let _e416 = (_e125 + _e230);
+                    if (_e211 && (select(_e413, _e410, (_e410 > _e413)) <= 1099511600000f)) {
+                        let _e419 = (_e416 / 3i);
+                        let _e426 = bitcast<f32>((bitcast<u32>((_e419 + 127i)) << bitcast<u32>(23i)));
+                        let _e433 = bitcast<f32>((bitcast<u32>(((_e416 - (2i * _e419)) + 127i)) << bitcast<u32>(23i)));
+                        let _e434 = (((_e196 * _e426) * _e426) * _e433);
+                        let _e436 = select(340282350000000000000000000000000000000f, _e434, (_e434 < 340282350000000000000000000000000000000f));
+                        let _e441 = (((_e205 * _e426) * _e426) * _e433);
+                        let _e443 = select(340282350000000000000000000000000000000f, _e441, (_e441 < 340282350000000000000000000000000000000f));
+                        phi_703_ = select(-340282350000000000000000000000000000000f, _e443, (_e443 > -340282350000000000000000000000000000000f));
+                        phi_704_ = select(-340282350000000000000000000000000000000f, _e436, (_e436 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_700_ = 0f;
-                        phi_701_ = 1f;
+                        phi_703_ = 0f;
+                        phi_704_ = 1f;
                     }
-                    let _e443 = phi_700_;
-                    let _e445 = phi_701_;
-                    local_3 = array<type_49, 128>(type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_49(type_46(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u));
+                    let _e447 = phi_703_;
+                    let _e449 = phi_704_;
+                    local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_11 = array<f32, 3>(bitcast<f32>(_e93), bitcast<f32>(_e97), bitcast<f32>(_e101));
-                    let _e450 = (_e245 % 3u);
-                    let _e451 = (_e450 < 3u);
-                    if _e451 {
-                    } else {
-                        break;
-                    }
-                    let _e453 = local_11[_e450];
-                    let _e454 = (_e244 % 3u);
+                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_17 = array<f32, 3>(bitcast<f32>(_e97), bitcast<f32>(_e101), bitcast<f32>(_e105));
+                    let _e454 = (_e249 % 3u);
                     let _e455 = (_e454 < 3u);
                     if _e455 {
                     } else {
                         break;
                     }
-                    let _e457 = local_11[_e454];
-                    let _e458 = (_e246 % 3u);
+                    let _e457 = local_17[_e454];
+                    let _e458 = (_e248 % 3u);
                     let _e459 = (_e458 < 3u);
                     if _e459 {
                     } else {
                         break;
                     }
-                    let _e461 = local_11[_e458];
-                    local_10 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
-                    if _e451 {
+                    let _e461 = local_17[_e458];
+                    let _e462 = (_e250 % 3u);
+                    let _e463 = (_e462 < 3u);
+                    if _e463 {
                     } else {
                         break;
                     }
-                    let _e465 = local_10[_e450];
+                    let _e465 = local_17[_e462];
+                    local_16 = array<f32, 3>(bitcast<f32>(_e109), bitcast<f32>(_e113), bitcast<f32>(_e117));
                     if _e455 {
                     } else {
                         break;
                     }
-                    let _e467 = local_10[_e454];
+                    let _e469 = local_16[_e454];
                     if _e459 {
                     } else {
                         break;
                     }
-                    let _e469 = local_10[_e458];
-                    phi_4572_ = false;
-                    phi_2829_ = type_36(_e443, false);
-                    phi_2832_ = type_49(type_46(array<f32, 3>(_e453, _e457, _e461), array<f32, 3>(_e465, _e467, _e469)), select(0u, 2147483648u, (_e83 == 0u)));
-                    phi_2834_ = ((3u * _e83) + 1u);
-                    phi_2836_ = (_e445 <= _e443);
-                    phi_2838_ = 0u;
-                    loop {
-                        let _e477 = phi_4572_;
-                        let _e479 = phi_2829_;
-                        let _e481 = phi_2832_;
-                        let _e483 = phi_2834_;
-                        let _e485 = phi_2836_;
-                        let _e487 = phi_2838_;
-                        local_13 = _e479;
-                        if _e485 {
-                            phi_2849_ = true;
-                        } else {
-                            phi_2849_ = (_e487 > 0u);
-                        }
-                        let _e490 = phi_2849_;
-                        if _e490 {
-                            let _e491 = (_e483 > 0u);
-                            if _e491 {
-                                if _e485 {
-                                    phi_2894_ = _e481;
-                                    phi_2895_ = _e485;
-                                    phi_2896_ = _e487;
-                                } else {
-                                    let _e492 = (_e487 - 1u);
-                                    let _e493 = (_e492 % 128u);
-                                    let _e494 = (_e493 < 128u);
-                                    if _e494 {
-                                    } else {
-                                        phi_4693_ = true;
-                                        break;
-                                    }
-                                    let _e496 = local_3[_e493];
-                                    if _e494 {
-                                    } else {
-                                        phi_4693_ = true;
-                                        break;
-                                    }
-                                    let _e512 = local_2[_e493];
-                                    phi_2894_ = type_49(type_46(array<f32, 3>(_e496.member.member[0], _e496.member.member[1], _e496.member.member[2]), array<f32, 3>(_e496.member.member_1[0], _e496.member.member_1[1], _e496.member.member_1[2])), _e496.member_1);
-                                    phi_2895_ = (_e512 <= _e479.member);
-                                    phi_2896_ = _e492;
-                                }
-                                let _e516 = phi_2894_;
-                                let _e518 = phi_2895_;
-                                let _e520 = phi_2896_;
-                                if _e518 {
-                                    if ((_e516.member_1 & 2147483648u) != 0u) {
-                                        phi_2914_ = _e479;
-                                        phi_2917_ = type_7(0u, ((_e516.member_1 >> bitcast<u32>(28u)) & 7u));
-                                        loop {
-                                            let _e842 = phi_2914_;
-                                            let _e844 = phi_2917_;
-                                            local_12 = _e842;
-                                            local_14 = _e842;
-                                            if (_e844.member < _e844.member_1) {
-                                                phi_2918_ = type_7((_e844.member + 1u), _e844.member_1);
-                                                phi_2940_ = type_7(1u, _e844.member);
-                                            } else {
-                                                phi_2918_ = _e844;
-                                                phi_2940_ = type_7(0u, type_7().member_1);
-                                            }
-                                            let _e857 = phi_2918_;
-                                            let _e859 = phi_2940_;
-                                            let _e863 = (bitcast<i32>(_e859.member) != 0i);
-                                            if _e863 {
-                                                let _e864 = ((_e516.member_1 & 268435455u) + _e859.member_1);
-                                                let _e865 = (_e864 < _e85);
-                                                if _e865 {
-                                                    if _e865 {
-                                                    } else {
-                                                        phi_4633_ = true;
-                                                        break;
-                                                    }
-                                                    let _e869 = global_2.member[_e864].member_1;
-                                                    phi_2961_ = _e869;
-                                                } else {
-                                                    phi_2961_ = 4294967295u;
-                                                }
-                                                let _e871 = phi_2961_;
-                                                if (_e864 >= _e85) {
-                                                    phi_3050_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
-                                                } else {
-                                                    if _e865 {
-                                                    } else {
-                                                        phi_4633_ = true;
-                                                        break;
-                                                    }
-                                                    if (_e450 < 9u) {
-                                                    } else {
-                                                        phi_4633_ = true;
-                                                        break;
-                                                    }
-                                                    let _e878 = global_2.member[_e864].member[_e450];
-                                                    if (_e454 < 9u) {
-                                                    } else {
-                                                        phi_4633_ = true;
-                                                        break;
-                                                    }
-                                                    let _e884 = global_2.member[_e864].member[_e454];
-                                                    if (_e458 < 9u) {
-                                                    } else {
-                                                        phi_4633_ = true;
-                                                        break;
-                                                    }
-                                                    let _e890 = global_2.member[_e864].member[_e458];
-                                                    let _e892 = (3u + _e450);
-                                                    if (_e892 < 9u) {
-                                                    } else {
-                                                        phi_4633_ = true;
-                                                        break;
-                                                    }
-                                                    let _e898 = global_2.member[_e864].member[_e892];
-                                                    let _e899 = (3u + _e454);
-                                                    if (_e899 < 9u) {
-                                                    } else {
-                                                        phi_4633_ = true;
-                                                        break;
-                                                    }
-                                                    let _e905 = global_2.member[_e864].member[_e899];
-                                                    let _e906 = (3u + _e458);
-                                                    if (_e906 < 9u) {
-                                                    } else {
-                                                        phi_4633_ = true;
-                                                        break;
-                                                    }
-                                                    let _e912 = global_2.member[_e864].member[_e906];
-                                                    let _e914 = (6u + _e450);
-                                                    if (_e914 < 9u) {
-                                                    } else {
-                                                        phi_4633_ = true;
-                                                        break;
-                                                    }
-                                                    let _e920 = global_2.member[_e864].member[_e914];
-                                                    let _e921 = (6u + _e454);
-                                                    if (_e921 < 9u) {
-                                                    } else {
-                                                        phi_4633_ = true;
-                                                        break;
-                                                    }
-                                                    let _e927 = global_2.member[_e864].member[_e921];
-                                                    let _e928 = (6u + _e458);
-                                                    if (_e928 < 9u) {
-                                                    } else {
-                                                        phi_4633_ = true;
-                                                        break;
-                                                    }
-                                                    let _e934 = global_2.member[_e864].member[_e928];
-                                                    phi_3050_ = array<array<f32, 3>, 3>(array<f32, 3>(_e878, _e884, _e890), array<f32, 3>(_e898, _e905, _e912), array<f32, 3>(_e920, _e927, _e934));
-                                                }
-                                                let _e938 = phi_3050_;
-                                                let _e946 = (_e938[0][2] - _e371);
-                                                let _e949 = (((_e938[0][0] - _e294) * _e395) - (_e946 * _e319));
-                                                let _e952 = (((_e938[0][1] - _e333) * _e395) - (_e946 * _e357));
-                                                let _e959 = (_e938[1][2] - _e371);
-                                                let _e962 = (((_e938[1][0] - _e294) * _e395) - (_e959 * _e319));
-                                                let _e965 = (((_e938[1][1] - _e333) * _e395) - (_e959 * _e357));
-                                                let _e972 = (_e938[2][2] - _e371);
-                                                let _e975 = (((_e938[2][0] - _e294) * _e395) - (_e972 * _e319));
-                                                let _e978 = (((_e938[2][1] - _e333) * _e395) - (_e972 * _e357));
-                                                let _e979 = (_e975 * _e965);
-                                                let _e980 = (_e978 * _e962);
-                                                let _e981 = (_e949 * _e978);
-                                                let _e982 = (_e952 * _e975);
-                                                let _e983 = (_e962 * _e952);
-                                                let _e984 = (_e965 * _e949);
-                                                let _e989 = (((_e979 >= _e980) && (_e981 >= _e982)) && (_e983 >= _e984));
-                                                if (_e989 || (((_e979 <= _e980) && (_e981 <= _e982)) && (_e983 <= _e984))) {
-                                                    let _e996 = select(-1f, 1f, _e989);
-                                                    let _e998 = ((_e979 - _e980) * _e996);
-                                                    let _e1000 = select(0f, _e998, (_e998 > 0f));
-                                                    let _e1002 = ((_e981 - _e982) * _e996);
-                                                    let _e1004 = select(0f, _e1002, (_e1002 > 0f));
-                                                    let _e1006 = ((_e983 - _e984) * _e996);
-                                                    let _e1008 = select(0f, _e1006, (_e1006 > 0f));
-                                                    let _e1010 = ((_e1000 + _e1004) + _e1008);
-                                                    if (_e1010 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_3616_ = type_25();
-                                                        phi_3617_ = true;
-                                                    } else {
-                                                        let _e1013 = select(_e938[1][0], _e938[0][0], (_e938[0][0] < _e938[1][0]));
-                                                        let _e1017 = select(_e938[1][0], _e938[0][0], (_e938[0][0] > _e938[1][0]));
-                                                        let _e1021 = select(_e938[1][1], _e938[0][1], (_e938[0][1] < _e938[1][1]));
-                                                        let _e1025 = select(_e938[1][1], _e938[0][1], (_e938[0][1] > _e938[1][1]));
-                                                        let _e1029 = select(_e938[1][2], _e938[0][2], (_e938[0][2] < _e938[1][2]));
-                                                        let _e1033 = select(_e938[1][2], _e938[0][2], (_e938[0][2] > _e938[1][2]));
-                                                        let _e1038 = ((select(_e938[2][0], _e1013, (_e1013 < _e938[2][0])) - _e317) * _e322);
-                                                        let _e1039 = ((select(_e938[2][0], _e1017, (_e1017 > _e938[2][0])) - _e318) * _e322);
-                                                        let _e1042 = ((select(_e938[2][1], _e1021, (_e1021 < _e938[2][1])) - _e355) * _e360);
-                                                        let _e1043 = ((select(_e938[2][1], _e1025, (_e1025 > _e938[2][1])) - _e356) * _e360);
-                                                        let _e1046 = ((select(_e938[2][2], _e1029, (_e1029 < _e938[2][2])) - _e393) * _e398);
-                                                        let _e1047 = ((select(_e938[2][2], _e1033, (_e1033 > _e938[2][2])) - _e394) * _e398);
-                                                        let _e1049 = select(_e1047, _e1046, (_e1046 < _e1047));
-                                                        let _e1051 = select(_e1047, _e1046, (_e1046 > _e1047));
-                                                        let _e1053 = select(_e1039, _e1038, (_e1038 < _e1039));
-                                                        let _e1055 = select(_e1043, _e1042, (_e1042 < _e1043));
-                                                        let _e1057 = select(_e1055, _e1053, (_e1053 > _e1055));
-                                                        let _e1059 = select(_e1049, _e1057, (_e1057 > _e1049));
-                                                        let _e1061 = select(_e1039, _e1038, (_e1038 > _e1039));
-                                                        let _e1063 = select(_e1043, _e1042, (_e1042 > _e1043));
-                                                        let _e1065 = select(_e1063, _e1061, (_e1061 < _e1063));
-                                                        let _e1067 = select(_e1051, _e1065, (_e1065 < _e1051));
-                                                        let _e1068 = -(_e1049);
-                                                        let _e1074 = select(_e445, _e1059, (_e1059 > _e445));
-                                                        if (_e1074 > (_e1067 + (select(_e1068, _e1051, (_e1051 > _e1068)) * 0.0000019073523f))) {
-                                                            phi_3611_ = type_25();
-                                                            phi_3612_ = true;
-                                                        } else {
-                                                            let _e1076 = (_e1074 > _e842.member);
-                                                            if _e1076 {
-                                                                phi_3610_ = type_25();
-                                                            } else {
-                                                                let _e1080 = (_e938[1][0] - _e938[0][0]);
-                                                                let _e1081 = (_e938[1][1] - _e938[0][1]);
-                                                                let _e1082 = (_e938[1][2] - _e938[0][2]);
-                                                                let _e1083 = vec3<f32>(_e1080, _e1081, _e1082);
-                                                                let _e1084 = (_e938[2][0] - _e938[1][0]);
-                                                                let _e1085 = (_e938[2][1] - _e938[1][1]);
-                                                                let _e1086 = (_e938[2][2] - _e938[1][2]);
-                                                                let _e1087 = vec3<f32>(_e1084, _e1085, _e1086);
-                                                                let _e1088 = (_e938[0][0] - _e938[2][0]);
-                                                                let _e1089 = (_e938[0][1] - _e938[2][1]);
-                                                                let _e1090 = (_e938[0][2] - _e938[2][2]);
-                                                                let _e1091 = vec3<f32>(_e1088, _e1089, _e1090);
-                                                                let _e1094 = bitcast<f32>((bitcast<u32>(_e1080) & 2147483647u));
-                                                                let _e1097 = bitcast<f32>((bitcast<u32>(_e1081) & 2147483647u));
-                                                                let _e1099 = select(_e1097, _e1094, (_e1094 > _e1097));
-                                                                let _e1102 = bitcast<f32>((bitcast<u32>(_e1082) & 2147483647u));
-                                                                let _e1104 = select(_e1102, _e1099, (_e1099 > _e1102));
-                                                                let _e1107 = bitcast<f32>((bitcast<u32>(_e1084) & 2147483647u));
-                                                                let _e1110 = bitcast<f32>((bitcast<u32>(_e1085) & 2147483647u));
-                                                                let _e1112 = select(_e1110, _e1107, (_e1107 > _e1110));
-                                                                let _e1115 = bitcast<f32>((bitcast<u32>(_e1086) & 2147483647u));
-                                                                let _e1117 = select(_e1115, _e1112, (_e1112 > _e1115));
-                                                                let _e1120 = bitcast<f32>((bitcast<u32>(_e1088) & 2147483647u));
-                                                                let _e1123 = bitcast<f32>((bitcast<u32>(_e1089) & 2147483647u));
-                                                                let _e1125 = select(_e1123, _e1120, (_e1120 > _e1123));
-                                                                let _e1128 = bitcast<f32>((bitcast<u32>(_e1090) & 2147483647u));
-                                                                let _e1130 = select(_e1128, _e1125, (_e1125 > _e1128));
-                                                                let _e1132 = select(_e1117, _e1104, (_e1104 > _e1117));
-                                                                let _e1134 = select(_e1130, _e1132, (_e1132 > _e1130));
-                                                                if (_e1104 == _e1134) {
-                                                                    phi_3521_ = _e1087;
-                                                                    phi_3522_ = _e1091;
-                                                                } else {
-                                                                    let _e1137 = vec3((_e1117 == _e1134));
-                                                                    phi_3521_ = select(_e1083, _e1091, _e1137);
-                                                                    phi_3522_ = select(_e1087, _e1083, _e1137);
-                                                                }
-                                                                let _e1141 = phi_3521_;
-                                                                let _e1143 = phi_3522_;
-                                                                let _e1150 = ((_e1141.y * _e1143.z) - (_e1143.y * _e1141.z));
-                                                                let _e1155 = ((_e1141.z * _e1143.x) - (_e1143.z * _e1141.x));
-                                                                let _e1158 = ((_e1141.x * _e1143.y) - (_e1143.x * _e1141.y));
-                                                                if (_e1000 >= _e1004) {
-                                                                    phi_3553_ = select(true, false, (_e1000 >= _e1008));
-                                                                } else {
-                                                                    phi_3553_ = true;
-                                                                }
-                                                                let _e1163 = phi_3553_;
-                                                                if _e1163 {
-                                                                    phi_3562_ = select(vec3<f32>(_e938[2][0], _e938[2][1], _e938[2][2]), vec3<f32>(_e938[1][0], _e938[1][1], _e938[1][2]), vec3((_e1004 >= _e1008)));
-                                                                } else {
-                                                                    phi_3562_ = vec3<f32>(_e938[0][0], _e938[0][1], _e938[0][2]);
-                                                                }
-                                                                let _e1168 = phi_3562_;
-                                                                let _e1185 = ((((_e1150 * (_e1168.x - _e294)) + (_e1155 * (_e1168.y - _e333))) + (_e1158 * (_e1168.z - _e371))) / (((_e1150 * _e319) + (_e1155 * _e357)) + (_e1158 * _e395)));
-                                                                let _e1187 = select(_e1067, _e1185, (_e1185 < _e1067));
-                                                                let _e1189 = select(_e1059, _e1187, (_e1187 > _e1059));
-                                                                if (_e1189 >= _e445) {
-                                                                    let _e1191 = (_e1189 <= _e842.member);
-                                                                    if _e1191 {
-                                                                        let _e1192 = (1f / _e1010);
-                                                                        phi_3602_ = type_25(_e1189, (_e1004 * _e1192), (_e1008 * _e1192), _e871);
-                                                                    } else {
-                                                                        phi_3602_ = type_25();
-                                                                    }
-                                                                    let _e1197 = phi_3602_;
-                                                                    phi_3604_ = _e1197;
-                                                                    phi_3605_ = select(true, false, _e1191);
-                                                                } else {
-                                                                    phi_3604_ = type_25();
-                                                                    phi_3605_ = true;
-                                                                }
-                                                                let _e1200 = phi_3604_;
-                                                                let _e1202 = phi_3605_;
-                                                                if _e1202 {
-                                                                    phi_3609_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_3609_ = _e1200;
-                                                                }
-                                                                let _e1204 = phi_3609_;
-                                                                phi_3610_ = _e1204;
-                                                            }
-                                                            let _e1206 = phi_3610_;
-                                                            phi_3611_ = _e1206;
-                                                            phi_3612_ = _e1076;
-                                                        }
-                                                        let _e1208 = phi_3611_;
-                                                        let _e1210 = phi_3612_;
-                                                        phi_3616_ = _e1208;
-                                                        phi_3617_ = _e1210;
-                                                    }
-                                                    let _e1212 = phi_3616_;
-                                                    let _e1214 = phi_3617_;
-                                                    phi_3621_ = _e1212;
-                                                    phi_3622_ = _e1214;
-                                                } else {
-                                                    phi_3621_ = type_25();
-                                                    phi_3622_ = true;
-                                                }
-                                                let _e1216 = phi_3621_;
-                                                let _e1218 = phi_3622_;
-                                                if _e1218 {
-                                                    phi_3626_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_3626_ = _e1216;
-                                                }
-                                                let _e1220 = phi_3626_;
-                                                if (_e1220.member_3 != 4294967295u) {
-                                                    if (_e871 != 4294967295u) {
-                                                        phi_3637_ = type_36(_e842.member, true);
-                                                    } else {
-                                                        phi_3637_ = _e842;
-                                                    }
-                                                    let _e1228 = phi_3637_;
-                                                    phi_3638_ = _e1228;
-                                                } else {
-                                                    phi_3638_ = _e842;
-                                                }
-                                                let _e1230 = phi_3638_;
-                                                phi_2915_ = _e1230;
-                                            } else {
-                                                phi_2915_ = type_36();
-                                            }
-                                            let _e1232 = phi_2915_;
-                                            continue;
-                                            continuing {
-                                                phi_2914_ = _e1232;
-                                                phi_2917_ = _e857;
-                                                phi_4633_ = _e477;
-                                                break if !(_e863);
-                                            }
-                                        }
-                                        let _e1235 = phi_4633_;
-                                        phi_4693_ = _e1235;
-                                        if _e1235 {
-                                            break;
-                                        }
-                                        let _e1237 = local_12;
-                                        phi_4697_ = _e1235;
-                                        let _e1385 = local_14;
-                                        phi_4483_ = _e1385;
-                                        phi_4484_ = _e516;
-                                        phi_4485_ = false;
-                                        phi_4486_ = select(_e520, 0u, _e1237.member_1);
-                                    } else {
-                                        local_1 = array<f32, 3>(_e516.member.member[0], _e516.member.member[1], _e516.member.member[2]);
-                                        local = array<f32, 3>(_e516.member.member_1[0], _e516.member.member_1[1], _e516.member.member_1[2]);
-                                        let _e540 = (_e516.member_1 < _e83);
-                                        if _e540 {
-                                            if _e540 {
-                                            } else {
-                                                phi_4693_ = true;
-                                                break;
-                                            }
-                                            let _e542 = global_6.member[_e516.member_1];
-                                            phi_3673_ = _e542;
-                                        } else {
-                                            phi_3673_ = type_40(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
-                                        }
-                                        let _e544 = phi_3673_;
-                                        let _e546 = array<u32, 3>(_e245, _e244, _e246);
-                                        local_9 = _e546;
-                                        local_5 = array<f32, 3>(0f, 0f, 0f);
-                                        local_4 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_3682_ = type_7(0u, 3u);
-                                        loop {
-                                            let _e548 = phi_3682_;
-                                            if (_e548.member < _e548.member_1) {
-                                                phi_3683_ = type_7((_e548.member + 1u), _e548.member_1);
-                                                phi_3706_ = type_7(1u, _e548.member);
-                                            } else {
-                                                phi_3683_ = _e548;
-                                                phi_3706_ = type_7(0u, type_7().member_1);
-                                            }
-                                            let _e561 = phi_3683_;
-                                            let _e563 = phi_3706_;
-                                            let _e567 = (bitcast<i32>(_e563.member) != 0i);
-                                            if _e567 {
-                                                let _e568 = (_e563.member_1 < 3u);
-                                                if _e568 {
-                                                } else {
-                                                    phi_4565_ = true;
-                                                    break;
-                                                }
-                                                let _e570 = local_9[_e563.member_1];
-                                                if _e568 {
-                                                } else {
-                                                    phi_4565_ = true;
-                                                    break;
-                                                }
-                                                let _e572 = local_1[_e563.member_1];
-                                                if _e568 {
-                                                } else {
-                                                    phi_4565_ = true;
-                                                    break;
-                                                }
-                                                let _e574 = local[_e563.member_1];
-                                                let _e577 = ((10u * _e570) & 31u);
-                                                let _e580 = ((_e544.member[0] >> bitcast<u32>(_e577)) & 1023u);
-                                                let _e585 = bitcast<f32>((bitcast<u32>(((_e574 - _e572) * 0.0009775171f)) ^ _e117));
-                                                let _e591 = (_e572 + bitcast<f32>((bitcast<u32>((f32(_e580) * _e585)) ^ _e117)));
-                                                if _e568 {
-                                                } else {
-                                                    phi_4565_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e563.member_1] = select(select(_e574, _e591, (_e591 < _e574)), _e574, (_e580 == 1023u));
-                                                let _e600 = ((_e544.member[1] >> bitcast<u32>(_e577)) & 1023u);
-                                                let _e606 = (_e572 + bitcast<f32>((bitcast<u32>((f32(_e600) * _e585)) ^ _e117)));
-                                                if _e568 {
-                                                } else {
-                                                    phi_4565_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e563.member_1] = select(select(_e574, _e606, (_e606 < _e574)), _e574, (_e600 == 1023u));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_3682_ = _e561;
-                                                phi_4565_ = _e477;
-                                                break if !(_e567);
-                                            }
-                                        }
-                                        let _e614 = phi_4565_;
-                                        phi_4693_ = _e614;
-                                        if _e614 {
-                                            break;
-                                        }
-                                        let _e615 = local_4;
-                                        let _e616 = local_5;
-                                        local_8 = _e546;
-                                        local_7 = array<f32, 3>(0f, 0f, 0f);
-                                        local_6 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_3836_ = type_7(0u, 3u);
-                                        loop {
-                                            let _e625 = phi_3836_;
-                                            if (_e625.member < _e625.member_1) {
-                                                phi_3837_ = type_7((_e625.member + 1u), _e625.member_1);
-                                                phi_3860_ = type_7(1u, _e625.member);
-                                            } else {
-                                                phi_3837_ = _e625;
-                                                phi_3860_ = type_7(0u, type_7().member_1);
-                                            }
-                                            let _e638 = phi_3837_;
-                                            let _e640 = phi_3860_;
-                                            let _e644 = (bitcast<i32>(_e640.member) != 0i);
-                                            if _e644 {
-                                                let _e645 = (_e640.member_1 < 3u);
-                                                if _e645 {
-                                                } else {
-                                                    phi_4625_ = true;
-                                                    break;
-                                                }
-                                                let _e647 = local_8[_e640.member_1];
-                                                if _e645 {
-                                                } else {
-                                                    phi_4625_ = true;
-                                                    break;
-                                                }
-                                                let _e649 = local_1[_e640.member_1];
-                                                if _e645 {
-                                                } else {
-                                                    phi_4625_ = true;
-                                                    break;
-                                                }
-                                                let _e651 = local[_e640.member_1];
-                                                let _e654 = ((10u * _e647) & 31u);
-                                                let _e657 = ((_e544.member_1[0] >> bitcast<u32>(_e654)) & 1023u);
-                                                let _e662 = bitcast<f32>((bitcast<u32>(((_e651 - _e649) * 0.0009775171f)) ^ _e117));
-                                                let _e668 = (_e649 + bitcast<f32>((bitcast<u32>((f32(_e657) * _e662)) ^ _e117)));
-                                                if _e645 {
-                                                } else {
-                                                    phi_4625_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e640.member_1] = select(select(_e651, _e668, (_e668 < _e651)), _e651, (_e657 == 1023u));
-                                                let _e677 = ((_e544.member_1[1] >> bitcast<u32>(_e654)) & 1023u);
-                                                let _e683 = (_e649 + bitcast<f32>((bitcast<u32>((f32(_e677) * _e662)) ^ _e117)));
-                                                if _e645 {
-                                                } else {
-                                                    phi_4625_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e640.member_1] = select(select(_e651, _e683, (_e683 < _e651)), _e651, (_e677 == 1023u));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_3836_ = _e638;
-                                                phi_4625_ = _e614;
-                                                break if !(_e644);
-                                            }
-                                        }
-                                        let _e691 = phi_4625_;
-                                        phi_4693_ = _e691;
-                                        if _e691 {
-                                            break;
-                                        }
-                                        let _e692 = local_6;
-                                        let _e693 = local_7;
-                                        let _e704 = type_49(type_46(array<f32, 3>(_e616[0], _e616[1], _e616[2]), array<f32, 3>(_e615[0], _e615[1], _e615[2])), _e544.member_2);
-                                        let _e709 = type_49(type_46(array<f32, 3>(_e693[0], _e693[1], _e693[2]), array<f32, 3>(_e692[0], _e692[1], _e692[2])), _e544.member_3);
-                                        let _e715 = ((_e616[0] - _e317) * _e322);
-                                        let _e716 = ((_e693[0] - _e317) * _e322);
-                                        let _e717 = ((_e615[0] - _e318) * _e322);
-                                        let _e718 = ((_e692[0] - _e318) * _e322);
-                                        let _e723 = ((_e616[1] - _e355) * _e360);
-                                        let _e724 = ((_e693[1] - _e355) * _e360);
-                                        let _e725 = ((_e615[1] - _e356) * _e360);
-                                        let _e726 = ((_e692[1] - _e356) * _e360);
-                                        let _e731 = ((_e616[2] - _e393) * _e398);
-                                        let _e732 = ((_e693[2] - _e393) * _e398);
-                                        let _e733 = ((_e615[2] - _e394) * _e398);
-                                        let _e734 = ((_e692[2] - _e394) * _e398);
-                                        let _e736 = select(_e733, _e731, (_e731 < _e733));
-                                        let _e738 = select(_e734, _e732, (_e732 < _e734));
-                                        let _e740 = select(_e733, _e731, (_e731 > _e733));
-                                        let _e742 = select(_e734, _e732, (_e732 > _e734));
-                                        let _e744 = select(_e717, _e715, (_e715 < _e717));
-                                        let _e746 = select(_e718, _e716, (_e716 < _e718));
-                                        let _e748 = select(_e725, _e723, (_e723 < _e725));
-                                        let _e750 = select(_e726, _e724, (_e724 < _e726));
-                                        let _e752 = select(_e748, _e744, (_e744 > _e748));
-                                        let _e754 = select(_e750, _e746, (_e746 > _e750));
-                                        let _e756 = select(_e736, _e752, (_e752 > _e736));
-                                        let _e758 = select(_e738, _e754, (_e754 > _e738));
-                                        let _e760 = select(_e717, _e715, (_e715 > _e717));
-                                        let _e762 = select(_e718, _e716, (_e716 > _e718));
-                                        let _e764 = select(_e725, _e723, (_e723 > _e725));
-                                        let _e766 = select(_e726, _e724, (_e724 > _e726));
-                                        let _e768 = select(_e764, _e760, (_e760 < _e764));
-                                        let _e770 = select(_e766, _e762, (_e762 < _e766));
-                                        let _e775 = -(_e736);
-                                        let _e776 = -(_e738);
-                                        let _e783 = (select(_e740, _e768, (_e768 < _e740)) + (select(_e775, _e740, (_e740 > _e775)) * 0.0000019073523f));
-                                        let _e784 = (select(_e742, _e770, (_e770 < _e742)) + (select(_e776, _e742, (_e742 > _e776)) * 0.0000019073523f));
-                                        let _e786 = select(_e445, _e756, (_e756 > _e445));
-                                        let _e788 = select(_e445, _e758, (_e758 > _e445));
-                                        let _e793 = (_e786 <= select(_e479.member, _e783, (_e783 < _e479.member)));
-                                        let _e794 = (_e788 <= select(_e479.member, _e784, (_e784 < _e479.member)));
-                                        let _e795 = (_e786 <= _e788);
-                                        if _e793 {
-                                            if _e794 {
-                                                if _e795 {
-                                                    phi_4423_ = _e709;
-                                                } else {
-                                                    phi_4423_ = _e704;
-                                                }
-                                                let _e797 = phi_4423_;
-                                                let _e798 = (_e520 % 128u);
-                                                let _e799 = (_e798 < 128u);
-                                                if _e799 {
-                                                } else {
-                                                    phi_4693_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e798] = type_49(type_46(array<f32, 3>(_e797.member.member[0], _e797.member.member[1], _e797.member.member[2]), array<f32, 3>(_e797.member.member_1[0], _e797.member.member_1[1], _e797.member.member_1[2])), _e797.member_1);
-                                                if _e799 {
-                                                } else {
-                                                    phi_4693_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e798] = select(_e788, _e786, (_e786 > _e788));
-                                                if _e795 {
-                                                    phi_4462_ = _e704;
-                                                } else {
-                                                    phi_4462_ = _e709;
-                                                }
-                                                let _e820 = phi_4462_;
-                                                phi_4463_ = _e820;
-                                                phi_4464_ = (_e520 + 1u);
-                                            } else {
-                                                phi_4463_ = type_49();
-                                                phi_4464_ = u32();
-                                            }
-                                            let _e822 = phi_4463_;
-                                            let _e824 = phi_4464_;
-                                            phi_4466_ = _e822;
-                                            phi_4467_ = _e824;
-                                            phi_4468_ = select(true, false, _e794);
-                                        } else {
-                                            phi_4466_ = type_49();
-                                            phi_4467_ = u32();
-                                            phi_4468_ = true;
-                                        }
-                                        let _e827 = phi_4466_;
-                                        let _e829 = phi_4467_;
-                                        let _e831 = phi_4468_;
-                                        if _e831 {
-                                            if _e793 {
-                                                phi_4475_ = _e704;
-                                            } else {
-                                                phi_4475_ = _e709;
-                                            }
-                                            let _e833 = phi_4475_;
-                                            phi_4480_ = _e833;
-                                            phi_4481_ = select(_e794, true, _e793);
-                                        } else {
-                                            phi_4480_ = _e827;
-                                            phi_4481_ = _e518;
-                                        }
-                                        let _e836 = phi_4480_;
-                                        let _e838 = phi_4481_;
-                                        phi_4697_ = _e691;
-                                        phi_4483_ = _e479;
-                                        phi_4484_ = _e836;
-                                        phi_4485_ = _e838;
-                                        phi_4486_ = select(_e829, _e520, _e831);
-                                    }
-                                    let _e1241 = phi_4697_;
-                                    let _e1243 = phi_4483_;
-                                    let _e1245 = phi_4484_;
-                                    let _e1247 = phi_4485_;
-                                    let _e1249 = phi_4486_;
-                                    phi_4696_ = _e1241;
-                                    phi_4487_ = _e1243;
-                                    phi_4488_ = _e1245;
-                                    phi_4489_ = (_e483 - 1u);
-                                    phi_4490_ = _e1247;
-                                    phi_4491_ = _e1249;
-                                } else {
-                                    phi_4696_ = _e477;
-                                    phi_4487_ = _e479;
-                                    phi_4488_ = _e516;
-                                    phi_4489_ = _e483;
-                                    phi_4490_ = _e518;
-                                    phi_4491_ = _e520;
-                                }
-                                let _e1251 = phi_4696_;
-                                let _e1253 = phi_4487_;
-                                let _e1255 = phi_4488_;
-                                let _e1257 = phi_4489_;
-                                let _e1259 = phi_4490_;
-                                let _e1261 = phi_4491_;
-                                phi_4695_ = _e1251;
-                                phi_4492_ = _e1253;
-                                phi_4493_ = _e1255;
-                                phi_4494_ = _e1257;
-                                phi_4495_ = _e1259;
-                                phi_4496_ = _e1261;
-                            } else {
-                                phi_4695_ = _e477;
-                                phi_4492_ = type_36();
-                                phi_4493_ = type_49();
-                                phi_4494_ = u32();
-                                phi_4495_ = bool();
-                                phi_4496_ = u32();
-                            }
-                            let _e1263 = phi_4695_;
-                            let _e1265 = phi_4492_;
-                            let _e1267 = phi_4493_;
-                            let _e1269 = phi_4494_;
-                            let _e1271 = phi_4495_;
-                            let _e1273 = phi_4496_;
-                            phi_4694_ = _e1263;
-                            phi_2830_ = _e1265;
-                            phi_2833_ = _e1267;
-                            phi_2835_ = _e1269;
-                            phi_2837_ = _e1271;
-                            phi_2839_ = _e1273;
-                            phi_4497_ = _e491;
-                        } else {
-                            phi_4694_ = _e477;
-                            phi_2830_ = type_36();
-                            phi_2833_ = type_49();
-                            phi_2835_ = u32();
-                            phi_2837_ = bool();
-                            phi_2839_ = u32();
-                            phi_4497_ = false;
-                        }
-                        let _e1275 = phi_4694_;
-                        let _e1277 = phi_2830_;
-                        let _e1279 = phi_2833_;
-                        let _e1281 = phi_2835_;
-                        let _e1283 = phi_2837_;
-                        let _e1285 = phi_2839_;
-                        let _e1287 = phi_4497_;
-                        continue;
-                        continuing {
-                            phi_4572_ = _e1275;
-                            phi_2829_ = _e1277;
-                            phi_2832_ = _e1279;
-                            phi_2834_ = _e1281;
-                            phi_2836_ = _e1283;
-                            phi_2838_ = _e1285;
-                            phi_4693_ = _e1275;
-                            break if !(_e1287);
-                        }
-                    }
-                    let _e1290 = phi_4693_;
-                    if _e1290 {
-                        break;
-                    }
-                    let _e1292 = local_13;
-                    if _e133 {
+                    let _e471 = local_16[_e458];
+                    if _e463 {
                     } else {
                         break;
                     }
-                    global_5.member[_e131] = select(0u, 1u, _e1292.member_1);
+                    let _e473 = local_16[_e462];
+                    phi_2613_ = false;
+                    phi_777_ = type_37(_e447, false);
+                    phi_780_ = type_50(type_48(array<f32, 3>(_e457, _e461, _e465), array<f32, 3>(_e469, _e471, _e473)), select(0u, 2147483648u, (_e87 == 0u)));
+                    phi_782_ = ((3u * _e87) + 1u);
+                    phi_784_ = (_e449 <= _e447);
+                    phi_786_ = 0u;
+                    loop {
+                        let _e481 = phi_2613_;
+                        let _e483 = phi_777_;
+                        let _e485 = phi_780_;
+                        let _e487 = phi_782_;
+                        let _e489 = phi_784_;
+                        let _e491 = phi_786_;
+                        local_19 = _e483;
+                        if _e489 {
+                            phi_797_ = true;
+                        } else {
+                            phi_797_ = (_e491 > 0u);
+                        }
+                        let _e494 = phi_797_;
+                        if _e494 {
+                            let _e495 = (_e487 > 0u);
+                            if _e495 {
+                                if _e489 {
+                                    phi_883_ = _e485;
+                                    phi_884_ = _e489;
+                                    phi_885_ = _e491;
+                                } else {
+                                    let _e496 = (_e491 - 1u);
+                                    let _e497 = (_e496 % 128u);
+                                    let _e498 = (_e497 < 128u);
+                                    if _e498 {
+                                    } else {
+                                        phi_2734_ = true;
+                                        break;
+                                    }
+                                    let _e500 = local_6[_e497];
+                                    if _e498 {
+                                    } else {
+                                        phi_2734_ = true;
+                                        break;
+                                    }
+                                    let _e502 = local_5[_e497];
+                                    if _e498 {
+                                    } else {
+                                        phi_2734_ = true;
+                                        break;
+                                    }
+                                    let _e504 = local_4[_e497];
+                                    if _e498 {
+                                    } else {
+                                        phi_2734_ = true;
+                                        break;
+                                    }
+                                    let _e506 = local_3[_e497];
+                                    if _e498 {
+                                    } else {
+                                        phi_2734_ = true;
+                                        break;
+                                    }
+                                    let _e509 = local_2[_e497];
+                                    if _e498 {
+                                    } else {
+                                        phi_2734_ = true;
+                                        break;
+                                    }
+                                    let _e511 = local_1[_e497];
+                                    if _e498 {
+                                    } else {
+                                        phi_2734_ = true;
+                                        break;
+                                    }
+                                    let _e513 = local[_e497];
+                                    if _e498 {
+                                    } else {
+                                        phi_2734_ = true;
+                                        break;
+                                    }
+                                    let _e518 = local_9[_e497];
+                                    phi_883_ = type_50(type_48(array<f32, 3>(_e502, _e504, _e506), array<f32, 3>(_e509, _e511, _e513)), _e500);
+                                    phi_884_ = (_e518 <= _e483.member);
+                                    phi_885_ = _e496;
+                                }
+                                let _e522 = phi_883_;
+                                let _e524 = phi_884_;
+                                let _e526 = phi_885_;
+                                if _e524 {
+                                    if ((_e522.member_1 & 2147483648u) != 0u) {
+                                        phi_903_ = _e483;
+                                        phi_906_ = type_7(0u, ((_e522.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        loop {
+                                            let _e851 = phi_903_;
+                                            let _e853 = phi_906_;
+                                            local_18 = _e851;
+                                            local_20 = _e851;
+                                            if (_e853.member < _e853.member_1) {
+                                                phi_907_ = type_7((_e853.member + 1u), _e853.member_1);
+                                                phi_929_ = type_7(1u, _e853.member);
+                                            } else {
+                                                phi_907_ = _e853;
+                                                phi_929_ = type_7(0u, type_7().member_1);
+                                            }
+                                            let _e866 = phi_907_;
+                                            let _e868 = phi_929_;
+                                            let _e872 = (bitcast<i32>(_e868.member) != 0i);
+                                            if _e872 {
+                                                let _e873 = ((_e522.member_1 & 268435455u) + _e868.member_1);
+                                                let _e874 = (_e873 < _e89);
+                                                if _e874 {
+                                                    if _e874 {
+                                                    } else {
+                                                        phi_2674_ = true;
+                                                        break;
+                                                    }
+                                                    let _e878 = global_2.member[_e873].member_1;
+                                                    phi_950_ = _e878;
+                                                } else {
+                                                    phi_950_ = 4294967295u;
+                                                }
+                                                let _e880 = phi_950_;
+                                                if (_e873 >= _e89) {
+                                                    phi_1039_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                } else {
+                                                    if _e874 {
+                                                    } else {
+                                                        phi_2674_ = true;
+                                                        break;
+                                                    }
+                                                    if (_e454 < 9u) {
+                                                    } else {
+                                                        phi_2674_ = true;
+                                                        break;
+                                                    }
+                                                    let _e887 = global_2.member[_e873].member[_e454];
+                                                    if (_e458 < 9u) {
+                                                    } else {
+                                                        phi_2674_ = true;
+                                                        break;
+                                                    }
+                                                    let _e893 = global_2.member[_e873].member[_e458];
+                                                    if (_e462 < 9u) {
+                                                    } else {
+                                                        phi_2674_ = true;
+                                                        break;
+                                                    }
+                                                    let _e899 = global_2.member[_e873].member[_e462];
+                                                    let _e901 = (3u + _e454);
+                                                    if (_e901 < 9u) {
+                                                    } else {
+                                                        phi_2674_ = true;
+                                                        break;
+                                                    }
+                                                    let _e907 = global_2.member[_e873].member[_e901];
+                                                    let _e908 = (3u + _e458);
+                                                    if (_e908 < 9u) {
+                                                    } else {
+                                                        phi_2674_ = true;
+                                                        break;
+                                                    }
+                                                    let _e914 = global_2.member[_e873].member[_e908];
+                                                    let _e915 = (3u + _e462);
+                                                    if (_e915 < 9u) {
+                                                    } else {
+                                                        phi_2674_ = true;
+                                                        break;
+                                                    }
+                                                    let _e921 = global_2.member[_e873].member[_e915];
+                                                    let _e923 = (6u + _e454);
+                                                    if (_e923 < 9u) {
+                                                    } else {
+                                                        phi_2674_ = true;
+                                                        break;
+                                                    }
+                                                    let _e929 = global_2.member[_e873].member[_e923];
+                                                    let _e930 = (6u + _e458);
+                                                    if (_e930 < 9u) {
+                                                    } else {
+                                                        phi_2674_ = true;
+                                                        break;
+                                                    }
+                                                    let _e936 = global_2.member[_e873].member[_e930];
+                                                    let _e937 = (6u + _e462);
+                                                    if (_e937 < 9u) {
+                                                    } else {
+                                                        phi_2674_ = true;
+                                                        break;
+                                                    }
+                                                    let _e943 = global_2.member[_e873].member[_e937];
+                                                    phi_1039_ = array<array<f32, 3>, 3>(array<f32, 3>(_e887, _e893, _e899), array<f32, 3>(_e907, _e914, _e921), array<f32, 3>(_e929, _e936, _e943));
+                                                }
+                                                let _e947 = phi_1039_;
+                                                let _e955 = (_e947[0][2] - _e375);
+                                                let _e958 = (((_e947[0][0] - _e298) * _e399) - (_e955 * _e323));
+                                                let _e961 = (((_e947[0][1] - _e337) * _e399) - (_e955 * _e361));
+                                                let _e968 = (_e947[1][2] - _e375);
+                                                let _e971 = (((_e947[1][0] - _e298) * _e399) - (_e968 * _e323));
+                                                let _e974 = (((_e947[1][1] - _e337) * _e399) - (_e968 * _e361));
+                                                let _e981 = (_e947[2][2] - _e375);
+                                                let _e984 = (((_e947[2][0] - _e298) * _e399) - (_e981 * _e323));
+                                                let _e987 = (((_e947[2][1] - _e337) * _e399) - (_e981 * _e361));
+                                                let _e988 = (_e984 * _e974);
+                                                let _e989 = (_e987 * _e971);
+                                                let _e990 = (_e958 * _e987);
+                                                let _e991 = (_e961 * _e984);
+                                                let _e992 = (_e971 * _e961);
+                                                let _e993 = (_e974 * _e958);
+                                                let _e998 = (((_e988 >= _e989) && (_e990 >= _e991)) && (_e992 >= _e993));
+                                                if (_e998 || (((_e988 <= _e989) && (_e990 <= _e991)) && (_e992 <= _e993))) {
+                                                    let _e1005 = select(-1f, 1f, _e998);
+                                                    let _e1007 = ((_e988 - _e989) * _e1005);
+                                                    let _e1009 = select(0f, _e1007, (_e1007 > 0f));
+                                                    let _e1011 = ((_e990 - _e991) * _e1005);
+                                                    let _e1013 = select(0f, _e1011, (_e1011 > 0f));
+                                                    let _e1015 = ((_e992 - _e993) * _e1005);
+                                                    let _e1017 = select(0f, _e1015, (_e1015 > 0f));
+                                                    let _e1019 = ((_e1009 + _e1013) + _e1017);
+                                                    if (_e1019 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1605_ = type_25();
+                                                        phi_1606_ = true;
+                                                    } else {
+                                                        let _e1022 = select(_e947[1][0], _e947[0][0], (_e947[0][0] < _e947[1][0]));
+                                                        let _e1026 = select(_e947[1][0], _e947[0][0], (_e947[0][0] > _e947[1][0]));
+                                                        let _e1030 = select(_e947[1][1], _e947[0][1], (_e947[0][1] < _e947[1][1]));
+                                                        let _e1034 = select(_e947[1][1], _e947[0][1], (_e947[0][1] > _e947[1][1]));
+                                                        let _e1038 = select(_e947[1][2], _e947[0][2], (_e947[0][2] < _e947[1][2]));
+                                                        let _e1042 = select(_e947[1][2], _e947[0][2], (_e947[0][2] > _e947[1][2]));
+                                                        let _e1047 = ((select(_e947[2][0], _e1022, (_e1022 < _e947[2][0])) - _e321) * _e326);
+                                                        let _e1048 = ((select(_e947[2][0], _e1026, (_e1026 > _e947[2][0])) - _e322) * _e326);
+                                                        let _e1051 = ((select(_e947[2][1], _e1030, (_e1030 < _e947[2][1])) - _e359) * _e364);
+                                                        let _e1052 = ((select(_e947[2][1], _e1034, (_e1034 > _e947[2][1])) - _e360) * _e364);
+                                                        let _e1055 = ((select(_e947[2][2], _e1038, (_e1038 < _e947[2][2])) - _e397) * _e402);
+                                                        let _e1056 = ((select(_e947[2][2], _e1042, (_e1042 > _e947[2][2])) - _e398) * _e402);
+                                                        let _e1058 = select(_e1056, _e1055, (_e1055 < _e1056));
+                                                        let _e1060 = select(_e1056, _e1055, (_e1055 > _e1056));
+                                                        let _e1062 = select(_e1048, _e1047, (_e1047 < _e1048));
+                                                        let _e1064 = select(_e1052, _e1051, (_e1051 < _e1052));
+                                                        let _e1066 = select(_e1064, _e1062, (_e1062 > _e1064));
+                                                        let _e1068 = select(_e1058, _e1066, (_e1066 > _e1058));
+                                                        let _e1070 = select(_e1048, _e1047, (_e1047 > _e1048));
+                                                        let _e1072 = select(_e1052, _e1051, (_e1051 > _e1052));
+                                                        let _e1074 = select(_e1072, _e1070, (_e1070 < _e1072));
+                                                        let _e1076 = select(_e1060, _e1074, (_e1074 < _e1060));
+                                                        let _e1077 = -(_e1058);
+                                                        let _e1083 = select(_e449, _e1068, (_e1068 > _e449));
+                                                        if (_e1083 > (_e1076 + (select(_e1077, _e1060, (_e1060 > _e1077)) * 0.0000019073523f))) {
+                                                            phi_1600_ = type_25();
+                                                            phi_1601_ = true;
+                                                        } else {
+                                                            let _e1085 = (_e1083 > _e851.member);
+                                                            if _e1085 {
+                                                                phi_1599_ = type_25();
+                                                            } else {
+                                                                let _e1089 = (_e947[1][0] - _e947[0][0]);
+                                                                let _e1090 = (_e947[1][1] - _e947[0][1]);
+                                                                let _e1091 = (_e947[1][2] - _e947[0][2]);
+                                                                let _e1092 = vec3<f32>(_e1089, _e1090, _e1091);
+                                                                let _e1093 = (_e947[2][0] - _e947[1][0]);
+                                                                let _e1094 = (_e947[2][1] - _e947[1][1]);
+                                                                let _e1095 = (_e947[2][2] - _e947[1][2]);
+                                                                let _e1096 = vec3<f32>(_e1093, _e1094, _e1095);
+                                                                let _e1097 = (_e947[0][0] - _e947[2][0]);
+                                                                let _e1098 = (_e947[0][1] - _e947[2][1]);
+                                                                let _e1099 = (_e947[0][2] - _e947[2][2]);
+                                                                let _e1100 = vec3<f32>(_e1097, _e1098, _e1099);
+                                                                let _e1103 = bitcast<f32>((bitcast<u32>(_e1089) & 2147483647u));
+                                                                let _e1106 = bitcast<f32>((bitcast<u32>(_e1090) & 2147483647u));
+                                                                let _e1108 = select(_e1106, _e1103, (_e1103 > _e1106));
+                                                                let _e1111 = bitcast<f32>((bitcast<u32>(_e1091) & 2147483647u));
+                                                                let _e1113 = select(_e1111, _e1108, (_e1108 > _e1111));
+                                                                let _e1116 = bitcast<f32>((bitcast<u32>(_e1093) & 2147483647u));
+                                                                let _e1119 = bitcast<f32>((bitcast<u32>(_e1094) & 2147483647u));
+                                                                let _e1121 = select(_e1119, _e1116, (_e1116 > _e1119));
+                                                                let _e1124 = bitcast<f32>((bitcast<u32>(_e1095) & 2147483647u));
+                                                                let _e1126 = select(_e1124, _e1121, (_e1121 > _e1124));
+                                                                let _e1129 = bitcast<f32>((bitcast<u32>(_e1097) & 2147483647u));
+                                                                let _e1132 = bitcast<f32>((bitcast<u32>(_e1098) & 2147483647u));
+                                                                let _e1134 = select(_e1132, _e1129, (_e1129 > _e1132));
+                                                                let _e1137 = bitcast<f32>((bitcast<u32>(_e1099) & 2147483647u));
+                                                                let _e1139 = select(_e1137, _e1134, (_e1134 > _e1137));
+                                                                let _e1141 = select(_e1126, _e1113, (_e1113 > _e1126));
+                                                                let _e1143 = select(_e1139, _e1141, (_e1141 > _e1139));
+                                                                if (_e1113 == _e1143) {
+                                                                    phi_1510_ = _e1096;
+                                                                    phi_1511_ = _e1100;
+                                                                } else {
+                                                                    let _e1146 = vec3((_e1126 == _e1143));
+                                                                    phi_1510_ = select(_e1092, _e1100, _e1146);
+                                                                    phi_1511_ = select(_e1096, _e1092, _e1146);
+                                                                }
+                                                                let _e1150 = phi_1510_;
+                                                                let _e1152 = phi_1511_;
+                                                                let _e1159 = ((_e1150.y * _e1152.z) - (_e1152.y * _e1150.z));
+                                                                let _e1164 = ((_e1150.z * _e1152.x) - (_e1152.z * _e1150.x));
+                                                                let _e1167 = ((_e1150.x * _e1152.y) - (_e1152.x * _e1150.y));
+                                                                if (_e1009 >= _e1013) {
+                                                                    phi_1542_ = select(true, false, (_e1009 >= _e1017));
+                                                                } else {
+                                                                    phi_1542_ = true;
+                                                                }
+                                                                let _e1172 = phi_1542_;
+                                                                if _e1172 {
+                                                                    phi_1551_ = select(vec3<f32>(_e947[2][0], _e947[2][1], _e947[2][2]), vec3<f32>(_e947[1][0], _e947[1][1], _e947[1][2]), vec3((_e1013 >= _e1017)));
+                                                                } else {
+                                                                    phi_1551_ = vec3<f32>(_e947[0][0], _e947[0][1], _e947[0][2]);
+                                                                }
+                                                                let _e1177 = phi_1551_;
+                                                                let _e1194 = ((((_e1159 * (_e1177.x - _e298)) + (_e1164 * (_e1177.y - _e337))) + (_e1167 * (_e1177.z - _e375))) / (((_e1159 * _e323) + (_e1164 * _e361)) + (_e1167 * _e399)));
+                                                                let _e1196 = select(_e1076, _e1194, (_e1194 < _e1076));
+                                                                let _e1198 = select(_e1068, _e1196, (_e1196 > _e1068));
+                                                                if (_e1198 >= _e449) {
+                                                                    let _e1200 = (_e1198 <= _e851.member);
+                                                                    if _e1200 {
+                                                                        let _e1201 = (1f / _e1019);
+                                                                        phi_1591_ = type_25(_e1198, (_e1013 * _e1201), (_e1017 * _e1201), _e880);
+                                                                    } else {
+                                                                        phi_1591_ = type_25();
+                                                                    }
+                                                                    let _e1206 = phi_1591_;
+                                                                    phi_1593_ = _e1206;
+                                                                    phi_1594_ = select(true, false, _e1200);
+                                                                } else {
+                                                                    phi_1593_ = type_25();
+                                                                    phi_1594_ = true;
+                                                                }
+                                                                let _e1209 = phi_1593_;
+                                                                let _e1211 = phi_1594_;
+                                                                if _e1211 {
+                                                                    phi_1598_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                } else {
+                                                                    phi_1598_ = _e1209;
+                                                                }
+                                                                let _e1213 = phi_1598_;
+                                                                phi_1599_ = _e1213;
+                                                            }
+                                                            let _e1215 = phi_1599_;
+                                                            phi_1600_ = _e1215;
+                                                            phi_1601_ = _e1085;
+                                                        }
+                                                        let _e1217 = phi_1600_;
+                                                        let _e1219 = phi_1601_;
+                                                        phi_1605_ = _e1217;
+                                                        phi_1606_ = _e1219;
+                                                    }
+                                                    let _e1221 = phi_1605_;
+                                                    let _e1223 = phi_1606_;
+                                                    phi_1610_ = _e1221;
+                                                    phi_1611_ = _e1223;
+                                                } else {
+                                                    phi_1610_ = type_25();
+                                                    phi_1611_ = true;
+                                                }
+                                                let _e1225 = phi_1610_;
+                                                let _e1227 = phi_1611_;
+                                                if _e1227 {
+                                                    phi_1615_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                } else {
+                                                    phi_1615_ = _e1225;
+                                                }
+                                                let _e1229 = phi_1615_;
+                                                if (_e1229.member_3 != 4294967295u) {
+                                                    if (_e880 != 4294967295u) {
+                                                        phi_1626_ = type_37(_e851.member, true);
+                                                    } else {
+                                                        phi_1626_ = _e851;
+                                                    }
+                                                    let _e1237 = phi_1626_;
+                                                    phi_1627_ = _e1237;
+                                                } else {
+                                                    phi_1627_ = _e851;
+                                                }
+                                                let _e1239 = phi_1627_;
+                                                phi_904_ = _e1239;
+                                            } else {
+                                                phi_904_ = type_37();
+                                            }
+                                            let _e1241 = phi_904_;
+                                            continue;
+                                            continuing {
+                                                phi_903_ = _e1241;
+                                                phi_906_ = _e866;
+                                                phi_2674_ = _e481;
+                                                break if !(_e872);
+                                            }
+                                        }
+                                        let _e1244 = phi_2674_;
+                                        phi_2734_ = _e1244;
+                                        if _e1244 {
+                                            break;
+                                        }
+                                        let _e1246 = local_18;
+                                        phi_2738_ = _e1244;
+                                        let _e1394 = local_20;
+                                        phi_2510_ = _e1394;
+                                        phi_2511_ = _e522;
+                                        phi_2512_ = false;
+                                        phi_2513_ = select(_e526, 0u, _e1246.member_1);
+                                    } else {
+                                        local_8 = array<f32, 3>(_e522.member.member[0], _e522.member.member[1], _e522.member.member[2]);
+                                        local_7 = array<f32, 3>(_e522.member.member_1[0], _e522.member.member_1[1], _e522.member.member_1[2]);
+                                        let _e546 = (_e522.member_1 < _e87);
+                                        if _e546 {
+                                            if _e546 {
+                                            } else {
+                                                phi_2734_ = true;
+                                                break;
+                                            }
+                                            let _e548 = global_6.member[_e522.member_1];
+                                            phi_1662_ = _e548;
+                                        } else {
+                                            phi_1662_ = type_41(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                        }
+                                        let _e550 = phi_1662_;
+                                        let _e552 = array<u32, 3>(_e249, _e248, _e250);
+                                        local_15 = _e552;
+                                        local_11 = array<f32, 3>(0f, 0f, 0f);
+                                        local_10 = array<f32, 3>(0f, 0f, 0f);
+                                        phi_1671_ = type_7(0u, 3u);
+                                        loop {
+                                            let _e554 = phi_1671_;
+                                            if (_e554.member < _e554.member_1) {
+                                                phi_1672_ = type_7((_e554.member + 1u), _e554.member_1);
+                                                phi_1695_ = type_7(1u, _e554.member);
+                                            } else {
+                                                phi_1672_ = _e554;
+                                                phi_1695_ = type_7(0u, type_7().member_1);
+                                            }
+                                            let _e567 = phi_1672_;
+                                            let _e569 = phi_1695_;
+                                            let _e573 = (bitcast<i32>(_e569.member) != 0i);
+                                            if _e573 {
+                                                let _e574 = (_e569.member_1 < 3u);
+                                                if _e574 {
+                                                } else {
+                                                    phi_2606_ = true;
+                                                    break;
+                                                }
+                                                let _e576 = local_15[_e569.member_1];
+                                                if _e574 {
+                                                } else {
+                                                    phi_2606_ = true;
+                                                    break;
+                                                }
+                                                let _e578 = local_8[_e569.member_1];
+                                                if _e574 {
+                                                } else {
+                                                    phi_2606_ = true;
+                                                    break;
+                                                }
+                                                let _e580 = local_7[_e569.member_1];
+                                                let _e583 = ((10u * _e576) & 31u);
+                                                let _e586 = ((_e550.member[0] >> bitcast<u32>(_e583)) & 1023u);
+                                                let _e591 = bitcast<f32>((bitcast<u32>(((_e580 - _e578) * 0.0009775171f)) ^ _e121));
+                                                let _e597 = (_e578 + bitcast<f32>((bitcast<u32>((f32(_e586) * _e591)) ^ _e121)));
+                                                if _e574 {
+                                                } else {
+                                                    phi_2606_ = true;
+                                                    break;
+                                                }
+                                                local_11[_e569.member_1] = select(select(_e580, _e597, (_e597 < _e580)), _e580, (_e586 == 1023u));
+                                                let _e606 = ((_e550.member[1] >> bitcast<u32>(_e583)) & 1023u);
+                                                let _e612 = (_e578 + bitcast<f32>((bitcast<u32>((f32(_e606) * _e591)) ^ _e121)));
+                                                if _e574 {
+                                                } else {
+                                                    phi_2606_ = true;
+                                                    break;
+                                                }
+                                                local_10[_e569.member_1] = select(select(_e580, _e612, (_e612 < _e580)), _e580, (_e606 == 1023u));
+                                            }
+                                            continue;
+                                            continuing {
+                                                phi_1671_ = _e567;
+                                                phi_2606_ = _e481;
+                                                break if !(_e573);
+                                            }
+                                        }
+                                        let _e620 = phi_2606_;
+                                        phi_2734_ = _e620;
+                                        if _e620 {
+                                            break;
+                                        }
+                                        let _e621 = local_10;
+                                        let _e622 = local_11;
+                                        local_14 = _e552;
+                                        local_13 = array<f32, 3>(0f, 0f, 0f);
+                                        local_12 = array<f32, 3>(0f, 0f, 0f);
+                                        phi_1825_ = type_7(0u, 3u);
+                                        loop {
+                                            let _e631 = phi_1825_;
+                                            if (_e631.member < _e631.member_1) {
+                                                phi_1826_ = type_7((_e631.member + 1u), _e631.member_1);
+                                                phi_1849_ = type_7(1u, _e631.member);
+                                            } else {
+                                                phi_1826_ = _e631;
+                                                phi_1849_ = type_7(0u, type_7().member_1);
+                                            }
+                                            let _e644 = phi_1826_;
+                                            let _e646 = phi_1849_;
+                                            let _e650 = (bitcast<i32>(_e646.member) != 0i);
+                                            if _e650 {
+                                                let _e651 = (_e646.member_1 < 3u);
+                                                if _e651 {
+                                                } else {
+                                                    phi_2666_ = true;
+                                                    break;
+                                                }
+                                                let _e653 = local_14[_e646.member_1];
+                                                if _e651 {
+                                                } else {
+                                                    phi_2666_ = true;
+                                                    break;
+                                                }
+                                                let _e655 = local_8[_e646.member_1];
+                                                if _e651 {
+                                                } else {
+                                                    phi_2666_ = true;
+                                                    break;
+                                                }
+                                                let _e657 = local_7[_e646.member_1];
+                                                let _e660 = ((10u * _e653) & 31u);
+                                                let _e663 = ((_e550.member_1[0] >> bitcast<u32>(_e660)) & 1023u);
+                                                let _e668 = bitcast<f32>((bitcast<u32>(((_e657 - _e655) * 0.0009775171f)) ^ _e121));
+                                                let _e674 = (_e655 + bitcast<f32>((bitcast<u32>((f32(_e663) * _e668)) ^ _e121)));
+                                                if _e651 {
+                                                } else {
+                                                    phi_2666_ = true;
+                                                    break;
+                                                }
+                                                local_13[_e646.member_1] = select(select(_e657, _e674, (_e674 < _e657)), _e657, (_e663 == 1023u));
+                                                let _e683 = ((_e550.member_1[1] >> bitcast<u32>(_e660)) & 1023u);
+                                                let _e689 = (_e655 + bitcast<f32>((bitcast<u32>((f32(_e683) * _e668)) ^ _e121)));
+                                                if _e651 {
+                                                } else {
+                                                    phi_2666_ = true;
+                                                    break;
+                                                }
+                                                local_12[_e646.member_1] = select(select(_e657, _e689, (_e689 < _e657)), _e657, (_e683 == 1023u));
+                                            }
+                                            continue;
+                                            continuing {
+                                                phi_1825_ = _e644;
+                                                phi_2666_ = _e620;
+                                                break if !(_e650);
+                                            }
+                                        }
+                                        let _e697 = phi_2666_;
+                                        phi_2734_ = _e697;
+                                        if _e697 {
+                                            break;
+                                        }
+                                        let _e698 = local_12;
+                                        let _e699 = local_13;
+                                        let _e710 = type_50(type_48(array<f32, 3>(_e622[0], _e622[1], _e622[2]), array<f32, 3>(_e621[0], _e621[1], _e621[2])), _e550.member_2);
+                                        let _e715 = type_50(type_48(array<f32, 3>(_e699[0], _e699[1], _e699[2]), array<f32, 3>(_e698[0], _e698[1], _e698[2])), _e550.member_3);
+                                        let _e721 = ((_e622[0] - _e321) * _e326);
+                                        let _e722 = ((_e699[0] - _e321) * _e326);
+                                        let _e723 = ((_e621[0] - _e322) * _e326);
+                                        let _e724 = ((_e698[0] - _e322) * _e326);
+                                        let _e729 = ((_e622[1] - _e359) * _e364);
+                                        let _e730 = ((_e699[1] - _e359) * _e364);
+                                        let _e731 = ((_e621[1] - _e360) * _e364);
+                                        let _e732 = ((_e698[1] - _e360) * _e364);
+                                        let _e737 = ((_e622[2] - _e397) * _e402);
+                                        let _e738 = ((_e699[2] - _e397) * _e402);
+                                        let _e739 = ((_e621[2] - _e398) * _e402);
+                                        let _e740 = ((_e698[2] - _e398) * _e402);
+                                        let _e742 = select(_e739, _e737, (_e737 < _e739));
+                                        let _e744 = select(_e740, _e738, (_e738 < _e740));
+                                        let _e746 = select(_e739, _e737, (_e737 > _e739));
+                                        let _e748 = select(_e740, _e738, (_e738 > _e740));
+                                        let _e750 = select(_e723, _e721, (_e721 < _e723));
+                                        let _e752 = select(_e724, _e722, (_e722 < _e724));
+                                        let _e754 = select(_e731, _e729, (_e729 < _e731));
+                                        let _e756 = select(_e732, _e730, (_e730 < _e732));
+                                        let _e758 = select(_e754, _e750, (_e750 > _e754));
+                                        let _e760 = select(_e756, _e752, (_e752 > _e756));
+                                        let _e762 = select(_e742, _e758, (_e758 > _e742));
+                                        let _e764 = select(_e744, _e760, (_e760 > _e744));
+                                        let _e766 = select(_e723, _e721, (_e721 > _e723));
+                                        let _e768 = select(_e724, _e722, (_e722 > _e724));
+                                        let _e770 = select(_e731, _e729, (_e729 > _e731));
+                                        let _e772 = select(_e732, _e730, (_e730 > _e732));
+                                        let _e774 = select(_e770, _e766, (_e766 < _e770));
+                                        let _e776 = select(_e772, _e768, (_e768 < _e772));
+                                        let _e781 = -(_e742);
+                                        let _e782 = -(_e744);
+                                        let _e789 = (select(_e746, _e774, (_e774 < _e746)) + (select(_e781, _e746, (_e746 > _e781)) * 0.0000019073523f));
+                                        let _e790 = (select(_e748, _e776, (_e776 < _e748)) + (select(_e782, _e748, (_e748 > _e782)) * 0.0000019073523f));
+                                        let _e792 = select(_e449, _e762, (_e762 > _e449));
+                                        let _e794 = select(_e449, _e764, (_e764 > _e449));
+                                        let _e799 = (_e792 <= select(_e483.member, _e789, (_e789 < _e483.member)));
+                                        let _e800 = (_e794 <= select(_e483.member, _e790, (_e790 < _e483.member)));
+                                        let _e801 = (_e792 <= _e794);
+                                        if _e799 {
+                                            if _e800 {
+                                                if _e801 {
+                                                    phi_2412_ = _e715;
+                                                } else {
+                                                    phi_2412_ = _e710;
+                                                }
+                                                let _e803 = phi_2412_;
+                                                let _e811 = (_e526 % 128u);
+                                                let _e812 = (_e811 < 128u);
+                                                if _e812 {
+                                                } else {
+                                                    phi_2734_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e811] = _e803.member_1;
+                                                if _e812 {
+                                                } else {
+                                                    phi_2734_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e811] = _e803.member.member[0];
+                                                if _e812 {
+                                                } else {
+                                                    phi_2734_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e811] = _e803.member.member[1];
+                                                if _e812 {
+                                                } else {
+                                                    phi_2734_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e811] = _e803.member.member[2];
+                                                if _e812 {
+                                                } else {
+                                                    phi_2734_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e811] = _e803.member.member_1[0];
+                                                if _e812 {
+                                                } else {
+                                                    phi_2734_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e811] = _e803.member.member_1[1];
+                                                if _e812 {
+                                                } else {
+                                                    phi_2734_ = true;
+                                                    break;
+                                                }
+                                                local[_e811] = _e803.member.member_1[2];
+                                                if _e812 {
+                                                } else {
+                                                    phi_2734_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e811] = select(_e794, _e792, (_e792 > _e794));
+                                                if _e801 {
+                                                    phi_2489_ = _e710;
+                                                } else {
+                                                    phi_2489_ = _e715;
+                                                }
+                                                let _e829 = phi_2489_;
+                                                phi_2490_ = _e829;
+                                                phi_2491_ = (_e526 + 1u);
+                                            } else {
+                                                phi_2490_ = type_50();
+                                                phi_2491_ = u32();
+                                            }
+                                            let _e831 = phi_2490_;
+                                            let _e833 = phi_2491_;
+                                            phi_2493_ = _e831;
+                                            phi_2494_ = _e833;
+                                            phi_2495_ = select(true, false, _e800);
+                                        } else {
+                                            phi_2493_ = type_50();
+                                            phi_2494_ = u32();
+                                            phi_2495_ = true;
+                                        }
+                                        let _e836 = phi_2493_;
+                                        let _e838 = phi_2494_;
+                                        let _e840 = phi_2495_;
+                                        if _e840 {
+                                            if _e799 {
+                                                phi_2502_ = _e710;
+                                            } else {
+                                                phi_2502_ = _e715;
+                                            }
+                                            let _e842 = phi_2502_;
+                                            phi_2507_ = _e842;
+                                            phi_2508_ = select(_e800, true, _e799);
+                                        } else {
+                                            phi_2507_ = _e836;
+                                            phi_2508_ = _e524;
+                                        }
+                                        let _e845 = phi_2507_;
+                                        let _e847 = phi_2508_;
+                                        phi_2738_ = _e697;
+                                        phi_2510_ = _e483;
+                                        phi_2511_ = _e845;
+                                        phi_2512_ = _e847;
+                                        phi_2513_ = select(_e838, _e526, _e840);
+                                    }
+                                    let _e1250 = phi_2738_;
+                                    let _e1252 = phi_2510_;
+                                    let _e1254 = phi_2511_;
+                                    let _e1256 = phi_2512_;
+                                    let _e1258 = phi_2513_;
+                                    phi_2737_ = _e1250;
+                                    phi_2514_ = _e1252;
+                                    phi_2515_ = _e1254;
+                                    phi_2516_ = (_e487 - 1u);
+                                    phi_2517_ = _e1256;
+                                    phi_2518_ = _e1258;
+                                } else {
+                                    phi_2737_ = _e481;
+                                    phi_2514_ = _e483;
+                                    phi_2515_ = _e522;
+                                    phi_2516_ = _e487;
+                                    phi_2517_ = _e524;
+                                    phi_2518_ = _e526;
+                                }
+                                let _e1260 = phi_2737_;
+                                let _e1262 = phi_2514_;
+                                let _e1264 = phi_2515_;
+                                let _e1266 = phi_2516_;
+                                let _e1268 = phi_2517_;
+                                let _e1270 = phi_2518_;
+                                phi_2736_ = _e1260;
+                                phi_2519_ = _e1262;
+                                phi_2520_ = _e1264;
+                                phi_2521_ = _e1266;
+                                phi_2522_ = _e1268;
+                                phi_2523_ = _e1270;
+                            } else {
+                                phi_2736_ = _e481;
+                                phi_2519_ = type_37();
+                                phi_2520_ = type_50();
+                                phi_2521_ = u32();
+                                phi_2522_ = bool();
+                                phi_2523_ = u32();
+                            }
+                            let _e1272 = phi_2736_;
+                            let _e1274 = phi_2519_;
+                            let _e1276 = phi_2520_;
+                            let _e1278 = phi_2521_;
+                            let _e1280 = phi_2522_;
+                            let _e1282 = phi_2523_;
+                            phi_2735_ = _e1272;
+                            phi_778_ = _e1274;
+                            phi_781_ = _e1276;
+                            phi_783_ = _e1278;
+                            phi_785_ = _e1280;
+                            phi_787_ = _e1282;
+                            phi_2524_ = _e495;
+                        } else {
+                            phi_2735_ = _e481;
+                            phi_778_ = type_37();
+                            phi_781_ = type_50();
+                            phi_783_ = u32();
+                            phi_785_ = bool();
+                            phi_787_ = u32();
+                            phi_2524_ = false;
+                        }
+                        let _e1284 = phi_2735_;
+                        let _e1286 = phi_778_;
+                        let _e1288 = phi_781_;
+                        let _e1290 = phi_783_;
+                        let _e1292 = phi_785_;
+                        let _e1294 = phi_787_;
+                        let _e1296 = phi_2524_;
+                        continue;
+                        continuing {
+                            phi_2613_ = _e1284;
+                            phi_777_ = _e1286;
+                            phi_780_ = _e1288;
+                            phi_782_ = _e1290;
+                            phi_784_ = _e1292;
+                            phi_786_ = _e1294;
+                            phi_2734_ = _e1284;
+                            break if !(_e1296);
+                        }
+                    }
+                    let _e1299 = phi_2734_;
+                    if _e1299 {
+                        break;
+                    }
+                    let _e1301 = local_19;
+                    if _e137 {
+                    } else {
+                        break;
+                    }
+                    global_5.member[_e135] = select(0u, 1u, _e1301.member_1);
                 }
             }
             break;

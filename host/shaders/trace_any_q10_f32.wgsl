@@ -24,47 +24,47 @@ struct type_22 {
     member: array<type_20>,
 }
 
-struct type_27 {
+struct type_28 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_28 {
+struct type_29 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
     member_3: f32,
 }
 
-struct type_31 {
+struct type_32 {
     member: vec4<f32>,
     member_1: vec4<f32>,
 }
 
-struct type_38 {
-    member: array<type_28>,
+struct type_40 {
+    member: array<type_29>,
 }
 
-struct type_40 {
+struct type_42 {
     member: f32,
     member_1: bool,
 }
 
-struct type_42 {
+struct type_44 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_47 {
-    member: type_31,
+struct type_49 {
+    member: type_32,
     member_1: u32,
 }
 
 struct type_50 {
     member: array<vec4<f32>, 3>,
-    member_1: type_47,
-    member_2: type_47,
+    member_1: type_49,
+    member_2: type_49,
 }
 
 var<private> global: vec3<u32>;
@@ -73,11 +73,11 @@ var<uniform> global_1: type_15;
 @group(0) @binding(3) 
 var<storage> global_2: type_22;
 @group(0) @binding(1) 
-var<uniform> global_3: type_42;
+var<uniform> global_3: type_44;
 @group(0) @binding(2) 
 var<storage> global_4: type_12;
 @group(0) @binding(4) 
-var<storage> global_5: type_38;
+var<storage> global_5: type_40;
 @group(0) @binding(5) 
 var<storage, read_write> global_6: type_4;
 
@@ -85,7 +85,13 @@ fn function_() {
     var local: array<i32, 3>;
     var local_1: array<i32, 3>;
     var local_2: array<f32, 128>;
-    var local_3: array<type_47, 128>;
+    var local_3: array<f32, 128>;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<f32, 128>;
+    var local_7: array<f32, 128>;
+    var local_8: array<u32, 128>;
+    var local_9: array<f32, 128>;
     var phi_362_: i32;
     var phi_363_: i32;
     var phi_373_: bool;
@@ -115,1085 +121,1163 @@ fn function_() {
     var phi_631_: f32;
     var phi_731_: f32;
     var phi_732_: f32;
-    var phi_4182_: bool;
-    var phi_1852_: type_40;
-    var phi_1855_: type_47;
-    var phi_1857_: u32;
-    var phi_1859_: bool;
-    var phi_1861_: u32;
-    var phi_1872_: bool;
-    var phi_1909_: type_47;
-    var phi_1910_: bool;
-    var phi_1911_: u32;
-    var phi_3518_: u32;
-    var phi_3519_: u32;
-    var phi_3529_: u32;
-    var phi_3531_: u32;
-    var phi_3532_: bool;
-    var phi_3552_: u32;
-    var phi_3553_: u32;
-    var phi_3557_: type_50;
-    var phi_3901_: type_47;
-    var phi_3934_: type_47;
-    var phi_3935_: type_47;
-    var phi_3936_: u32;
-    var phi_3938_: type_47;
-    var phi_3939_: u32;
-    var phi_3940_: bool;
-    var phi_3949_: type_47;
-    var phi_3954_: type_47;
-    var phi_3955_: bool;
-    var phi_1929_: type_40;
-    var phi_1932_: type_7;
-    var phi_1933_: type_7;
-    var phi_1955_: type_7;
-    var phi_1976_: u32;
-    var phi_2065_: array<array<f32, 3>, 3>;
-    var phi_2536_: vec3<f32>;
-    var phi_2537_: vec3<f32>;
-    var phi_2568_: bool;
-    var phi_2577_: vec3<f32>;
-    var phi_2617_: type_27;
-    var phi_2619_: type_27;
-    var phi_2620_: bool;
-    var phi_2624_: type_27;
-    var phi_2625_: type_27;
-    var phi_2626_: type_27;
-    var phi_2627_: bool;
-    var phi_2631_: type_27;
-    var phi_2632_: bool;
-    var phi_2636_: type_27;
-    var phi_2637_: bool;
-    var phi_2641_: type_27;
-    var phi_2652_: type_40;
-    var phi_2653_: type_40;
-    var phi_1930_: type_40;
-    var phi_4176_: bool;
-    var local_4: type_40;
-    var phi_4291_: bool;
-    var phi_3957_: type_40;
-    var phi_3958_: type_47;
-    var phi_3959_: bool;
-    var phi_3960_: u32;
-    var phi_4290_: bool;
-    var phi_3961_: type_40;
-    var phi_3962_: type_47;
-    var phi_3963_: u32;
-    var phi_3964_: bool;
-    var phi_3965_: u32;
-    var phi_4289_: bool;
-    var phi_3966_: type_40;
-    var phi_3967_: type_47;
-    var phi_3968_: u32;
-    var phi_3969_: bool;
-    var phi_3970_: u32;
-    var phi_4288_: bool;
-    var phi_1853_: type_40;
-    var phi_1856_: type_47;
-    var phi_1858_: u32;
-    var phi_1860_: bool;
-    var phi_1862_: u32;
-    var phi_3971_: bool;
-    var phi_4287_: bool;
-    var local_5: type_40;
-    var local_6: type_40;
+    var phi_3258_: bool;
+    var phi_821_: type_42;
+    var phi_824_: type_49;
+    var phi_826_: u32;
+    var phi_828_: bool;
+    var phi_830_: u32;
+    var phi_841_: bool;
+    var phi_927_: type_49;
+    var phi_928_: bool;
+    var phi_929_: u32;
+    var phi_2536_: u32;
+    var phi_2537_: u32;
+    var phi_2547_: u32;
+    var phi_2549_: u32;
+    var phi_2550_: bool;
+    var phi_2570_: u32;
+    var phi_2571_: u32;
+    var phi_2575_: type_50;
+    var phi_2919_: type_49;
+    var phi_2996_: type_49;
+    var phi_2997_: type_49;
+    var phi_2998_: u32;
+    var phi_3000_: type_49;
+    var phi_3001_: u32;
+    var phi_3002_: bool;
+    var phi_3011_: type_49;
+    var phi_3016_: type_49;
+    var phi_3017_: bool;
+    var phi_947_: type_42;
+    var phi_950_: type_7;
+    var phi_951_: type_7;
+    var phi_973_: type_7;
+    var phi_994_: u32;
+    var phi_1083_: array<array<f32, 3>, 3>;
+    var phi_1554_: vec3<f32>;
+    var phi_1555_: vec3<f32>;
+    var phi_1586_: bool;
+    var phi_1595_: vec3<f32>;
+    var phi_1635_: type_28;
+    var phi_1637_: type_28;
+    var phi_1638_: bool;
+    var phi_1642_: type_28;
+    var phi_1643_: type_28;
+    var phi_1644_: type_28;
+    var phi_1645_: bool;
+    var phi_1649_: type_28;
+    var phi_1650_: bool;
+    var phi_1654_: type_28;
+    var phi_1655_: bool;
+    var phi_1659_: type_28;
+    var phi_1670_: type_42;
+    var phi_1671_: type_42;
+    var phi_948_: type_42;
+    var phi_3252_: bool;
+    var local_10: type_42;
+    var phi_3367_: bool;
+    var phi_3019_: type_42;
+    var phi_3020_: type_49;
+    var phi_3021_: bool;
+    var phi_3022_: u32;
+    var phi_3366_: bool;
+    var phi_3023_: type_42;
+    var phi_3024_: type_49;
+    var phi_3025_: u32;
+    var phi_3026_: bool;
+    var phi_3027_: u32;
+    var phi_3365_: bool;
+    var phi_3028_: type_42;
+    var phi_3029_: type_49;
+    var phi_3030_: u32;
+    var phi_3031_: bool;
+    var phi_3032_: u32;
+    var phi_3364_: bool;
+    var phi_822_: type_42;
+    var phi_825_: type_49;
+    var phi_827_: u32;
+    var phi_829_: bool;
+    var phi_831_: u32;
+    var phi_3033_: bool;
+    var phi_3363_: bool;
+    var local_11: type_42;
+    var local_12: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e78 = global;
-            let _e80 = arrayLength((&global_4.member));
-            let _e82 = arrayLength((&global_2.member));
-            let _e90 = global_3.member[0u][0u];
-            let _e94 = global_3.member[0u][1u];
-            let _e98 = global_3.member[0u][2u];
-            let _e102 = global_3.member[0u][3u];
-            let _e106 = global_3.member[1u][0u];
-            let _e110 = global_3.member[1u][1u];
-            let _e114 = global_3.member[1u][2u];
-            let _e117 = global_1.member[0u];
-            let _e118 = bitcast<i32>(_e117);
-            let _e130 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e102) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e90), bitcast<i32>(_e94), bitcast<i32>(_e98));
-            local = array<i32, 3>(bitcast<i32>(_e106), bitcast<i32>(_e110), bitcast<i32>(_e114));
-            let _e136 = (_e78.x + (_e78.y * 2097152u));
-            let _e137 = (_e136 < arrayLength((&global_5.member)));
-            if _e137 {
-                let _e138 = (_e136 < arrayLength((&global_6.member)));
-                if _e138 {
-                    if _e137 {
+            let _e82 = global;
+            let _e84 = arrayLength((&global_4.member));
+            let _e86 = arrayLength((&global_2.member));
+            let _e94 = global_3.member[0u][0u];
+            let _e98 = global_3.member[0u][1u];
+            let _e102 = global_3.member[0u][2u];
+            let _e106 = global_3.member[0u][3u];
+            let _e110 = global_3.member[1u][0u];
+            let _e114 = global_3.member[1u][1u];
+            let _e118 = global_3.member[1u][2u];
+            let _e121 = global_1.member[0u];
+            let _e122 = bitcast<i32>(_e121);
+            let _e134 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e106) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e94), bitcast<i32>(_e98), bitcast<i32>(_e102));
+            local = array<i32, 3>(bitcast<i32>(_e110), bitcast<i32>(_e114), bitcast<i32>(_e118));
+            let _e140 = (_e82.x + (_e82.y * 2097152u));
+            let _e141 = (_e140 < arrayLength((&global_5.member)));
+            if _e141 {
+                let _e142 = (_e140 < arrayLength((&global_6.member)));
+                if _e142 {
+                    if _e141 {
                     } else {
                         break;
                     }
-                    let _e146 = global_5.member[_e136].member_2[0u];
-                    let _e148 = (bitcast<u32>(_e146) & 2147483647u);
-                    let _e153 = global_5.member[_e136].member_2[1u];
-                    let _e155 = (bitcast<u32>(_e153) & 2147483647u);
-                    let _e160 = global_5.member[_e136].member_2[2u];
-                    let _e162 = (bitcast<u32>(_e160) & 2147483647u);
-                    let _e167 = global_5.member[_e136].member[0u];
-                    let _e169 = (bitcast<u32>(_e167) & 2147483647u);
-                    let _e174 = global_5.member[_e136].member[1u];
-                    let _e176 = (bitcast<u32>(_e174) & 2147483647u);
-                    let _e181 = global_5.member[_e136].member[2u];
-                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
-                    let _e185 = select(_e155, _e148, (_e155 < _e148));
-                    let _e187 = select(_e162, _e185, (_e162 < _e185));
-                    let _e189 = select(_e169, _e187, (_e169 < _e187));
-                    let _e191 = select(_e176, _e189, (_e176 < _e189));
-                    let _e193 = select(_e183, _e191, (_e183 < _e191));
-                    let _e197 = global_5.member[_e136].member_1;
-                    let _e199 = (bitcast<u32>(_e197) & 2147483647u);
-                    let _e206 = global_5.member[_e136].member_3;
-                    let _e212 = (((select(_e199, _e193, (_e199 < _e193)) < 2139095040u) && ((bitcast<u32>(_e206) & 2147483647u) <= 2139095040u)) && (_e187 > 0u));
-                    if _e212 {
-                        let _e215 = (bitcast<u32>(bitcast<f32>(_e187)) & 2147483647u);
-                        if (_e215 >= 8388608u) {
-                            phi_362_ = (bitcast<i32>((_e215 >> bitcast<u32>(23i))) - 127i);
+                    let _e150 = global_5.member[_e140].member_2[0u];
+                    let _e152 = (bitcast<u32>(_e150) & 2147483647u);
+                    let _e157 = global_5.member[_e140].member_2[1u];
+                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
+                    let _e164 = global_5.member[_e140].member_2[2u];
+                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
+                    let _e171 = global_5.member[_e140].member[0u];
+                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
+                    let _e178 = global_5.member[_e140].member[1u];
+                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
+                    let _e185 = global_5.member[_e140].member[2u];
+                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
+                    let _e189 = select(_e159, _e152, (_e159 < _e152));
+                    let _e191 = select(_e166, _e189, (_e166 < _e189));
+                    let _e193 = select(_e173, _e191, (_e173 < _e191));
+                    let _e195 = select(_e180, _e193, (_e180 < _e193));
+                    let _e197 = select(_e187, _e195, (_e187 < _e195));
+                    let _e201 = global_5.member[_e140].member_1;
+                    let _e203 = (bitcast<u32>(_e201) & 2147483647u);
+                    let _e210 = global_5.member[_e140].member_3;
+                    let _e216 = (((select(_e203, _e197, (_e203 < _e197)) < 2139095040u) && ((bitcast<u32>(_e210) & 2147483647u) <= 2139095040u)) && (_e191 > 0u));
+                    if _e216 {
+                        let _e219 = (bitcast<u32>(bitcast<f32>(_e191)) & 2147483647u);
+                        if (_e219 >= 8388608u) {
+                            phi_362_ = (bitcast<i32>((_e219 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_362_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e215)), 32u, (_e215 == 0u))));
+                            phi_362_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e219)), 32u, (_e219 == 0u))));
                         }
-                        let _e229 = phi_362_;
-                        phi_363_ = _e229;
+                        let _e233 = phi_362_;
+                        phi_363_ = _e233;
                     } else {
                         phi_363_ = 0i;
                     }
-                    let _e231 = phi_363_;
-                    let _e232 = (_e148 == _e187);
-                    if _e232 {
+                    let _e235 = phi_363_;
+                    let _e236 = (_e152 == _e191);
+                    if _e236 {
                         phi_373_ = true;
                     } else {
-                        phi_373_ = (_e155 == _e187);
+                        phi_373_ = (_e159 == _e191);
                     }
-                    let _e235 = phi_373_;
-                    let _e236 = select(1u, 0u, _e232);
-                    if _e235 {
-                        let _e237 = (_e236 + 1u);
-                        phi_383_ = _e237;
-                        phi_384_ = _e237;
-                        phi_386_ = select(true, false, (_e237 == 2u));
+                    let _e239 = phi_373_;
+                    let _e240 = select(1u, 0u, _e236);
+                    if _e239 {
+                        let _e241 = (_e240 + 1u);
+                        phi_383_ = _e241;
+                        phi_384_ = _e241;
+                        phi_386_ = select(true, false, (_e241 == 2u));
                     } else {
                         phi_383_ = u32();
                         phi_384_ = 0u;
                         phi_386_ = true;
                     }
-                    let _e241 = phi_383_;
-                    let _e243 = phi_384_;
-                    let _e245 = phi_386_;
-                    if _e245 {
-                        phi_391_ = (_e243 + 1u);
+                    let _e245 = phi_383_;
+                    let _e247 = phi_384_;
+                    let _e249 = phi_386_;
+                    if _e249 {
+                        phi_391_ = (_e247 + 1u);
                     } else {
                         phi_391_ = 0u;
                     }
-                    let _e249 = phi_391_;
-                    let _e250 = select(_e241, _e243, _e245);
-                    let _e251 = select(_e236, select(2u, _e236, _e235), _e245);
-                    if (_e118 < -126i) {
+                    let _e253 = phi_391_;
+                    let _e254 = select(_e245, _e247, _e249);
+                    let _e255 = select(_e240, select(2u, _e240, _e239), _e249);
+                    if (_e122 < -126i) {
                         phi_404_ = -126i;
                     } else {
-                        phi_404_ = select(_e118, 127i, (_e118 > 127i));
+                        phi_404_ = select(_e122, 127i, (_e122 > 127i));
                     }
-                    let _e256 = phi_404_;
-                    let _e261 = bitcast<f32>((bitcast<u32>((_e256 + 127i)) << bitcast<u32>(23i)));
-                    let _e267 = bitcast<f32>((bitcast<u32>(((_e118 - _e256) + 127i)) << bitcast<u32>(23i)));
-                    let _e268 = -(_e231);
-                    if (_e268 < -126i) {
+                    let _e260 = phi_404_;
+                    let _e265 = bitcast<f32>((bitcast<u32>((_e260 + 127i)) << bitcast<u32>(23i)));
+                    let _e271 = bitcast<f32>((bitcast<u32>(((_e122 - _e260) + 127i)) << bitcast<u32>(23i)));
+                    let _e272 = -(_e235);
+                    if (_e272 < -126i) {
                         phi_424_ = -126i;
                     } else {
-                        phi_424_ = select(_e268, 127i, (_e268 > 127i));
+                        phi_424_ = select(_e272, 127i, (_e272 > 127i));
                     }
-                    let _e273 = phi_424_;
-                    let _e278 = bitcast<f32>((bitcast<u32>((_e273 + 127i)) << bitcast<u32>(23i)));
-                    let _e284 = bitcast<f32>((bitcast<u32>(((_e268 - _e273) + 127i)) << bitcast<u32>(23i)));
-                    let _e288 = global_5.member[_e136].member;
-                    let _e289 = (_e250 == 0u);
-                    if _e289 {
-                        phi_442_ = _e288[0];
+                    let _e277 = phi_424_;
+                    let _e282 = bitcast<f32>((bitcast<u32>((_e277 + 127i)) << bitcast<u32>(23i)));
+                    let _e288 = bitcast<f32>((bitcast<u32>(((_e272 - _e277) + 127i)) << bitcast<u32>(23i)));
+                    let _e292 = global_5.member[_e140].member;
+                    let _e293 = (_e254 == 0u);
+                    if _e293 {
+                        phi_442_ = _e292[0];
                     } else {
-                        phi_442_ = _e288[1];
+                        phi_442_ = _e292[1];
                     }
-                    let _e293 = phi_442_;
-                    let _e294 = (_e250 == 2u);
-                    if _e294 {
-                        phi_448_ = _e288[2];
+                    let _e297 = phi_442_;
+                    let _e298 = (_e254 == 2u);
+                    if _e298 {
+                        phi_448_ = _e292[2];
                     } else {
-                        phi_448_ = _e293;
+                        phi_448_ = _e297;
                     }
-                    let _e297 = phi_448_;
-                    let _e299 = ((_e297 * _e261) * _e267);
-                    let _e300 = global_5.member[_e136].member_2;
-                    if _e289 {
-                        phi_459_ = _e300[0];
+                    let _e301 = phi_448_;
+                    let _e303 = ((_e301 * _e265) * _e271);
+                    let _e304 = global_5.member[_e140].member_2;
+                    if _e293 {
+                        phi_459_ = _e304[0];
                     } else {
-                        phi_459_ = _e300[1];
+                        phi_459_ = _e304[1];
                     }
-                    let _e304 = phi_459_;
-                    if _e294 {
-                        phi_465_ = _e300[2];
+                    let _e308 = phi_459_;
+                    if _e298 {
+                        phi_465_ = _e304[2];
                     } else {
-                        phi_465_ = _e304;
+                        phi_465_ = _e308;
                     }
-                    let _e307 = phi_465_;
-                    let _e309 = ((_e307 * _e278) * _e284);
-                    let _e313 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e313 {
-                        let _e317 = (bitcast<f32>((bitcast<u32>(_e299) & 2147483647u)) * 0.00000011920929f);
-                        phi_488_ = select(0.00000000000011368684f, _e317, (_e317 > 0.00000000000011368684f));
+                    let _e311 = phi_465_;
+                    let _e313 = ((_e311 * _e282) * _e288);
+                    let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e317 {
+                        let _e321 = (bitcast<f32>((bitcast<u32>(_e303) & 2147483647u)) * 0.00000011920929f);
+                        phi_488_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
                     } else {
                         phi_488_ = 0f;
                     }
-                    let _e321 = phi_488_;
-                    let _e322 = (_e299 + _e321);
-                    let _e323 = (_e299 - _e321);
-                    let _e324 = select(_e309, 0f, _e313);
-                    if _e313 {
+                    let _e325 = phi_488_;
+                    let _e326 = (_e303 + _e325);
+                    let _e327 = (_e303 - _e325);
+                    let _e328 = select(_e313, 0f, _e317);
+                    if _e317 {
                         phi_499_ = 38685626000000000000000000f;
                     } else {
-                        phi_499_ = (1f / _e309);
+                        phi_499_ = (1f / _e313);
                     }
-                    let _e327 = phi_499_;
-                    let _e328 = (_e249 == 0u);
-                    if _e328 {
-                        phi_508_ = _e288[0];
+                    let _e331 = phi_499_;
+                    let _e332 = (_e253 == 0u);
+                    if _e332 {
+                        phi_508_ = _e292[0];
                     } else {
-                        phi_508_ = _e288[1];
+                        phi_508_ = _e292[1];
                     }
-                    let _e332 = phi_508_;
-                    let _e333 = (_e249 == 2u);
-                    if _e333 {
-                        phi_514_ = _e288[2];
+                    let _e336 = phi_508_;
+                    let _e337 = (_e253 == 2u);
+                    if _e337 {
+                        phi_514_ = _e292[2];
                     } else {
-                        phi_514_ = _e332;
+                        phi_514_ = _e336;
                     }
-                    let _e336 = phi_514_;
-                    let _e338 = ((_e336 * _e261) * _e267);
-                    if _e328 {
-                        phi_525_ = _e300[0];
+                    let _e340 = phi_514_;
+                    let _e342 = ((_e340 * _e265) * _e271);
+                    if _e332 {
+                        phi_525_ = _e304[0];
                     } else {
-                        phi_525_ = _e300[1];
+                        phi_525_ = _e304[1];
                     }
-                    let _e342 = phi_525_;
-                    if _e333 {
-                        phi_531_ = _e300[2];
+                    let _e346 = phi_525_;
+                    if _e337 {
+                        phi_531_ = _e304[2];
                     } else {
-                        phi_531_ = _e342;
+                        phi_531_ = _e346;
                     }
-                    let _e345 = phi_531_;
-                    let _e347 = ((_e345 * _e278) * _e284);
-                    let _e351 = (bitcast<f32>((bitcast<u32>(_e347) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e351 {
-                        let _e355 = (bitcast<f32>((bitcast<u32>(_e338) & 2147483647u)) * 0.00000011920929f);
-                        phi_554_ = select(0.00000000000011368684f, _e355, (_e355 > 0.00000000000011368684f));
+                    let _e349 = phi_531_;
+                    let _e351 = ((_e349 * _e282) * _e288);
+                    let _e355 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e355 {
+                        let _e359 = (bitcast<f32>((bitcast<u32>(_e342) & 2147483647u)) * 0.00000011920929f);
+                        phi_554_ = select(0.00000000000011368684f, _e359, (_e359 > 0.00000000000011368684f));
                     } else {
                         phi_554_ = 0f;
                     }
-                    let _e359 = phi_554_;
-                    let _e360 = (_e338 + _e359);
-                    let _e361 = (_e338 - _e359);
-                    let _e362 = select(_e347, 0f, _e351);
-                    if _e351 {
+                    let _e363 = phi_554_;
+                    let _e364 = (_e342 + _e363);
+                    let _e365 = (_e342 - _e363);
+                    let _e366 = select(_e351, 0f, _e355);
+                    if _e355 {
                         phi_565_ = 38685626000000000000000000f;
                     } else {
-                        phi_565_ = (1f / _e347);
+                        phi_565_ = (1f / _e351);
                     }
-                    let _e365 = phi_565_;
-                    let _e366 = (_e251 == 0u);
-                    if _e366 {
-                        phi_574_ = _e288[0];
+                    let _e369 = phi_565_;
+                    let _e370 = (_e255 == 0u);
+                    if _e370 {
+                        phi_574_ = _e292[0];
                     } else {
-                        phi_574_ = _e288[1];
+                        phi_574_ = _e292[1];
                     }
-                    let _e370 = phi_574_;
-                    let _e371 = (_e251 == 2u);
-                    if _e371 {
-                        phi_580_ = _e288[2];
+                    let _e374 = phi_574_;
+                    let _e375 = (_e255 == 2u);
+                    if _e375 {
+                        phi_580_ = _e292[2];
                     } else {
-                        phi_580_ = _e370;
+                        phi_580_ = _e374;
                     }
-                    let _e374 = phi_580_;
-                    let _e376 = ((_e374 * _e261) * _e267);
-                    if _e366 {
-                        phi_591_ = _e300[0];
+                    let _e378 = phi_580_;
+                    let _e380 = ((_e378 * _e265) * _e271);
+                    if _e370 {
+                        phi_591_ = _e304[0];
                     } else {
-                        phi_591_ = _e300[1];
+                        phi_591_ = _e304[1];
                     }
-                    let _e380 = phi_591_;
-                    if _e371 {
-                        phi_597_ = _e300[2];
+                    let _e384 = phi_591_;
+                    if _e375 {
+                        phi_597_ = _e304[2];
                     } else {
-                        phi_597_ = _e380;
+                        phi_597_ = _e384;
                     }
-                    let _e383 = phi_597_;
-                    let _e385 = ((_e383 * _e278) * _e284);
-                    let _e389 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e389 {
-                        let _e393 = (bitcast<f32>((bitcast<u32>(_e376) & 2147483647u)) * 0.00000011920929f);
-                        phi_620_ = select(0.00000000000011368684f, _e393, (_e393 > 0.00000000000011368684f));
+                    let _e387 = phi_597_;
+                    let _e389 = ((_e387 * _e282) * _e288);
+                    let _e393 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e393 {
+                        let _e397 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) * 0.00000011920929f);
+                        phi_620_ = select(0.00000000000011368684f, _e397, (_e397 > 0.00000000000011368684f));
                     } else {
                         phi_620_ = 0f;
                     }
-                    let _e397 = phi_620_;
-                    let _e398 = (_e376 + _e397);
-                    let _e399 = (_e376 - _e397);
-                    let _e400 = select(_e385, 0f, _e389);
-                    if _e389 {
+                    let _e401 = phi_620_;
+                    let _e402 = (_e380 + _e401);
+                    let _e403 = (_e380 - _e401);
+                    let _e404 = select(_e389, 0f, _e393);
+                    if _e393 {
                         phi_631_ = 38685626000000000000000000f;
                     } else {
-                        phi_631_ = (1f / _e385);
+                        phi_631_ = (1f / _e389);
                     }
-                    let _e403 = phi_631_;
-                    let _e406 = bitcast<f32>((bitcast<u32>(_e299) & 2147483647u));
-                    let _e409 = bitcast<f32>((bitcast<u32>(_e338) & 2147483647u));
-                    let _e411 = select(_e409, _e406, (_e406 > _e409));
-                    let _e414 = bitcast<f32>((bitcast<u32>(_e376) & 2147483647u));
-                    let _e417 = (_e118 + _e231);
-                    if (_e212 && (select(_e414, _e411, (_e411 > _e414)) <= 1099511600000f)) {
-                        let _e420 = (_e417 / 3i);
-                        let _e427 = bitcast<f32>((bitcast<u32>((_e420 + 127i)) << bitcast<u32>(23i)));
-                        let _e434 = bitcast<f32>((bitcast<u32>(((_e417 - (2i * _e420)) + 127i)) << bitcast<u32>(23i)));
-                        let _e435 = (((_e197 * _e427) * _e427) * _e434);
-                        let _e437 = select(340282350000000000000000000000000000000f, _e435, (_e435 < 340282350000000000000000000000000000000f));
-                        let _e442 = (((_e206 * _e427) * _e427) * _e434);
-                        let _e444 = select(340282350000000000000000000000000000000f, _e442, (_e442 < 340282350000000000000000000000000000000f));
-                        phi_731_ = select(-340282350000000000000000000000000000000f, _e444, (_e444 > -340282350000000000000000000000000000000f));
-                        phi_732_ = select(-340282350000000000000000000000000000000f, _e437, (_e437 > -340282350000000000000000000000000000000f));
+                    let _e407 = phi_631_;
+                    let _e410 = bitcast<f32>((bitcast<u32>(_e303) & 2147483647u));
+                    let _e413 = bitcast<f32>((bitcast<u32>(_e342) & 2147483647u));
+                    let _e415 = select(_e413, _e410, (_e410 > _e413));
+                    let _e418 = bitcast<f32>((bitcast<u32>(_e380) & 2147483647u));
+                    let _e421 = (_e122 + _e235);
+                    if (_e216 && (select(_e418, _e415, (_e415 > _e418)) <= 1099511600000f)) {
+                        let _e424 = (_e421 / 3i);
+                        let _e431 = bitcast<f32>((bitcast<u32>((_e424 + 127i)) << bitcast<u32>(23i)));
+                        let _e438 = bitcast<f32>((bitcast<u32>(((_e421 - (2i * _e424)) + 127i)) << bitcast<u32>(23i)));
+                        let _e439 = (((_e201 * _e431) * _e431) * _e438);
+                        let _e441 = select(340282350000000000000000000000000000000f, _e439, (_e439 < 340282350000000000000000000000000000000f));
+                        let _e446 = (((_e210 * _e431) * _e431) * _e438);
+                        let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
+                        phi_731_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
+                        phi_732_ = select(-340282350000000000000000000000000000000f, _e441, (_e441 > -340282350000000000000000000000000000000f));
                     } else {
                         phi_731_ = 0f;
                         phi_732_ = 1f;
                     }
-                    let _e448 = phi_731_;
-                    let _e450 = phi_732_;
-                    local_3 = array<type_47, 128>(type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u));
+                    let _e452 = phi_731_;
+                    let _e454 = phi_732_;
+                    local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e454 = (_e250 % 3u);
-                    let _e455 = (_e454 < 3u);
-                    if _e455 {
+                    local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    let _e458 = (_e254 % 3u);
+                    let _e459 = (_e458 < 3u);
+                    if _e459 {
                     } else {
                         break;
                     }
-                    let _e457 = local_1[_e454];
-                    let _e460 = (_e249 % 3u);
-                    let _e461 = (_e460 < 3u);
-                    if _e461 {
+                    let _e461 = local_1[_e458];
+                    let _e464 = (_e253 % 3u);
+                    let _e465 = (_e464 < 3u);
+                    if _e465 {
                     } else {
                         break;
                     }
-                    let _e463 = local_1[_e460];
-                    let _e466 = (_e251 % 3u);
-                    let _e467 = (_e466 < 3u);
-                    if _e467 {
+                    let _e467 = local_1[_e464];
+                    let _e470 = (_e255 % 3u);
+                    let _e471 = (_e470 < 3u);
+                    if _e471 {
                     } else {
                         break;
                     }
-                    let _e469 = local_1[_e466];
-                    if _e455 {
+                    let _e473 = local_1[_e470];
+                    if _e459 {
                     } else {
                         break;
                     }
-                    let _e474 = local[_e454];
-                    if _e461 {
+                    let _e478 = local[_e458];
+                    if _e465 {
                     } else {
                         break;
                     }
-                    let _e478 = local[_e460];
-                    if _e467 {
+                    let _e482 = local[_e464];
+                    if _e471 {
                     } else {
                         break;
                     }
-                    let _e482 = local[_e466];
-                    phi_4182_ = false;
-                    phi_1852_ = type_40(_e448, false);
-                    phi_1855_ = type_47(type_31(vec4<f32>((f32(_e457) * _e130), (f32(_e463) * _e130), (f32(_e469) * _e130), 0f), vec4<f32>((f32(_e474) * _e130), (f32(_e478) * _e130), (f32(_e482) * _e130), 0f)), select(0u, 2147483648u, (_e80 == 0u)));
-                    phi_1857_ = ((3u * _e80) + 1u);
-                    phi_1859_ = (_e450 <= _e448);
-                    phi_1861_ = 0u;
+                    let _e486 = local[_e470];
+                    phi_3258_ = false;
+                    phi_821_ = type_42(_e452, false);
+                    phi_824_ = type_49(type_32(vec4<f32>((f32(_e461) * _e134), (f32(_e467) * _e134), (f32(_e473) * _e134), 0f), vec4<f32>((f32(_e478) * _e134), (f32(_e482) * _e134), (f32(_e486) * _e134), 0f)), select(0u, 2147483648u, (_e84 == 0u)));
+                    phi_826_ = ((3u * _e84) + 1u);
+                    phi_828_ = (_e454 <= _e452);
+                    phi_830_ = 0u;
                     loop {
-                        let _e492 = phi_4182_;
-                        let _e494 = phi_1852_;
-                        let _e496 = phi_1855_;
-                        let _e498 = phi_1857_;
-                        let _e500 = phi_1859_;
-                        let _e502 = phi_1861_;
-                        local_5 = _e494;
-                        if _e500 {
-                            phi_1872_ = true;
+                        let _e496 = phi_3258_;
+                        let _e498 = phi_821_;
+                        let _e500 = phi_824_;
+                        let _e502 = phi_826_;
+                        let _e504 = phi_828_;
+                        let _e506 = phi_830_;
+                        local_11 = _e498;
+                        if _e504 {
+                            phi_841_ = true;
                         } else {
-                            phi_1872_ = (_e502 > 0u);
+                            phi_841_ = (_e506 > 0u);
                         }
-                        let _e505 = phi_1872_;
-                        if _e505 {
-                            let _e506 = (_e498 > 0u);
-                            if _e506 {
-                                if _e500 {
-                                    phi_1909_ = _e496;
-                                    phi_1910_ = _e500;
-                                    phi_1911_ = _e502;
+                        let _e509 = phi_841_;
+                        if _e509 {
+                            let _e510 = (_e502 > 0u);
+                            if _e510 {
+                                if _e504 {
+                                    phi_927_ = _e500;
+                                    phi_928_ = _e504;
+                                    phi_929_ = _e506;
                                 } else {
-                                    let _e507 = (_e502 - 1u);
-                                    let _e508 = (_e507 % 128u);
-                                    let _e509 = (_e508 < 128u);
-                                    if _e509 {
+                                    let _e511 = (_e506 - 1u);
+                                    let _e512 = (_e511 % 128u);
+                                    let _e513 = (_e512 < 128u);
+                                    if _e513 {
                                     } else {
-                                        phi_4287_ = true;
+                                        phi_3363_ = true;
                                         break;
                                     }
-                                    let _e511 = local_3[_e508];
-                                    if _e509 {
+                                    let _e515 = local_7[_e512];
+                                    if _e513 {
                                     } else {
-                                        phi_4287_ = true;
+                                        phi_3363_ = true;
                                         break;
                                     }
-                                    let _e519 = local_2[_e508];
-                                    phi_1909_ = type_47(type_31(_e511.member.member, _e511.member.member_1), _e511.member_1);
-                                    phi_1910_ = (_e519 <= _e494.member);
-                                    phi_1911_ = _e507;
+                                    let _e517 = local_6[_e512];
+                                    if _e513 {
+                                    } else {
+                                        phi_3363_ = true;
+                                        break;
+                                    }
+                                    let _e519 = local_5[_e512];
+                                    if _e513 {
+                                    } else {
+                                        phi_3363_ = true;
+                                        break;
+                                    }
+                                    let _e521 = local_4[_e512];
+                                    if _e513 {
+                                    } else {
+                                        phi_3363_ = true;
+                                        break;
+                                    }
+                                    let _e523 = local_3[_e512];
+                                    if _e513 {
+                                    } else {
+                                        phi_3363_ = true;
+                                        break;
+                                    }
+                                    let _e525 = local_2[_e512];
+                                    if _e513 {
+                                    } else {
+                                        phi_3363_ = true;
+                                        break;
+                                    }
+                                    let _e530 = local_8[_e512];
+                                    if _e513 {
+                                    } else {
+                                        phi_3363_ = true;
+                                        break;
+                                    }
+                                    let _e533 = local_9[_e512];
+                                    phi_927_ = type_49(type_32(vec4<f32>(_e515, _e517, _e519, 0f), vec4<f32>(_e521, _e523, _e525, 0f)), _e530);
+                                    phi_928_ = (_e533 <= _e498.member);
+                                    phi_929_ = _e511;
                                 }
-                                let _e523 = phi_1909_;
-                                let _e525 = phi_1910_;
-                                let _e527 = phi_1911_;
-                                if _e525 {
-                                    if ((_e523.member_1 & 2147483648u) != 0u) {
-                                        phi_1929_ = _e494;
-                                        phi_1932_ = type_7(0u, ((_e523.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e537 = phi_927_;
+                                let _e539 = phi_928_;
+                                let _e541 = phi_929_;
+                                if _e539 {
+                                    if ((_e537.member_1 & 2147483648u) != 0u) {
+                                        phi_947_ = _e498;
+                                        phi_950_ = type_7(0u, ((_e537.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e973 = phi_1929_;
-                                            let _e975 = phi_1932_;
-                                            local_4 = _e973;
-                                            local_6 = _e973;
-                                            if (_e975.member < _e975.member_1) {
-                                                phi_1933_ = type_7((_e975.member + 1u), _e975.member_1);
-                                                phi_1955_ = type_7(1u, _e975.member);
+                                            let _e1006 = phi_947_;
+                                            let _e1008 = phi_950_;
+                                            local_10 = _e1006;
+                                            local_12 = _e1006;
+                                            if (_e1008.member < _e1008.member_1) {
+                                                phi_951_ = type_7((_e1008.member + 1u), _e1008.member_1);
+                                                phi_973_ = type_7(1u, _e1008.member);
                                             } else {
-                                                phi_1933_ = _e975;
-                                                phi_1955_ = type_7(0u, type_7().member_1);
+                                                phi_951_ = _e1008;
+                                                phi_973_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e988 = phi_1933_;
-                                            let _e990 = phi_1955_;
-                                            let _e994 = (bitcast<i32>(_e990.member) != 0i);
-                                            if _e994 {
-                                                let _e995 = ((_e523.member_1 & 268435455u) + _e990.member_1);
-                                                let _e996 = (_e995 < _e82);
-                                                if _e996 {
-                                                    if _e996 {
+                                            let _e1021 = phi_951_;
+                                            let _e1023 = phi_973_;
+                                            let _e1027 = (bitcast<i32>(_e1023.member) != 0i);
+                                            if _e1027 {
+                                                let _e1028 = ((_e537.member_1 & 268435455u) + _e1023.member_1);
+                                                let _e1029 = (_e1028 < _e86);
+                                                if _e1029 {
+                                                    if _e1029 {
                                                     } else {
-                                                        phi_4176_ = true;
+                                                        phi_3252_ = true;
                                                         break;
                                                     }
-                                                    let _e1000 = global_2.member[_e995].member_1;
-                                                    phi_1976_ = _e1000;
+                                                    let _e1033 = global_2.member[_e1028].member_1;
+                                                    phi_994_ = _e1033;
                                                 } else {
-                                                    phi_1976_ = 4294967295u;
+                                                    phi_994_ = 4294967295u;
                                                 }
-                                                let _e1002 = phi_1976_;
-                                                if (_e995 >= _e82) {
-                                                    phi_2065_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1035 = phi_994_;
+                                                if (_e1028 >= _e86) {
+                                                    phi_1083_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e996 {
+                                                    if _e1029 {
                                                     } else {
-                                                        phi_4176_ = true;
+                                                        phi_3252_ = true;
                                                         break;
                                                     }
-                                                    if (_e454 < 9u) {
+                                                    if (_e458 < 9u) {
                                                     } else {
-                                                        phi_4176_ = true;
+                                                        phi_3252_ = true;
                                                         break;
                                                     }
-                                                    let _e1009 = global_2.member[_e995].member[_e454];
-                                                    if (_e460 < 9u) {
+                                                    let _e1042 = global_2.member[_e1028].member[_e458];
+                                                    if (_e464 < 9u) {
                                                     } else {
-                                                        phi_4176_ = true;
+                                                        phi_3252_ = true;
                                                         break;
                                                     }
-                                                    let _e1015 = global_2.member[_e995].member[_e460];
-                                                    if (_e466 < 9u) {
+                                                    let _e1048 = global_2.member[_e1028].member[_e464];
+                                                    if (_e470 < 9u) {
                                                     } else {
-                                                        phi_4176_ = true;
+                                                        phi_3252_ = true;
                                                         break;
                                                     }
-                                                    let _e1021 = global_2.member[_e995].member[_e466];
-                                                    let _e1023 = (3u + _e454);
-                                                    if (_e1023 < 9u) {
+                                                    let _e1054 = global_2.member[_e1028].member[_e470];
+                                                    let _e1056 = (3u + _e458);
+                                                    if (_e1056 < 9u) {
                                                     } else {
-                                                        phi_4176_ = true;
+                                                        phi_3252_ = true;
                                                         break;
                                                     }
-                                                    let _e1029 = global_2.member[_e995].member[_e1023];
-                                                    let _e1030 = (3u + _e460);
-                                                    if (_e1030 < 9u) {
+                                                    let _e1062 = global_2.member[_e1028].member[_e1056];
+                                                    let _e1063 = (3u + _e464);
+                                                    if (_e1063 < 9u) {
                                                     } else {
-                                                        phi_4176_ = true;
+                                                        phi_3252_ = true;
                                                         break;
                                                     }
-                                                    let _e1036 = global_2.member[_e995].member[_e1030];
-                                                    let _e1037 = (3u + _e466);
-                                                    if (_e1037 < 9u) {
+                                                    let _e1069 = global_2.member[_e1028].member[_e1063];
+                                                    let _e1070 = (3u + _e470);
+                                                    if (_e1070 < 9u) {
                                                     } else {
-                                                        phi_4176_ = true;
+                                                        phi_3252_ = true;
                                                         break;
                                                     }
-                                                    let _e1043 = global_2.member[_e995].member[_e1037];
-                                                    let _e1045 = (6u + _e454);
-                                                    if (_e1045 < 9u) {
+                                                    let _e1076 = global_2.member[_e1028].member[_e1070];
+                                                    let _e1078 = (6u + _e458);
+                                                    if (_e1078 < 9u) {
                                                     } else {
-                                                        phi_4176_ = true;
+                                                        phi_3252_ = true;
                                                         break;
                                                     }
-                                                    let _e1051 = global_2.member[_e995].member[_e1045];
-                                                    let _e1052 = (6u + _e460);
-                                                    if (_e1052 < 9u) {
+                                                    let _e1084 = global_2.member[_e1028].member[_e1078];
+                                                    let _e1085 = (6u + _e464);
+                                                    if (_e1085 < 9u) {
                                                     } else {
-                                                        phi_4176_ = true;
+                                                        phi_3252_ = true;
                                                         break;
                                                     }
-                                                    let _e1058 = global_2.member[_e995].member[_e1052];
-                                                    let _e1059 = (6u + _e466);
-                                                    if (_e1059 < 9u) {
+                                                    let _e1091 = global_2.member[_e1028].member[_e1085];
+                                                    let _e1092 = (6u + _e470);
+                                                    if (_e1092 < 9u) {
                                                     } else {
-                                                        phi_4176_ = true;
+                                                        phi_3252_ = true;
                                                         break;
                                                     }
-                                                    let _e1065 = global_2.member[_e995].member[_e1059];
-                                                    phi_2065_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1009, _e1015, _e1021), array<f32, 3>(_e1029, _e1036, _e1043), array<f32, 3>(_e1051, _e1058, _e1065));
+                                                    let _e1098 = global_2.member[_e1028].member[_e1092];
+                                                    phi_1083_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1042, _e1048, _e1054), array<f32, 3>(_e1062, _e1069, _e1076), array<f32, 3>(_e1084, _e1091, _e1098));
                                                 }
-                                                let _e1069 = phi_2065_;
-                                                let _e1077 = (_e1069[0][2] - _e376);
-                                                let _e1080 = (((_e1069[0][0] - _e299) * _e400) - (_e1077 * _e324));
-                                                let _e1083 = (((_e1069[0][1] - _e338) * _e400) - (_e1077 * _e362));
-                                                let _e1090 = (_e1069[1][2] - _e376);
-                                                let _e1093 = (((_e1069[1][0] - _e299) * _e400) - (_e1090 * _e324));
-                                                let _e1096 = (((_e1069[1][1] - _e338) * _e400) - (_e1090 * _e362));
-                                                let _e1103 = (_e1069[2][2] - _e376);
-                                                let _e1106 = (((_e1069[2][0] - _e299) * _e400) - (_e1103 * _e324));
-                                                let _e1109 = (((_e1069[2][1] - _e338) * _e400) - (_e1103 * _e362));
-                                                let _e1110 = (_e1106 * _e1096);
-                                                let _e1111 = (_e1109 * _e1093);
-                                                let _e1112 = (_e1080 * _e1109);
-                                                let _e1113 = (_e1083 * _e1106);
-                                                let _e1114 = (_e1093 * _e1083);
-                                                let _e1115 = (_e1096 * _e1080);
-                                                let _e1120 = (((_e1110 >= _e1111) && (_e1112 >= _e1113)) && (_e1114 >= _e1115));
-                                                if (_e1120 || (((_e1110 <= _e1111) && (_e1112 <= _e1113)) && (_e1114 <= _e1115))) {
-                                                    let _e1127 = select(-1f, 1f, _e1120);
-                                                    let _e1129 = ((_e1110 - _e1111) * _e1127);
-                                                    let _e1131 = select(0f, _e1129, (_e1129 > 0f));
-                                                    let _e1133 = ((_e1112 - _e1113) * _e1127);
-                                                    let _e1135 = select(0f, _e1133, (_e1133 > 0f));
-                                                    let _e1137 = ((_e1114 - _e1115) * _e1127);
-                                                    let _e1139 = select(0f, _e1137, (_e1137 > 0f));
-                                                    let _e1141 = ((_e1131 + _e1135) + _e1139);
-                                                    if (_e1141 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2631_ = type_27();
-                                                        phi_2632_ = true;
+                                                let _e1102 = phi_1083_;
+                                                let _e1110 = (_e1102[0][2] - _e380);
+                                                let _e1113 = (((_e1102[0][0] - _e303) * _e404) - (_e1110 * _e328));
+                                                let _e1116 = (((_e1102[0][1] - _e342) * _e404) - (_e1110 * _e366));
+                                                let _e1123 = (_e1102[1][2] - _e380);
+                                                let _e1126 = (((_e1102[1][0] - _e303) * _e404) - (_e1123 * _e328));
+                                                let _e1129 = (((_e1102[1][1] - _e342) * _e404) - (_e1123 * _e366));
+                                                let _e1136 = (_e1102[2][2] - _e380);
+                                                let _e1139 = (((_e1102[2][0] - _e303) * _e404) - (_e1136 * _e328));
+                                                let _e1142 = (((_e1102[2][1] - _e342) * _e404) - (_e1136 * _e366));
+                                                let _e1143 = (_e1139 * _e1129);
+                                                let _e1144 = (_e1142 * _e1126);
+                                                let _e1145 = (_e1113 * _e1142);
+                                                let _e1146 = (_e1116 * _e1139);
+                                                let _e1147 = (_e1126 * _e1116);
+                                                let _e1148 = (_e1129 * _e1113);
+                                                let _e1153 = (((_e1143 >= _e1144) && (_e1145 >= _e1146)) && (_e1147 >= _e1148));
+                                                if (_e1153 || (((_e1143 <= _e1144) && (_e1145 <= _e1146)) && (_e1147 <= _e1148))) {
+                                                    let _e1160 = select(-1f, 1f, _e1153);
+                                                    let _e1162 = ((_e1143 - _e1144) * _e1160);
+                                                    let _e1164 = select(0f, _e1162, (_e1162 > 0f));
+                                                    let _e1166 = ((_e1145 - _e1146) * _e1160);
+                                                    let _e1168 = select(0f, _e1166, (_e1166 > 0f));
+                                                    let _e1170 = ((_e1147 - _e1148) * _e1160);
+                                                    let _e1172 = select(0f, _e1170, (_e1170 > 0f));
+                                                    let _e1174 = ((_e1164 + _e1168) + _e1172);
+                                                    if (_e1174 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1649_ = type_28();
+                                                        phi_1650_ = true;
                                                     } else {
-                                                        let _e1144 = select(_e1069[1][0], _e1069[0][0], (_e1069[0][0] < _e1069[1][0]));
-                                                        let _e1148 = select(_e1069[1][0], _e1069[0][0], (_e1069[0][0] > _e1069[1][0]));
-                                                        let _e1152 = select(_e1069[1][1], _e1069[0][1], (_e1069[0][1] < _e1069[1][1]));
-                                                        let _e1156 = select(_e1069[1][1], _e1069[0][1], (_e1069[0][1] > _e1069[1][1]));
-                                                        let _e1160 = select(_e1069[1][2], _e1069[0][2], (_e1069[0][2] < _e1069[1][2]));
-                                                        let _e1164 = select(_e1069[1][2], _e1069[0][2], (_e1069[0][2] > _e1069[1][2]));
-                                                        let _e1169 = ((select(_e1069[2][0], _e1144, (_e1144 < _e1069[2][0])) - _e322) * _e327);
-                                                        let _e1170 = ((select(_e1069[2][0], _e1148, (_e1148 > _e1069[2][0])) - _e323) * _e327);
-                                                        let _e1173 = ((select(_e1069[2][1], _e1152, (_e1152 < _e1069[2][1])) - _e360) * _e365);
-                                                        let _e1174 = ((select(_e1069[2][1], _e1156, (_e1156 > _e1069[2][1])) - _e361) * _e365);
-                                                        let _e1177 = ((select(_e1069[2][2], _e1160, (_e1160 < _e1069[2][2])) - _e398) * _e403);
-                                                        let _e1178 = ((select(_e1069[2][2], _e1164, (_e1164 > _e1069[2][2])) - _e399) * _e403);
-                                                        let _e1180 = select(_e1178, _e1177, (_e1177 < _e1178));
-                                                        let _e1182 = select(_e1178, _e1177, (_e1177 > _e1178));
-                                                        let _e1184 = select(_e1170, _e1169, (_e1169 < _e1170));
-                                                        let _e1186 = select(_e1174, _e1173, (_e1173 < _e1174));
-                                                        let _e1188 = select(_e1186, _e1184, (_e1184 > _e1186));
-                                                        let _e1190 = select(_e1180, _e1188, (_e1188 > _e1180));
-                                                        let _e1192 = select(_e1170, _e1169, (_e1169 > _e1170));
-                                                        let _e1194 = select(_e1174, _e1173, (_e1173 > _e1174));
-                                                        let _e1196 = select(_e1194, _e1192, (_e1192 < _e1194));
-                                                        let _e1198 = select(_e1182, _e1196, (_e1196 < _e1182));
-                                                        let _e1199 = -(_e1180);
-                                                        let _e1205 = select(_e450, _e1190, (_e1190 > _e450));
-                                                        if (_e1205 > (_e1198 + (select(_e1199, _e1182, (_e1182 > _e1199)) * 0.0000019073523f))) {
-                                                            phi_2626_ = type_27();
-                                                            phi_2627_ = true;
+                                                        let _e1177 = select(_e1102[1][0], _e1102[0][0], (_e1102[0][0] < _e1102[1][0]));
+                                                        let _e1181 = select(_e1102[1][0], _e1102[0][0], (_e1102[0][0] > _e1102[1][0]));
+                                                        let _e1185 = select(_e1102[1][1], _e1102[0][1], (_e1102[0][1] < _e1102[1][1]));
+                                                        let _e1189 = select(_e1102[1][1], _e1102[0][1], (_e1102[0][1] > _e1102[1][1]));
+                                                        let _e1193 = select(_e1102[1][2], _e1102[0][2], (_e1102[0][2] < _e1102[1][2]));
+                                                        let _e1197 = select(_e1102[1][2], _e1102[0][2], (_e1102[0][2] > _e1102[1][2]));
+                                                        let _e1202 = ((select(_e1102[2][0], _e1177, (_e1177 < _e1102[2][0])) - _e326) * _e331);
+                                                        let _e1203 = ((select(_e1102[2][0], _e1181, (_e1181 > _e1102[2][0])) - _e327) * _e331);
+                                                        let _e1206 = ((select(_e1102[2][1], _e1185, (_e1185 < _e1102[2][1])) - _e364) * _e369);
+                                                        let _e1207 = ((select(_e1102[2][1], _e1189, (_e1189 > _e1102[2][1])) - _e365) * _e369);
+                                                        let _e1210 = ((select(_e1102[2][2], _e1193, (_e1193 < _e1102[2][2])) - _e402) * _e407);
+                                                        let _e1211 = ((select(_e1102[2][2], _e1197, (_e1197 > _e1102[2][2])) - _e403) * _e407);
+                                                        let _e1213 = select(_e1211, _e1210, (_e1210 < _e1211));
+                                                        let _e1215 = select(_e1211, _e1210, (_e1210 > _e1211));
+                                                        let _e1217 = select(_e1203, _e1202, (_e1202 < _e1203));
+                                                        let _e1219 = select(_e1207, _e1206, (_e1206 < _e1207));
+                                                        let _e1221 = select(_e1219, _e1217, (_e1217 > _e1219));
+                                                        let _e1223 = select(_e1213, _e1221, (_e1221 > _e1213));
+                                                        let _e1225 = select(_e1203, _e1202, (_e1202 > _e1203));
+                                                        let _e1227 = select(_e1207, _e1206, (_e1206 > _e1207));
+                                                        let _e1229 = select(_e1227, _e1225, (_e1225 < _e1227));
+                                                        let _e1231 = select(_e1215, _e1229, (_e1229 < _e1215));
+                                                        let _e1232 = -(_e1213);
+                                                        let _e1238 = select(_e454, _e1223, (_e1223 > _e454));
+                                                        if (_e1238 > (_e1231 + (select(_e1232, _e1215, (_e1215 > _e1232)) * 0.0000019073523f))) {
+                                                            phi_1644_ = type_28();
+                                                            phi_1645_ = true;
                                                         } else {
-                                                            let _e1207 = (_e1205 > _e973.member);
-                                                            if _e1207 {
-                                                                phi_2625_ = type_27();
+                                                            let _e1240 = (_e1238 > _e1006.member);
+                                                            if _e1240 {
+                                                                phi_1643_ = type_28();
                                                             } else {
-                                                                let _e1211 = (_e1069[1][0] - _e1069[0][0]);
-                                                                let _e1212 = (_e1069[1][1] - _e1069[0][1]);
-                                                                let _e1213 = (_e1069[1][2] - _e1069[0][2]);
-                                                                let _e1214 = vec3<f32>(_e1211, _e1212, _e1213);
-                                                                let _e1215 = (_e1069[2][0] - _e1069[1][0]);
-                                                                let _e1216 = (_e1069[2][1] - _e1069[1][1]);
-                                                                let _e1217 = (_e1069[2][2] - _e1069[1][2]);
-                                                                let _e1218 = vec3<f32>(_e1215, _e1216, _e1217);
-                                                                let _e1219 = (_e1069[0][0] - _e1069[2][0]);
-                                                                let _e1220 = (_e1069[0][1] - _e1069[2][1]);
-                                                                let _e1221 = (_e1069[0][2] - _e1069[2][2]);
-                                                                let _e1222 = vec3<f32>(_e1219, _e1220, _e1221);
-                                                                let _e1225 = bitcast<f32>((bitcast<u32>(_e1211) & 2147483647u));
-                                                                let _e1228 = bitcast<f32>((bitcast<u32>(_e1212) & 2147483647u));
-                                                                let _e1230 = select(_e1228, _e1225, (_e1225 > _e1228));
-                                                                let _e1233 = bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u));
-                                                                let _e1235 = select(_e1233, _e1230, (_e1230 > _e1233));
-                                                                let _e1238 = bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u));
-                                                                let _e1241 = bitcast<f32>((bitcast<u32>(_e1216) & 2147483647u));
-                                                                let _e1243 = select(_e1241, _e1238, (_e1238 > _e1241));
-                                                                let _e1246 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
-                                                                let _e1248 = select(_e1246, _e1243, (_e1243 > _e1246));
-                                                                let _e1251 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
-                                                                let _e1254 = bitcast<f32>((bitcast<u32>(_e1220) & 2147483647u));
-                                                                let _e1256 = select(_e1254, _e1251, (_e1251 > _e1254));
-                                                                let _e1259 = bitcast<f32>((bitcast<u32>(_e1221) & 2147483647u));
-                                                                let _e1261 = select(_e1259, _e1256, (_e1256 > _e1259));
-                                                                let _e1263 = select(_e1248, _e1235, (_e1235 > _e1248));
-                                                                let _e1265 = select(_e1261, _e1263, (_e1263 > _e1261));
-                                                                if (_e1235 == _e1265) {
-                                                                    phi_2536_ = _e1218;
-                                                                    phi_2537_ = _e1222;
+                                                                let _e1244 = (_e1102[1][0] - _e1102[0][0]);
+                                                                let _e1245 = (_e1102[1][1] - _e1102[0][1]);
+                                                                let _e1246 = (_e1102[1][2] - _e1102[0][2]);
+                                                                let _e1247 = vec3<f32>(_e1244, _e1245, _e1246);
+                                                                let _e1248 = (_e1102[2][0] - _e1102[1][0]);
+                                                                let _e1249 = (_e1102[2][1] - _e1102[1][1]);
+                                                                let _e1250 = (_e1102[2][2] - _e1102[1][2]);
+                                                                let _e1251 = vec3<f32>(_e1248, _e1249, _e1250);
+                                                                let _e1252 = (_e1102[0][0] - _e1102[2][0]);
+                                                                let _e1253 = (_e1102[0][1] - _e1102[2][1]);
+                                                                let _e1254 = (_e1102[0][2] - _e1102[2][2]);
+                                                                let _e1255 = vec3<f32>(_e1252, _e1253, _e1254);
+                                                                let _e1258 = bitcast<f32>((bitcast<u32>(_e1244) & 2147483647u));
+                                                                let _e1261 = bitcast<f32>((bitcast<u32>(_e1245) & 2147483647u));
+                                                                let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
+                                                                let _e1266 = bitcast<f32>((bitcast<u32>(_e1246) & 2147483647u));
+                                                                let _e1268 = select(_e1266, _e1263, (_e1263 > _e1266));
+                                                                let _e1271 = bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u));
+                                                                let _e1274 = bitcast<f32>((bitcast<u32>(_e1249) & 2147483647u));
+                                                                let _e1276 = select(_e1274, _e1271, (_e1271 > _e1274));
+                                                                let _e1279 = bitcast<f32>((bitcast<u32>(_e1250) & 2147483647u));
+                                                                let _e1281 = select(_e1279, _e1276, (_e1276 > _e1279));
+                                                                let _e1284 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
+                                                                let _e1287 = bitcast<f32>((bitcast<u32>(_e1253) & 2147483647u));
+                                                                let _e1289 = select(_e1287, _e1284, (_e1284 > _e1287));
+                                                                let _e1292 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
+                                                                let _e1294 = select(_e1292, _e1289, (_e1289 > _e1292));
+                                                                let _e1296 = select(_e1281, _e1268, (_e1268 > _e1281));
+                                                                let _e1298 = select(_e1294, _e1296, (_e1296 > _e1294));
+                                                                if (_e1268 == _e1298) {
+                                                                    phi_1554_ = _e1251;
+                                                                    phi_1555_ = _e1255;
                                                                 } else {
-                                                                    let _e1268 = vec3((_e1248 == _e1265));
-                                                                    phi_2536_ = select(_e1214, _e1222, _e1268);
-                                                                    phi_2537_ = select(_e1218, _e1214, _e1268);
+                                                                    let _e1301 = vec3((_e1281 == _e1298));
+                                                                    phi_1554_ = select(_e1247, _e1255, _e1301);
+                                                                    phi_1555_ = select(_e1251, _e1247, _e1301);
                                                                 }
-                                                                let _e1272 = phi_2536_;
-                                                                let _e1274 = phi_2537_;
-                                                                let _e1281 = ((_e1272.y * _e1274.z) - (_e1274.y * _e1272.z));
-                                                                let _e1286 = ((_e1272.z * _e1274.x) - (_e1274.z * _e1272.x));
-                                                                let _e1289 = ((_e1272.x * _e1274.y) - (_e1274.x * _e1272.y));
-                                                                if (_e1131 >= _e1135) {
-                                                                    phi_2568_ = select(true, false, (_e1131 >= _e1139));
+                                                                let _e1305 = phi_1554_;
+                                                                let _e1307 = phi_1555_;
+                                                                let _e1314 = ((_e1305.y * _e1307.z) - (_e1307.y * _e1305.z));
+                                                                let _e1319 = ((_e1305.z * _e1307.x) - (_e1307.z * _e1305.x));
+                                                                let _e1322 = ((_e1305.x * _e1307.y) - (_e1307.x * _e1305.y));
+                                                                if (_e1164 >= _e1168) {
+                                                                    phi_1586_ = select(true, false, (_e1164 >= _e1172));
                                                                 } else {
-                                                                    phi_2568_ = true;
+                                                                    phi_1586_ = true;
                                                                 }
-                                                                let _e1294 = phi_2568_;
-                                                                if _e1294 {
-                                                                    phi_2577_ = select(vec3<f32>(_e1069[2][0], _e1069[2][1], _e1069[2][2]), vec3<f32>(_e1069[1][0], _e1069[1][1], _e1069[1][2]), vec3((_e1135 >= _e1139)));
+                                                                let _e1327 = phi_1586_;
+                                                                if _e1327 {
+                                                                    phi_1595_ = select(vec3<f32>(_e1102[2][0], _e1102[2][1], _e1102[2][2]), vec3<f32>(_e1102[1][0], _e1102[1][1], _e1102[1][2]), vec3((_e1168 >= _e1172)));
                                                                 } else {
-                                                                    phi_2577_ = vec3<f32>(_e1069[0][0], _e1069[0][1], _e1069[0][2]);
+                                                                    phi_1595_ = vec3<f32>(_e1102[0][0], _e1102[0][1], _e1102[0][2]);
                                                                 }
-                                                                let _e1299 = phi_2577_;
-                                                                let _e1316 = ((((_e1281 * (_e1299.x - _e299)) + (_e1286 * (_e1299.y - _e338))) + (_e1289 * (_e1299.z - _e376))) / (((_e1281 * _e324) + (_e1286 * _e362)) + (_e1289 * _e400)));
-                                                                let _e1318 = select(_e1198, _e1316, (_e1316 < _e1198));
-                                                                let _e1320 = select(_e1190, _e1318, (_e1318 > _e1190));
-                                                                if (_e1320 >= _e450) {
-                                                                    let _e1322 = (_e1320 <= _e973.member);
-                                                                    if _e1322 {
-                                                                        let _e1323 = (1f / _e1141);
-                                                                        phi_2617_ = type_27(_e1320, (_e1135 * _e1323), (_e1139 * _e1323), _e1002);
+                                                                let _e1332 = phi_1595_;
+                                                                let _e1349 = ((((_e1314 * (_e1332.x - _e303)) + (_e1319 * (_e1332.y - _e342))) + (_e1322 * (_e1332.z - _e380))) / (((_e1314 * _e328) + (_e1319 * _e366)) + (_e1322 * _e404)));
+                                                                let _e1351 = select(_e1231, _e1349, (_e1349 < _e1231));
+                                                                let _e1353 = select(_e1223, _e1351, (_e1351 > _e1223));
+                                                                if (_e1353 >= _e454) {
+                                                                    let _e1355 = (_e1353 <= _e1006.member);
+                                                                    if _e1355 {
+                                                                        let _e1356 = (1f / _e1174);
+                                                                        phi_1635_ = type_28(_e1353, (_e1168 * _e1356), (_e1172 * _e1356), _e1035);
                                                                     } else {
-                                                                        phi_2617_ = type_27();
+                                                                        phi_1635_ = type_28();
                                                                     }
-                                                                    let _e1328 = phi_2617_;
-                                                                    phi_2619_ = _e1328;
-                                                                    phi_2620_ = select(true, false, _e1322);
+                                                                    let _e1361 = phi_1635_;
+                                                                    phi_1637_ = _e1361;
+                                                                    phi_1638_ = select(true, false, _e1355);
                                                                 } else {
-                                                                    phi_2619_ = type_27();
-                                                                    phi_2620_ = true;
+                                                                    phi_1637_ = type_28();
+                                                                    phi_1638_ = true;
                                                                 }
-                                                                let _e1331 = phi_2619_;
-                                                                let _e1333 = phi_2620_;
-                                                                if _e1333 {
-                                                                    phi_2624_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1364 = phi_1637_;
+                                                                let _e1366 = phi_1638_;
+                                                                if _e1366 {
+                                                                    phi_1642_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_2624_ = _e1331;
+                                                                    phi_1642_ = _e1364;
                                                                 }
-                                                                let _e1335 = phi_2624_;
-                                                                phi_2625_ = _e1335;
+                                                                let _e1368 = phi_1642_;
+                                                                phi_1643_ = _e1368;
                                                             }
-                                                            let _e1337 = phi_2625_;
-                                                            phi_2626_ = _e1337;
-                                                            phi_2627_ = _e1207;
+                                                            let _e1370 = phi_1643_;
+                                                            phi_1644_ = _e1370;
+                                                            phi_1645_ = _e1240;
                                                         }
-                                                        let _e1339 = phi_2626_;
-                                                        let _e1341 = phi_2627_;
-                                                        phi_2631_ = _e1339;
-                                                        phi_2632_ = _e1341;
+                                                        let _e1372 = phi_1644_;
+                                                        let _e1374 = phi_1645_;
+                                                        phi_1649_ = _e1372;
+                                                        phi_1650_ = _e1374;
                                                     }
-                                                    let _e1343 = phi_2631_;
-                                                    let _e1345 = phi_2632_;
-                                                    phi_2636_ = _e1343;
-                                                    phi_2637_ = _e1345;
+                                                    let _e1376 = phi_1649_;
+                                                    let _e1378 = phi_1650_;
+                                                    phi_1654_ = _e1376;
+                                                    phi_1655_ = _e1378;
                                                 } else {
-                                                    phi_2636_ = type_27();
-                                                    phi_2637_ = true;
+                                                    phi_1654_ = type_28();
+                                                    phi_1655_ = true;
                                                 }
-                                                let _e1347 = phi_2636_;
-                                                let _e1349 = phi_2637_;
-                                                if _e1349 {
-                                                    phi_2641_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1380 = phi_1654_;
+                                                let _e1382 = phi_1655_;
+                                                if _e1382 {
+                                                    phi_1659_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2641_ = _e1347;
+                                                    phi_1659_ = _e1380;
                                                 }
-                                                let _e1351 = phi_2641_;
-                                                if (_e1351.member_3 != 4294967295u) {
-                                                    if (_e1002 != 4294967295u) {
-                                                        phi_2652_ = type_40(_e973.member, true);
+                                                let _e1384 = phi_1659_;
+                                                if (_e1384.member_3 != 4294967295u) {
+                                                    if (_e1035 != 4294967295u) {
+                                                        phi_1670_ = type_42(_e1006.member, true);
                                                     } else {
-                                                        phi_2652_ = _e973;
+                                                        phi_1670_ = _e1006;
                                                     }
-                                                    let _e1359 = phi_2652_;
-                                                    phi_2653_ = _e1359;
+                                                    let _e1392 = phi_1670_;
+                                                    phi_1671_ = _e1392;
                                                 } else {
-                                                    phi_2653_ = _e973;
+                                                    phi_1671_ = _e1006;
                                                 }
-                                                let _e1361 = phi_2653_;
-                                                phi_1930_ = _e1361;
+                                                let _e1394 = phi_1671_;
+                                                phi_948_ = _e1394;
                                             } else {
-                                                phi_1930_ = type_40();
+                                                phi_948_ = type_42();
                                             }
-                                            let _e1363 = phi_1930_;
+                                            let _e1396 = phi_948_;
                                             continue;
                                             continuing {
-                                                phi_1929_ = _e1363;
-                                                phi_1932_ = _e988;
-                                                phi_4176_ = _e492;
-                                                break if !(_e994);
+                                                phi_947_ = _e1396;
+                                                phi_950_ = _e1021;
+                                                phi_3252_ = _e496;
+                                                break if !(_e1027);
                                             }
                                         }
-                                        let _e1366 = phi_4176_;
-                                        phi_4287_ = _e1366;
-                                        if _e1366 {
+                                        let _e1399 = phi_3252_;
+                                        phi_3363_ = _e1399;
+                                        if _e1399 {
                                             break;
                                         }
-                                        let _e1368 = local_4;
-                                        phi_4291_ = _e1366;
-                                        let _e1515 = local_6;
-                                        phi_3957_ = _e1515;
-                                        phi_3958_ = _e523;
-                                        phi_3959_ = false;
-                                        phi_3960_ = select(_e527, 0u, _e1368.member_1);
+                                        let _e1401 = local_10;
+                                        phi_3367_ = _e1399;
+                                        let _e1548 = local_12;
+                                        phi_3019_ = _e1548;
+                                        phi_3020_ = _e537;
+                                        phi_3021_ = false;
+                                        phi_3022_ = select(_e541, 0u, _e1401.member_1);
                                     } else {
-                                        if (_e523.member_1 >= _e80) {
-                                            phi_3557_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_47(type_31(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e537.member_1 >= _e84) {
+                                            phi_2575_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e523.member_1 < _e80) {
+                                            if (_e537.member_1 < _e84) {
                                             } else {
-                                                phi_4287_ = true;
+                                                phi_3363_ = true;
                                                 break;
                                             }
-                                            let _e539 = ((1u + _e250) % 4u);
-                                            if (_e539 < 4u) {
-                                            } else {
-                                                phi_4287_ = true;
-                                                break;
-                                            }
-                                            let _e544 = global_4.member[_e523.member_1][_e539];
-                                            let _e546 = ((1u + _e249) % 4u);
-                                            if (_e546 < 4u) {
-                                            } else {
-                                                phi_4287_ = true;
-                                                break;
-                                            }
-                                            let _e551 = global_4.member[_e523.member_1][_e546];
-                                            let _e553 = ((1u + _e251) % 4u);
+                                            let _e553 = ((1u + _e254) % 4u);
                                             if (_e553 < 4u) {
                                             } else {
-                                                phi_4287_ = true;
+                                                phi_3363_ = true;
                                                 break;
                                             }
-                                            let _e558 = global_4.member[_e523.member_1][_e553];
-                                            let _e560 = ((_e250 + 1u) % 4u);
+                                            let _e558 = global_4.member[_e537.member_1][_e553];
+                                            let _e560 = ((1u + _e253) % 4u);
                                             if (_e560 < 4u) {
                                             } else {
-                                                phi_4287_ = true;
+                                                phi_3363_ = true;
                                                 break;
                                             }
-                                            let _e565 = global_4.member[_e523.member_1][_e560];
-                                            let _e567 = (_e565 >> bitcast<u32>(11u));
-                                            let _e569 = ((_e249 + 1u) % 4u);
-                                            if (_e569 < 4u) {
+                                            let _e565 = global_4.member[_e537.member_1][_e560];
+                                            let _e567 = ((1u + _e255) % 4u);
+                                            if (_e567 < 4u) {
                                             } else {
-                                                phi_4287_ = true;
+                                                phi_3363_ = true;
                                                 break;
                                             }
-                                            let _e574 = global_4.member[_e523.member_1][_e569];
-                                            let _e576 = (_e574 >> bitcast<u32>(11u));
-                                            let _e578 = ((_e251 + 1u) % 4u);
-                                            if (_e578 < 4u) {
+                                            let _e572 = global_4.member[_e537.member_1][_e567];
+                                            let _e574 = ((_e254 + 1u) % 4u);
+                                            if (_e574 < 4u) {
                                             } else {
-                                                phi_4287_ = true;
+                                                phi_3363_ = true;
                                                 break;
                                             }
-                                            let _e583 = global_4.member[_e523.member_1][_e578];
-                                            let _e585 = (_e583 >> bitcast<u32>(11u));
-                                            let _e608 = (bitcast<f32>((bitcast<u32>((_e523.member.member_1.x - _e523.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e609 = (bitcast<f32>((bitcast<u32>((_e523.member.member_1.y - _e523.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e610 = (bitcast<f32>((bitcast<u32>((_e523.member.member_1.z - _e523.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e612 = select(_e130, _e608, (_e608 > _e130));
-                                            let _e614 = select(_e130, _e609, (_e609 > _e130));
-                                            let _e616 = select(_e130, _e610, (_e610 > _e130));
-                                            let _e641 = bitcast<u32>((f32(bitcast<i32>((_e544 & 1023u))) * _e612));
-                                            let _e646 = (bitcast<i32>((_e544 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e649 = bitcast<f32>((_e641 & bitcast<u32>(_e646)));
-                                            let _e650 = bitcast<u32>((f32(bitcast<i32>((_e551 & 1023u))) * _e614));
-                                            let _e655 = (bitcast<i32>((_e551 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e658 = bitcast<f32>((_e650 & bitcast<u32>(_e655)));
-                                            let _e659 = bitcast<u32>((f32(bitcast<i32>((_e558 & 1023u))) * _e616));
-                                            let _e664 = (bitcast<i32>((_e558 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e667 = bitcast<f32>((_e659 & bitcast<u32>(_e664)));
-                                            let _e671 = bitcast<f32>((_e641 & bitcast<u32>(~(_e646))));
-                                            let _e675 = bitcast<f32>((_e650 & bitcast<u32>(~(_e655))));
-                                            let _e679 = bitcast<f32>((_e659 & bitcast<u32>(~(_e664))));
-                                            let _e680 = bitcast<u32>((f32(bitcast<i32>((_e567 & 1023u))) * _e612));
-                                            let _e685 = (bitcast<i32>((_e567 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e688 = bitcast<f32>((_e680 & bitcast<u32>(_e685)));
-                                            let _e689 = bitcast<u32>((f32(bitcast<i32>((_e576 & 1023u))) * _e614));
-                                            let _e694 = (bitcast<i32>((_e576 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e697 = bitcast<f32>((_e689 & bitcast<u32>(_e694)));
-                                            let _e698 = bitcast<u32>((f32(bitcast<i32>((_e585 & 1023u))) * _e616));
-                                            let _e703 = (bitcast<i32>((_e585 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e706 = bitcast<f32>((_e698 & bitcast<u32>(_e703)));
-                                            let _e710 = bitcast<f32>((_e680 & bitcast<u32>(~(_e685))));
-                                            let _e714 = bitcast<f32>((_e689 & bitcast<u32>(~(_e694))));
-                                            let _e718 = bitcast<f32>((_e698 & bitcast<u32>(~(_e703))));
-                                            let _e748 = global_4.member[_e523.member_1][0u];
-                                            let _e752 = global_4.member[_e523.member_1][1u];
-                                            let _e756 = global_4.member[_e523.member_1][2u];
-                                            let _e760 = global_4.member[_e523.member_1][3u];
-                                            let _e772 = (((_e752 >> bitcast<u32>(22i)) | ((_e756 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e760 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e773 = (_e748 & 268435455u);
-                                            let _e774 = (_e772 & 268435455u);
-                                            let _e777 = ((_e748 >> bitcast<u32>(28u)) & 7u);
-                                            let _e785 = ((_e748 >> bitcast<u32>(31i)) | (((_e772 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e786 = (_e777 != 0u);
-                                            if (_e777 == 0u) {
-                                                phi_3519_ = _e773;
+                                            let _e579 = global_4.member[_e537.member_1][_e574];
+                                            let _e581 = (_e579 >> bitcast<u32>(11u));
+                                            let _e583 = ((_e253 + 1u) % 4u);
+                                            if (_e583 < 4u) {
                                             } else {
-                                                if (_e777 == 7u) {
-                                                    phi_3518_ = 2147483648u;
-                                                } else {
-                                                    phi_3518_ = ((2147483648u | (_e777 << bitcast<u32>(28u))) | (_e774 & 268435455u));
-                                                }
-                                                let _e795 = phi_3518_;
-                                                phi_3519_ = _e795;
+                                                phi_3363_ = true;
+                                                break;
                                             }
-                                            let _e797 = phi_3519_;
-                                            if _e786 {
-                                                let _e798 = (_e777 != 7u);
-                                                if _e798 {
-                                                    phi_3529_ = (_e774 + _e777);
-                                                } else {
-                                                    phi_3529_ = u32();
-                                                }
-                                                let _e801 = phi_3529_;
-                                                phi_3531_ = _e801;
-                                                phi_3532_ = select(true, false, _e798);
+                                            let _e588 = global_4.member[_e537.member_1][_e583];
+                                            let _e590 = (_e588 >> bitcast<u32>(11u));
+                                            let _e592 = ((_e255 + 1u) % 4u);
+                                            if (_e592 < 4u) {
                                             } else {
-                                                phi_3531_ = u32();
-                                                phi_3532_ = true;
+                                                phi_3363_ = true;
+                                                break;
                                             }
-                                            let _e804 = phi_3531_;
-                                            let _e806 = phi_3532_;
-                                            if (_e785 == 0u) {
-                                                phi_3553_ = (_e773 + select(0u, 1u, !(_e786)));
+                                            let _e597 = global_4.member[_e537.member_1][_e592];
+                                            let _e599 = (_e597 >> bitcast<u32>(11u));
+                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.x - _e537.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e623 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.y - _e537.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e624 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.z - _e537.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e626 = select(_e134, _e622, (_e622 > _e134));
+                                            let _e628 = select(_e134, _e623, (_e623 > _e134));
+                                            let _e630 = select(_e134, _e624, (_e624 > _e134));
+                                            let _e655 = bitcast<u32>((f32(bitcast<i32>((_e558 & 1023u))) * _e626));
+                                            let _e660 = (bitcast<i32>((_e558 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e663 = bitcast<f32>((_e655 & bitcast<u32>(_e660)));
+                                            let _e664 = bitcast<u32>((f32(bitcast<i32>((_e565 & 1023u))) * _e628));
+                                            let _e669 = (bitcast<i32>((_e565 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e672 = bitcast<f32>((_e664 & bitcast<u32>(_e669)));
+                                            let _e673 = bitcast<u32>((f32(bitcast<i32>((_e572 & 1023u))) * _e630));
+                                            let _e678 = (bitcast<i32>((_e572 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e681 = bitcast<f32>((_e673 & bitcast<u32>(_e678)));
+                                            let _e685 = bitcast<f32>((_e655 & bitcast<u32>(~(_e660))));
+                                            let _e689 = bitcast<f32>((_e664 & bitcast<u32>(~(_e669))));
+                                            let _e693 = bitcast<f32>((_e673 & bitcast<u32>(~(_e678))));
+                                            let _e694 = bitcast<u32>((f32(bitcast<i32>((_e581 & 1023u))) * _e626));
+                                            let _e699 = (bitcast<i32>((_e581 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e702 = bitcast<f32>((_e694 & bitcast<u32>(_e699)));
+                                            let _e703 = bitcast<u32>((f32(bitcast<i32>((_e590 & 1023u))) * _e628));
+                                            let _e708 = (bitcast<i32>((_e590 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e711 = bitcast<f32>((_e703 & bitcast<u32>(_e708)));
+                                            let _e712 = bitcast<u32>((f32(bitcast<i32>((_e599 & 1023u))) * _e630));
+                                            let _e717 = (bitcast<i32>((_e599 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e720 = bitcast<f32>((_e712 & bitcast<u32>(_e717)));
+                                            let _e724 = bitcast<f32>((_e694 & bitcast<u32>(~(_e699))));
+                                            let _e728 = bitcast<f32>((_e703 & bitcast<u32>(~(_e708))));
+                                            let _e732 = bitcast<f32>((_e712 & bitcast<u32>(~(_e717))));
+                                            let _e762 = global_4.member[_e537.member_1][0u];
+                                            let _e766 = global_4.member[_e537.member_1][1u];
+                                            let _e770 = global_4.member[_e537.member_1][2u];
+                                            let _e774 = global_4.member[_e537.member_1][3u];
+                                            let _e786 = (((_e766 >> bitcast<u32>(22i)) | ((_e770 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e774 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e787 = (_e762 & 268435455u);
+                                            let _e788 = (_e786 & 268435455u);
+                                            let _e791 = ((_e762 >> bitcast<u32>(28u)) & 7u);
+                                            let _e799 = ((_e762 >> bitcast<u32>(31i)) | (((_e786 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e800 = (_e791 != 0u);
+                                            if (_e791 == 0u) {
+                                                phi_2537_ = _e787;
                                             } else {
-                                                if (_e785 == 7u) {
-                                                    phi_3552_ = 2147483648u;
+                                                if (_e791 == 7u) {
+                                                    phi_2536_ = 2147483648u;
                                                 } else {
-                                                    phi_3552_ = ((2147483648u | (_e785 << bitcast<u32>(28u))) | (select(_e804, _e774, _e806) & 268435455u));
+                                                    phi_2536_ = ((2147483648u | (_e791 << bitcast<u32>(28u))) | (_e788 & 268435455u));
                                                 }
-                                                let _e819 = phi_3552_;
-                                                phi_3553_ = _e819;
+                                                let _e809 = phi_2536_;
+                                                phi_2537_ = _e809;
                                             }
-                                            let _e821 = phi_3553_;
-                                            phi_3557_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e523.member.member.x + _e649), (_e523.member.member.x + _e671), (_e523.member.member_1.x - _e688), (_e523.member.member_1.x - _e710)), vec4<f32>((_e523.member.member.y + _e658), (_e523.member.member.y + _e675), (_e523.member.member_1.y - _e697), (_e523.member.member_1.y - _e714)), vec4<f32>((_e523.member.member.z + _e667), (_e523.member.member.z + _e679), (_e523.member.member_1.z - _e706), (_e523.member.member_1.z - _e718))), type_47(type_31((_e523.member.member + vec4<f32>(_e649, _e658, _e667, 0f)), (_e523.member.member_1 - vec4<f32>(_e688, _e697, _e706, 0f))), _e797), type_47(type_31((_e523.member.member + vec4<f32>(_e671, _e675, _e679, 0f)), (_e523.member.member_1 - vec4<f32>(_e710, _e714, _e718, 0f))), _e821));
+                                            let _e811 = phi_2537_;
+                                            if _e800 {
+                                                let _e812 = (_e791 != 7u);
+                                                if _e812 {
+                                                    phi_2547_ = (_e788 + _e791);
+                                                } else {
+                                                    phi_2547_ = u32();
+                                                }
+                                                let _e815 = phi_2547_;
+                                                phi_2549_ = _e815;
+                                                phi_2550_ = select(true, false, _e812);
+                                            } else {
+                                                phi_2549_ = u32();
+                                                phi_2550_ = true;
+                                            }
+                                            let _e818 = phi_2549_;
+                                            let _e820 = phi_2550_;
+                                            if (_e799 == 0u) {
+                                                phi_2571_ = (_e787 + select(0u, 1u, !(_e800)));
+                                            } else {
+                                                if (_e799 == 7u) {
+                                                    phi_2570_ = 2147483648u;
+                                                } else {
+                                                    phi_2570_ = ((2147483648u | (_e799 << bitcast<u32>(28u))) | (select(_e818, _e788, _e820) & 268435455u));
+                                                }
+                                                let _e833 = phi_2570_;
+                                                phi_2571_ = _e833;
+                                            }
+                                            let _e835 = phi_2571_;
+                                            phi_2575_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e537.member.member.x + _e663), (_e537.member.member.x + _e685), (_e537.member.member_1.x - _e702), (_e537.member.member_1.x - _e724)), vec4<f32>((_e537.member.member.y + _e672), (_e537.member.member.y + _e689), (_e537.member.member_1.y - _e711), (_e537.member.member_1.y - _e728)), vec4<f32>((_e537.member.member.z + _e681), (_e537.member.member.z + _e693), (_e537.member.member_1.z - _e720), (_e537.member.member_1.z - _e732))), type_49(type_32((_e537.member.member + vec4<f32>(_e663, _e672, _e681, 0f)), (_e537.member.member_1 - vec4<f32>(_e702, _e711, _e720, 0f))), _e811), type_49(type_32((_e537.member.member + vec4<f32>(_e685, _e689, _e693, 0f)), (_e537.member.member_1 - vec4<f32>(_e724, _e728, _e732, 0f))), _e835));
                                         }
-                                        let _e826 = phi_3557_;
-                                        let _e838 = ((_e826.member[0].x - _e322) * _e327);
-                                        let _e839 = ((_e826.member[0].y - _e322) * _e327);
-                                        let _e840 = ((_e826.member[0].z - _e323) * _e327);
-                                        let _e841 = ((_e826.member[0].w - _e323) * _e327);
-                                        let _e851 = ((_e826.member[1].x - _e360) * _e365);
-                                        let _e852 = ((_e826.member[1].y - _e360) * _e365);
-                                        let _e853 = ((_e826.member[1].z - _e361) * _e365);
-                                        let _e854 = ((_e826.member[1].w - _e361) * _e365);
-                                        let _e864 = ((_e826.member[2].x - _e398) * _e403);
-                                        let _e865 = ((_e826.member[2].y - _e398) * _e403);
-                                        let _e866 = ((_e826.member[2].z - _e399) * _e403);
-                                        let _e867 = ((_e826.member[2].w - _e399) * _e403);
-                                        let _e869 = select(_e866, _e864, (_e864 < _e866));
-                                        let _e871 = select(_e867, _e865, (_e865 < _e867));
-                                        let _e873 = select(_e866, _e864, (_e864 > _e866));
-                                        let _e875 = select(_e867, _e865, (_e865 > _e867));
-                                        let _e877 = select(_e840, _e838, (_e838 < _e840));
-                                        let _e879 = select(_e841, _e839, (_e839 < _e841));
-                                        let _e881 = select(_e853, _e851, (_e851 < _e853));
-                                        let _e883 = select(_e854, _e852, (_e852 < _e854));
-                                        let _e885 = select(_e881, _e877, (_e877 > _e881));
-                                        let _e887 = select(_e883, _e879, (_e879 > _e883));
-                                        let _e889 = select(_e869, _e885, (_e885 > _e869));
-                                        let _e891 = select(_e871, _e887, (_e887 > _e871));
-                                        let _e893 = select(_e840, _e838, (_e838 > _e840));
-                                        let _e895 = select(_e841, _e839, (_e839 > _e841));
-                                        let _e897 = select(_e853, _e851, (_e851 > _e853));
-                                        let _e899 = select(_e854, _e852, (_e852 > _e854));
-                                        let _e901 = select(_e897, _e893, (_e893 < _e897));
-                                        let _e903 = select(_e899, _e895, (_e895 < _e899));
-                                        let _e908 = -(_e869);
-                                        let _e909 = -(_e871);
-                                        let _e916 = (select(_e873, _e901, (_e901 < _e873)) + (select(_e908, _e873, (_e873 > _e908)) * 0.0000019073523f));
-                                        let _e917 = (select(_e875, _e903, (_e903 < _e875)) + (select(_e909, _e875, (_e875 > _e909)) * 0.0000019073523f));
-                                        let _e919 = select(_e450, _e889, (_e889 > _e450));
-                                        let _e921 = select(_e450, _e891, (_e891 > _e450));
-                                        let _e926 = (_e919 <= select(_e494.member, _e916, (_e916 < _e494.member)));
-                                        let _e927 = (_e921 <= select(_e494.member, _e917, (_e917 < _e494.member)));
-                                        let _e928 = (_e919 <= _e921);
-                                        if _e926 {
-                                            if _e927 {
-                                                if _e928 {
-                                                    phi_3901_ = _e826.member_2;
+                                        let _e840 = phi_2575_;
+                                        let _e852 = ((_e840.member[0].x - _e326) * _e331);
+                                        let _e853 = ((_e840.member[0].y - _e326) * _e331);
+                                        let _e854 = ((_e840.member[0].z - _e327) * _e331);
+                                        let _e855 = ((_e840.member[0].w - _e327) * _e331);
+                                        let _e865 = ((_e840.member[1].x - _e364) * _e369);
+                                        let _e866 = ((_e840.member[1].y - _e364) * _e369);
+                                        let _e867 = ((_e840.member[1].z - _e365) * _e369);
+                                        let _e868 = ((_e840.member[1].w - _e365) * _e369);
+                                        let _e878 = ((_e840.member[2].x - _e402) * _e407);
+                                        let _e879 = ((_e840.member[2].y - _e402) * _e407);
+                                        let _e880 = ((_e840.member[2].z - _e403) * _e407);
+                                        let _e881 = ((_e840.member[2].w - _e403) * _e407);
+                                        let _e883 = select(_e880, _e878, (_e878 < _e880));
+                                        let _e885 = select(_e881, _e879, (_e879 < _e881));
+                                        let _e887 = select(_e880, _e878, (_e878 > _e880));
+                                        let _e889 = select(_e881, _e879, (_e879 > _e881));
+                                        let _e891 = select(_e854, _e852, (_e852 < _e854));
+                                        let _e893 = select(_e855, _e853, (_e853 < _e855));
+                                        let _e895 = select(_e867, _e865, (_e865 < _e867));
+                                        let _e897 = select(_e868, _e866, (_e866 < _e868));
+                                        let _e899 = select(_e895, _e891, (_e891 > _e895));
+                                        let _e901 = select(_e897, _e893, (_e893 > _e897));
+                                        let _e903 = select(_e883, _e899, (_e899 > _e883));
+                                        let _e905 = select(_e885, _e901, (_e901 > _e885));
+                                        let _e907 = select(_e854, _e852, (_e852 > _e854));
+                                        let _e909 = select(_e855, _e853, (_e853 > _e855));
+                                        let _e911 = select(_e867, _e865, (_e865 > _e867));
+                                        let _e913 = select(_e868, _e866, (_e866 > _e868));
+                                        let _e915 = select(_e911, _e907, (_e907 < _e911));
+                                        let _e917 = select(_e913, _e909, (_e909 < _e913));
+                                        let _e922 = -(_e883);
+                                        let _e923 = -(_e885);
+                                        let _e930 = (select(_e887, _e915, (_e915 < _e887)) + (select(_e922, _e887, (_e887 > _e922)) * 0.0000019073523f));
+                                        let _e931 = (select(_e889, _e917, (_e917 < _e889)) + (select(_e923, _e889, (_e889 > _e923)) * 0.0000019073523f));
+                                        let _e933 = select(_e454, _e903, (_e903 > _e454));
+                                        let _e935 = select(_e454, _e905, (_e905 > _e454));
+                                        let _e940 = (_e933 <= select(_e498.member, _e930, (_e930 < _e498.member)));
+                                        let _e941 = (_e935 <= select(_e498.member, _e931, (_e931 < _e498.member)));
+                                        let _e942 = (_e933 <= _e935);
+                                        if _e940 {
+                                            if _e941 {
+                                                if _e942 {
+                                                    phi_2919_ = _e840.member_2;
                                                 } else {
-                                                    phi_3901_ = _e826.member_1;
+                                                    phi_2919_ = _e840.member_1;
                                                 }
-                                                let _e932 = phi_3901_;
-                                                let _e933 = (_e527 % 128u);
-                                                let _e934 = (_e933 < 128u);
-                                                if _e934 {
+                                                let _e946 = phi_2919_;
+                                                let _e968 = (_e541 % 128u);
+                                                let _e969 = (_e968 < 128u);
+                                                if _e969 {
                                                 } else {
-                                                    phi_4287_ = true;
+                                                    phi_3363_ = true;
                                                     break;
                                                 }
-                                                local_3[_e933] = type_47(type_31(_e932.member.member, _e932.member.member_1), _e932.member_1);
-                                                if _e934 {
+                                                local_8[_e968] = _e946.member_1;
+                                                if _e969 {
                                                 } else {
-                                                    phi_4287_ = true;
+                                                    phi_3363_ = true;
                                                     break;
                                                 }
-                                                local_2[_e933] = select(_e921, _e919, (_e919 > _e921));
-                                                if _e928 {
-                                                    phi_3934_ = _e826.member_1;
+                                                local_7[_e968] = _e946.member.member.x;
+                                                if _e969 {
                                                 } else {
-                                                    phi_3934_ = _e826.member_2;
+                                                    phi_3363_ = true;
+                                                    break;
                                                 }
-                                                let _e949 = phi_3934_;
-                                                phi_3935_ = _e949;
-                                                phi_3936_ = (_e527 + 1u);
+                                                local_6[_e968] = _e946.member.member.y;
+                                                if _e969 {
+                                                } else {
+                                                    phi_3363_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e968] = _e946.member.member.z;
+                                                if _e969 {
+                                                } else {
+                                                    phi_3363_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e968] = _e946.member.member_1.x;
+                                                if _e969 {
+                                                } else {
+                                                    phi_3363_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e968] = _e946.member.member_1.y;
+                                                if _e969 {
+                                                } else {
+                                                    phi_3363_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e968] = _e946.member.member_1.z;
+                                                if _e969 {
+                                                } else {
+                                                    phi_3363_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e968] = select(_e935, _e933, (_e933 > _e935));
+                                                if _e942 {
+                                                    phi_2996_ = _e840.member_1;
+                                                } else {
+                                                    phi_2996_ = _e840.member_2;
+                                                }
+                                                let _e982 = phi_2996_;
+                                                phi_2997_ = _e982;
+                                                phi_2998_ = (_e541 + 1u);
                                             } else {
-                                                phi_3935_ = type_47();
-                                                phi_3936_ = u32();
+                                                phi_2997_ = type_49();
+                                                phi_2998_ = u32();
                                             }
-                                            let _e951 = phi_3935_;
-                                            let _e953 = phi_3936_;
-                                            phi_3938_ = _e951;
-                                            phi_3939_ = _e953;
-                                            phi_3940_ = select(true, false, _e927);
+                                            let _e984 = phi_2997_;
+                                            let _e986 = phi_2998_;
+                                            phi_3000_ = _e984;
+                                            phi_3001_ = _e986;
+                                            phi_3002_ = select(true, false, _e941);
                                         } else {
-                                            phi_3938_ = type_47();
-                                            phi_3939_ = u32();
-                                            phi_3940_ = true;
+                                            phi_3000_ = type_49();
+                                            phi_3001_ = u32();
+                                            phi_3002_ = true;
                                         }
-                                        let _e956 = phi_3938_;
-                                        let _e958 = phi_3939_;
-                                        let _e960 = phi_3940_;
-                                        if _e960 {
-                                            if _e926 {
-                                                phi_3949_ = _e826.member_1;
+                                        let _e989 = phi_3000_;
+                                        let _e991 = phi_3001_;
+                                        let _e993 = phi_3002_;
+                                        if _e993 {
+                                            if _e940 {
+                                                phi_3011_ = _e840.member_1;
                                             } else {
-                                                phi_3949_ = _e826.member_2;
+                                                phi_3011_ = _e840.member_2;
                                             }
-                                            let _e964 = phi_3949_;
-                                            phi_3954_ = _e964;
-                                            phi_3955_ = select(_e927, true, _e926);
+                                            let _e997 = phi_3011_;
+                                            phi_3016_ = _e997;
+                                            phi_3017_ = select(_e941, true, _e940);
                                         } else {
-                                            phi_3954_ = _e956;
-                                            phi_3955_ = _e525;
+                                            phi_3016_ = _e989;
+                                            phi_3017_ = _e539;
                                         }
-                                        let _e967 = phi_3954_;
-                                        let _e969 = phi_3955_;
-                                        phi_4291_ = _e492;
-                                        phi_3957_ = _e494;
-                                        phi_3958_ = _e967;
-                                        phi_3959_ = _e969;
-                                        phi_3960_ = select(_e958, _e527, _e960);
+                                        let _e1000 = phi_3016_;
+                                        let _e1002 = phi_3017_;
+                                        phi_3367_ = _e496;
+                                        phi_3019_ = _e498;
+                                        phi_3020_ = _e1000;
+                                        phi_3021_ = _e1002;
+                                        phi_3022_ = select(_e991, _e541, _e993);
                                     }
-                                    let _e1372 = phi_4291_;
-                                    let _e1374 = phi_3957_;
-                                    let _e1376 = phi_3958_;
-                                    let _e1378 = phi_3959_;
-                                    let _e1380 = phi_3960_;
-                                    phi_4290_ = _e1372;
-                                    phi_3961_ = _e1374;
-                                    phi_3962_ = _e1376;
-                                    phi_3963_ = (_e498 - 1u);
-                                    phi_3964_ = _e1378;
-                                    phi_3965_ = _e1380;
+                                    let _e1405 = phi_3367_;
+                                    let _e1407 = phi_3019_;
+                                    let _e1409 = phi_3020_;
+                                    let _e1411 = phi_3021_;
+                                    let _e1413 = phi_3022_;
+                                    phi_3366_ = _e1405;
+                                    phi_3023_ = _e1407;
+                                    phi_3024_ = _e1409;
+                                    phi_3025_ = (_e502 - 1u);
+                                    phi_3026_ = _e1411;
+                                    phi_3027_ = _e1413;
                                 } else {
-                                    phi_4290_ = _e492;
-                                    phi_3961_ = _e494;
-                                    phi_3962_ = _e523;
-                                    phi_3963_ = _e498;
-                                    phi_3964_ = _e525;
-                                    phi_3965_ = _e527;
+                                    phi_3366_ = _e496;
+                                    phi_3023_ = _e498;
+                                    phi_3024_ = _e537;
+                                    phi_3025_ = _e502;
+                                    phi_3026_ = _e539;
+                                    phi_3027_ = _e541;
                                 }
-                                let _e1382 = phi_4290_;
-                                let _e1384 = phi_3961_;
-                                let _e1386 = phi_3962_;
-                                let _e1388 = phi_3963_;
-                                let _e1390 = phi_3964_;
-                                let _e1392 = phi_3965_;
-                                phi_4289_ = _e1382;
-                                phi_3966_ = _e1384;
-                                phi_3967_ = _e1386;
-                                phi_3968_ = _e1388;
-                                phi_3969_ = _e1390;
-                                phi_3970_ = _e1392;
+                                let _e1415 = phi_3366_;
+                                let _e1417 = phi_3023_;
+                                let _e1419 = phi_3024_;
+                                let _e1421 = phi_3025_;
+                                let _e1423 = phi_3026_;
+                                let _e1425 = phi_3027_;
+                                phi_3365_ = _e1415;
+                                phi_3028_ = _e1417;
+                                phi_3029_ = _e1419;
+                                phi_3030_ = _e1421;
+                                phi_3031_ = _e1423;
+                                phi_3032_ = _e1425;
                             } else {
-                                phi_4289_ = _e492;
-                                phi_3966_ = type_40();
-                                phi_3967_ = type_47();
-                                phi_3968_ = u32();
-                                phi_3969_ = bool();
-                                phi_3970_ = u32();
+                                phi_3365_ = _e496;
+                                phi_3028_ = type_42();
+                                phi_3029_ = type_49();
+                                phi_3030_ = u32();
+                                phi_3031_ = bool();
+                                phi_3032_ = u32();
                             }
-                            let _e1394 = phi_4289_;
-                            let _e1396 = phi_3966_;
-                            let _e1398 = phi_3967_;
-                            let _e1400 = phi_3968_;
-                            let _e1402 = phi_3969_;
-                            let _e1404 = phi_3970_;
-                            phi_4288_ = _e1394;
-                            phi_1853_ = _e1396;
-                            phi_1856_ = _e1398;
-                            phi_1858_ = _e1400;
-                            phi_1860_ = _e1402;
-                            phi_1862_ = _e1404;
-                            phi_3971_ = _e506;
+                            let _e1427 = phi_3365_;
+                            let _e1429 = phi_3028_;
+                            let _e1431 = phi_3029_;
+                            let _e1433 = phi_3030_;
+                            let _e1435 = phi_3031_;
+                            let _e1437 = phi_3032_;
+                            phi_3364_ = _e1427;
+                            phi_822_ = _e1429;
+                            phi_825_ = _e1431;
+                            phi_827_ = _e1433;
+                            phi_829_ = _e1435;
+                            phi_831_ = _e1437;
+                            phi_3033_ = _e510;
                         } else {
-                            phi_4288_ = _e492;
-                            phi_1853_ = type_40();
-                            phi_1856_ = type_47();
-                            phi_1858_ = u32();
-                            phi_1860_ = bool();
-                            phi_1862_ = u32();
-                            phi_3971_ = false;
+                            phi_3364_ = _e496;
+                            phi_822_ = type_42();
+                            phi_825_ = type_49();
+                            phi_827_ = u32();
+                            phi_829_ = bool();
+                            phi_831_ = u32();
+                            phi_3033_ = false;
                         }
-                        let _e1406 = phi_4288_;
-                        let _e1408 = phi_1853_;
-                        let _e1410 = phi_1856_;
-                        let _e1412 = phi_1858_;
-                        let _e1414 = phi_1860_;
-                        let _e1416 = phi_1862_;
-                        let _e1418 = phi_3971_;
+                        let _e1439 = phi_3364_;
+                        let _e1441 = phi_822_;
+                        let _e1443 = phi_825_;
+                        let _e1445 = phi_827_;
+                        let _e1447 = phi_829_;
+                        let _e1449 = phi_831_;
+                        let _e1451 = phi_3033_;
                         continue;
                         continuing {
-                            phi_4182_ = _e1406;
-                            phi_1852_ = _e1408;
-                            phi_1855_ = _e1410;
-                            phi_1857_ = _e1412;
-                            phi_1859_ = _e1414;
-                            phi_1861_ = _e1416;
-                            phi_4287_ = _e1406;
-                            break if !(_e1418);
+                            phi_3258_ = _e1439;
+                            phi_821_ = _e1441;
+                            phi_824_ = _e1443;
+                            phi_826_ = _e1445;
+                            phi_828_ = _e1447;
+                            phi_830_ = _e1449;
+                            phi_3363_ = _e1439;
+                            break if !(_e1451);
                         }
                     }
-                    let _e1421 = phi_4287_;
-                    if _e1421 {
+                    let _e1454 = phi_3363_;
+                    if _e1454 {
                         break;
                     }
-                    let _e1423 = local_5;
-                    if _e138 {
+                    let _e1456 = local_11;
+                    if _e142 {
                     } else {
                         break;
                     }
-                    global_6.member[_e136] = select(0u, 1u, _e1423.member_1);
+                    global_6.member[_e140] = select(0u, 1u, _e1456.member_1);
                 }
             }
             break;

@@ -51,13 +51,13 @@ struct type_39 {
     member_1: f32,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_45 {
+struct type_46 {
     member: array<type_27>,
 }
 
@@ -69,119 +69,119 @@ var<storage> global_2: type_33;
 @group(0) @binding(2) 
 var<storage> global_3: type_15;
 @group(0) @binding(3) 
-var<storage> global_4: type_45;
+var<storage> global_4: type_46;
 @group(0) @binding(4) 
 var<storage, read_write> global_5: type_25;
 
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_266_: i32;
     var phi_267_: i32;
-    var phi_277_: bool;
-    var phi_287_: u32;
+    var phi_268_: i32;
+    var phi_278_: bool;
     var phi_288_: u32;
-    var phi_290_: bool;
-    var phi_295_: u32;
-    var phi_307_: i32;
-    var phi_327_: i32;
-    var phi_345_: f32;
-    var phi_351_: f32;
-    var phi_362_: f32;
-    var phi_368_: f32;
-    var phi_391_: f32;
-    var phi_402_: f32;
-    var phi_411_: f32;
-    var phi_417_: f32;
-    var phi_428_: f32;
-    var phi_434_: f32;
-    var phi_457_: f32;
-    var phi_468_: f32;
-    var phi_477_: f32;
-    var phi_483_: f32;
-    var phi_494_: f32;
-    var phi_500_: f32;
-    var phi_523_: f32;
-    var phi_534_: f32;
-    var phi_634_: f32;
+    var phi_289_: u32;
+    var phi_291_: bool;
+    var phi_296_: u32;
+    var phi_308_: i32;
+    var phi_328_: i32;
+    var phi_346_: f32;
+    var phi_352_: f32;
+    var phi_363_: f32;
+    var phi_369_: f32;
+    var phi_392_: f32;
+    var phi_403_: f32;
+    var phi_412_: f32;
+    var phi_418_: f32;
+    var phi_429_: f32;
+    var phi_435_: f32;
+    var phi_458_: f32;
+    var phi_469_: f32;
+    var phi_478_: f32;
+    var phi_484_: f32;
+    var phi_495_: f32;
+    var phi_501_: f32;
+    var phi_524_: f32;
+    var phi_535_: f32;
     var phi_635_: f32;
-    var phi_2273_: bool;
-    var phi_909_: type_39;
-    var phi_912_: u32;
-    var phi_914_: u32;
-    var phi_916_: bool;
-    var phi_918_: u32;
-    var phi_929_: bool;
-    var phi_960_: u32;
-    var phi_961_: bool;
-    var phi_962_: u32;
-    var phi_1783_: type_43;
-    var phi_2127_: u32;
-    var phi_2154_: u32;
-    var phi_2155_: u32;
-    var phi_2156_: u32;
-    var phi_2158_: u32;
-    var phi_2159_: u32;
-    var phi_2160_: bool;
-    var phi_2169_: u32;
-    var phi_2174_: u32;
-    var phi_2175_: bool;
-    var phi_977_: type_39;
-    var phi_980_: type_4;
-    var phi_981_: type_4;
-    var phi_1003_: type_4;
-    var phi_1024_: u32;
-    var phi_1113_: array<array<f32, 3>, 3>;
-    var phi_1584_: vec3<f32>;
-    var phi_1585_: vec3<f32>;
-    var phi_1616_: bool;
-    var phi_1625_: vec3<f32>;
-    var phi_1665_: type_23;
-    var phi_1667_: type_23;
-    var phi_1668_: bool;
-    var phi_1672_: type_23;
-    var phi_1673_: type_23;
-    var phi_1674_: type_23;
-    var phi_1675_: bool;
-    var phi_1679_: type_23;
-    var phi_1680_: bool;
-    var phi_1684_: type_23;
-    var phi_1685_: bool;
-    var phi_1689_: type_23;
-    var phi_1714_: bool;
-    var phi_1715_: bool;
-    var phi_1721_: type_39;
-    var phi_1722_: type_39;
-    var phi_1723_: type_39;
-    var phi_978_: type_39;
-    var phi_2267_: bool;
-    var phi_2385_: bool;
-    var phi_2177_: type_39;
-    var phi_2178_: u32;
-    var phi_2179_: bool;
-    var phi_2180_: u32;
-    var phi_2384_: bool;
-    var phi_2181_: type_39;
-    var phi_2182_: u32;
-    var phi_2183_: u32;
-    var phi_2184_: bool;
-    var phi_2185_: u32;
-    var phi_2383_: bool;
-    var phi_2186_: type_39;
-    var phi_2187_: u32;
-    var phi_2188_: u32;
-    var phi_2189_: bool;
-    var phi_2190_: u32;
-    var phi_2382_: bool;
-    var phi_910_: type_39;
-    var phi_913_: u32;
-    var phi_915_: u32;
-    var phi_917_: bool;
-    var phi_919_: u32;
-    var phi_2191_: bool;
-    var phi_2381_: bool;
+    var phi_636_: f32;
+    var phi_2010_: bool;
+    var phi_647_: type_39;
+    var phi_650_: u32;
+    var phi_652_: u32;
+    var phi_654_: bool;
+    var phi_656_: u32;
+    var phi_667_: bool;
+    var phi_699_: u32;
+    var phi_700_: bool;
+    var phi_701_: u32;
+    var phi_1522_: type_44;
+    var phi_1866_: u32;
+    var phi_1894_: u32;
+    var phi_1895_: u32;
+    var phi_1896_: u32;
+    var phi_1898_: u32;
+    var phi_1899_: u32;
+    var phi_1900_: bool;
+    var phi_1909_: u32;
+    var phi_1914_: u32;
+    var phi_1915_: bool;
+    var phi_716_: type_39;
+    var phi_719_: type_4;
+    var phi_720_: type_4;
+    var phi_742_: type_4;
+    var phi_763_: u32;
+    var phi_852_: array<array<f32, 3>, 3>;
+    var phi_1323_: vec3<f32>;
+    var phi_1324_: vec3<f32>;
+    var phi_1355_: bool;
+    var phi_1364_: vec3<f32>;
+    var phi_1404_: type_23;
+    var phi_1406_: type_23;
+    var phi_1407_: bool;
+    var phi_1411_: type_23;
+    var phi_1412_: type_23;
+    var phi_1413_: type_23;
+    var phi_1414_: bool;
+    var phi_1418_: type_23;
+    var phi_1419_: bool;
+    var phi_1423_: type_23;
+    var phi_1424_: bool;
+    var phi_1428_: type_23;
+    var phi_1453_: bool;
+    var phi_1454_: bool;
+    var phi_1460_: type_39;
+    var phi_1461_: type_39;
+    var phi_1462_: type_39;
+    var phi_717_: type_39;
+    var phi_2004_: bool;
+    var phi_2122_: bool;
+    var phi_1917_: type_39;
+    var phi_1918_: u32;
+    var phi_1919_: bool;
+    var phi_1920_: u32;
+    var phi_2121_: bool;
+    var phi_1921_: type_39;
+    var phi_1922_: u32;
+    var phi_1923_: u32;
+    var phi_1924_: bool;
+    var phi_1925_: u32;
+    var phi_2120_: bool;
+    var phi_1926_: type_39;
+    var phi_1927_: u32;
+    var phi_1928_: u32;
+    var phi_1929_: bool;
+    var phi_1930_: u32;
+    var phi_2119_: bool;
+    var phi_648_: type_39;
+    var phi_651_: u32;
+    var phi_653_: u32;
+    var phi_655_: bool;
+    var phi_657_: u32;
+    var phi_1931_: bool;
+    var phi_2118_: bool;
     var local_2: type_39;
-    var phi_2243_: type_23;
+    var phi_1983_: type_23;
     var local_3: type_39;
 
     switch bitcast<i32>(0u) {
@@ -224,199 +224,199 @@ fn function_() {
                     if _e154 {
                         let _e157 = (bitcast<u32>(bitcast<f32>(_e129)) & 2147483647u);
                         if (_e157 >= 8388608u) {
-                            phi_266_ = (bitcast<i32>((_e157 >> bitcast<u32>(23i))) - 127i);
+                            phi_267_ = (bitcast<i32>((_e157 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_266_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e157)), 32u, (_e157 == 0u))));
+                            phi_267_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e157)), 32u, (_e157 == 0u))));
                         }
-                        let _e171 = phi_266_;
-                        phi_267_ = _e171;
+                        let _e171 = phi_267_;
+                        phi_268_ = _e171;
                     } else {
-                        phi_267_ = 0i;
+                        phi_268_ = 0i;
                     }
-                    let _e173 = phi_267_;
+                    let _e173 = phi_268_;
                     let _e174 = (_e90 == _e129);
                     if _e174 {
-                        phi_277_ = true;
+                        phi_278_ = true;
                     } else {
-                        phi_277_ = (_e97 == _e129);
+                        phi_278_ = (_e97 == _e129);
                     }
-                    let _e177 = phi_277_;
+                    let _e177 = phi_278_;
                     let _e178 = select(1u, 0u, _e174);
                     if _e177 {
                         let _e179 = (_e178 + 1u);
-                        phi_287_ = _e179;
                         phi_288_ = _e179;
-                        phi_290_ = select(true, false, (_e179 == 2u));
+                        phi_289_ = _e179;
+                        phi_291_ = select(true, false, (_e179 == 2u));
                     } else {
-                        phi_287_ = u32();
-                        phi_288_ = 0u;
-                        phi_290_ = true;
+                        phi_288_ = u32();
+                        phi_289_ = 0u;
+                        phi_291_ = true;
                     }
-                    let _e183 = phi_287_;
-                    let _e185 = phi_288_;
-                    let _e187 = phi_290_;
+                    let _e183 = phi_288_;
+                    let _e185 = phi_289_;
+                    let _e187 = phi_291_;
                     if _e187 {
-                        phi_295_ = (_e185 + 1u);
+                        phi_296_ = (_e185 + 1u);
                     } else {
-                        phi_295_ = 0u;
+                        phi_296_ = 0u;
                     }
-                    let _e191 = phi_295_;
+                    let _e191 = phi_296_;
                     let _e192 = select(_e183, _e185, _e187);
                     let _e193 = select(_e178, select(2u, _e178, _e177), _e187);
                     if (_e78 < -126i) {
-                        phi_307_ = -126i;
+                        phi_308_ = -126i;
                     } else {
-                        phi_307_ = select(_e78, 127i, (_e78 > 127i));
+                        phi_308_ = select(_e78, 127i, (_e78 > 127i));
                     }
-                    let _e198 = phi_307_;
+                    let _e198 = phi_308_;
                     let _e203 = bitcast<f32>((bitcast<u32>((_e198 + 127i)) << bitcast<u32>(23i)));
                     let _e209 = bitcast<f32>((bitcast<u32>(((_e78 - _e198) + 127i)) << bitcast<u32>(23i)));
                     let _e210 = -(_e173);
                     if (_e210 < -126i) {
-                        phi_327_ = -126i;
+                        phi_328_ = -126i;
                     } else {
-                        phi_327_ = select(_e210, 127i, (_e210 > 127i));
+                        phi_328_ = select(_e210, 127i, (_e210 > 127i));
                     }
-                    let _e215 = phi_327_;
+                    let _e215 = phi_328_;
                     let _e220 = bitcast<f32>((bitcast<u32>((_e215 + 127i)) << bitcast<u32>(23i)));
                     let _e226 = bitcast<f32>((bitcast<u32>(((_e210 - _e215) + 127i)) << bitcast<u32>(23i)));
                     let _e230 = global_4.member[_e74].member;
                     let _e231 = (_e192 == 0u);
                     if _e231 {
-                        phi_345_ = _e230[0];
+                        phi_346_ = _e230[0];
                     } else {
-                        phi_345_ = _e230[1];
+                        phi_346_ = _e230[1];
                     }
-                    let _e235 = phi_345_;
+                    let _e235 = phi_346_;
                     let _e236 = (_e192 == 2u);
                     if _e236 {
-                        phi_351_ = _e230[2];
+                        phi_352_ = _e230[2];
                     } else {
-                        phi_351_ = _e235;
+                        phi_352_ = _e235;
                     }
-                    let _e239 = phi_351_;
+                    let _e239 = phi_352_;
                     let _e241 = ((_e239 * _e203) * _e209);
                     let _e242 = global_4.member[_e74].member_2;
                     if _e231 {
-                        phi_362_ = _e242[0];
+                        phi_363_ = _e242[0];
                     } else {
-                        phi_362_ = _e242[1];
+                        phi_363_ = _e242[1];
                     }
-                    let _e246 = phi_362_;
+                    let _e246 = phi_363_;
                     if _e236 {
-                        phi_368_ = _e242[2];
+                        phi_369_ = _e242[2];
                     } else {
-                        phi_368_ = _e246;
+                        phi_369_ = _e246;
                     }
-                    let _e249 = phi_368_;
+                    let _e249 = phi_369_;
                     let _e251 = ((_e249 * _e220) * _e226);
                     let _e255 = (bitcast<f32>((bitcast<u32>(_e251) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e255 {
                         let _e259 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) * 0.00000011920929f);
-                        phi_391_ = select(0.00000000000011368684f, _e259, (_e259 > 0.00000000000011368684f));
+                        phi_392_ = select(0.00000000000011368684f, _e259, (_e259 > 0.00000000000011368684f));
                     } else {
-                        phi_391_ = 0f;
+                        phi_392_ = 0f;
                     }
-                    let _e263 = phi_391_;
+                    let _e263 = phi_392_;
                     let _e264 = (_e241 + _e263);
                     let _e265 = (_e241 - _e263);
                     let _e266 = select(_e251, 0f, _e255);
                     if _e255 {
-                        phi_402_ = 38685626000000000000000000f;
+                        phi_403_ = 38685626000000000000000000f;
                     } else {
-                        phi_402_ = (1f / _e251);
+                        phi_403_ = (1f / _e251);
                     }
-                    let _e269 = phi_402_;
+                    let _e269 = phi_403_;
                     let _e270 = (_e191 == 0u);
                     if _e270 {
-                        phi_411_ = _e230[0];
+                        phi_412_ = _e230[0];
                     } else {
-                        phi_411_ = _e230[1];
+                        phi_412_ = _e230[1];
                     }
-                    let _e274 = phi_411_;
+                    let _e274 = phi_412_;
                     let _e275 = (_e191 == 2u);
                     if _e275 {
-                        phi_417_ = _e230[2];
+                        phi_418_ = _e230[2];
                     } else {
-                        phi_417_ = _e274;
+                        phi_418_ = _e274;
                     }
-                    let _e278 = phi_417_;
+                    let _e278 = phi_418_;
                     let _e280 = ((_e278 * _e203) * _e209);
                     if _e270 {
-                        phi_428_ = _e242[0];
+                        phi_429_ = _e242[0];
                     } else {
-                        phi_428_ = _e242[1];
+                        phi_429_ = _e242[1];
                     }
-                    let _e284 = phi_428_;
+                    let _e284 = phi_429_;
                     if _e275 {
-                        phi_434_ = _e242[2];
+                        phi_435_ = _e242[2];
                     } else {
-                        phi_434_ = _e284;
+                        phi_435_ = _e284;
                     }
-                    let _e287 = phi_434_;
+                    let _e287 = phi_435_;
                     let _e289 = ((_e287 * _e220) * _e226);
                     let _e293 = (bitcast<f32>((bitcast<u32>(_e289) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e293 {
                         let _e297 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) * 0.00000011920929f);
-                        phi_457_ = select(0.00000000000011368684f, _e297, (_e297 > 0.00000000000011368684f));
+                        phi_458_ = select(0.00000000000011368684f, _e297, (_e297 > 0.00000000000011368684f));
                     } else {
-                        phi_457_ = 0f;
+                        phi_458_ = 0f;
                     }
-                    let _e301 = phi_457_;
+                    let _e301 = phi_458_;
                     let _e302 = (_e280 + _e301);
                     let _e303 = (_e280 - _e301);
                     let _e304 = select(_e289, 0f, _e293);
                     if _e293 {
-                        phi_468_ = 38685626000000000000000000f;
+                        phi_469_ = 38685626000000000000000000f;
                     } else {
-                        phi_468_ = (1f / _e289);
+                        phi_469_ = (1f / _e289);
                     }
-                    let _e307 = phi_468_;
+                    let _e307 = phi_469_;
                     let _e308 = (_e193 == 0u);
                     if _e308 {
-                        phi_477_ = _e230[0];
+                        phi_478_ = _e230[0];
                     } else {
-                        phi_477_ = _e230[1];
+                        phi_478_ = _e230[1];
                     }
-                    let _e312 = phi_477_;
+                    let _e312 = phi_478_;
                     let _e313 = (_e193 == 2u);
                     if _e313 {
-                        phi_483_ = _e230[2];
+                        phi_484_ = _e230[2];
                     } else {
-                        phi_483_ = _e312;
+                        phi_484_ = _e312;
                     }
-                    let _e316 = phi_483_;
+                    let _e316 = phi_484_;
                     let _e318 = ((_e316 * _e203) * _e209);
                     if _e308 {
-                        phi_494_ = _e242[0];
+                        phi_495_ = _e242[0];
                     } else {
-                        phi_494_ = _e242[1];
+                        phi_495_ = _e242[1];
                     }
-                    let _e322 = phi_494_;
+                    let _e322 = phi_495_;
                     if _e313 {
-                        phi_500_ = _e242[2];
+                        phi_501_ = _e242[2];
                     } else {
-                        phi_500_ = _e322;
+                        phi_501_ = _e322;
                     }
-                    let _e325 = phi_500_;
+                    let _e325 = phi_501_;
                     let _e327 = ((_e325 * _e220) * _e226);
                     let _e331 = (bitcast<f32>((bitcast<u32>(_e327) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e331 {
                         let _e335 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) * 0.00000011920929f);
-                        phi_523_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
+                        phi_524_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
                     } else {
-                        phi_523_ = 0f;
+                        phi_524_ = 0f;
                     }
-                    let _e339 = phi_523_;
+                    let _e339 = phi_524_;
                     let _e340 = (_e318 + _e339);
                     let _e341 = (_e318 - _e339);
                     let _e342 = select(_e327, 0f, _e331);
                     if _e331 {
-                        phi_534_ = 38685626000000000000000000f;
+                        phi_535_ = 38685626000000000000000000f;
                     } else {
-                        phi_534_ = (1f / _e327);
+                        phi_535_ = (1f / _e327);
                     }
-                    let _e345 = phi_534_;
+                    let _e345 = phi_535_;
                     let _e348 = bitcast<f32>((bitcast<u32>(_e241) & 2147483647u));
                     let _e351 = bitcast<f32>((bitcast<u32>(_e280) & 2147483647u));
                     let _e353 = select(_e351, _e348, (_e348 > _e351));
@@ -430,83 +430,83 @@ fn function_() {
                         let _e379 = select(340282350000000000000000000000000000000f, _e377, (_e377 < 340282350000000000000000000000000000000f));
                         let _e384 = (((_e148 * _e369) * _e369) * _e376);
                         let _e386 = select(340282350000000000000000000000000000000f, _e384, (_e384 < 340282350000000000000000000000000000000f));
-                        phi_634_ = select(-340282350000000000000000000000000000000f, _e386, (_e386 > -340282350000000000000000000000000000000f));
-                        phi_635_ = select(-340282350000000000000000000000000000000f, _e379, (_e379 > -340282350000000000000000000000000000000f));
+                        phi_635_ = select(-340282350000000000000000000000000000000f, _e386, (_e386 > -340282350000000000000000000000000000000f));
+                        phi_636_ = select(-340282350000000000000000000000000000000f, _e379, (_e379 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_634_ = 0f;
-                        phi_635_ = 1f;
+                        phi_635_ = 0f;
+                        phi_636_ = 1f;
                     }
-                    let _e390 = phi_634_;
-                    let _e392 = phi_635_;
+                    let _e390 = phi_635_;
+                    let _e392 = phi_636_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2273_ = false;
-                    phi_909_ = type_39(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e390);
-                    phi_912_ = select(0u, 2147483648u, (_e64 == 0u));
-                    phi_914_ = ((3u * _e64) + 1u);
-                    phi_916_ = (_e392 <= _e390);
-                    phi_918_ = 0u;
+                    phi_2010_ = false;
+                    phi_647_ = type_39(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e390);
+                    phi_650_ = select(0u, 2147483648u, (_e64 == 0u));
+                    phi_652_ = ((3u * _e64) + 1u);
+                    phi_654_ = (_e392 <= _e390);
+                    phi_656_ = 0u;
                     loop {
-                        let _e400 = phi_2273_;
-                        let _e402 = phi_909_;
-                        let _e404 = phi_912_;
-                        let _e406 = phi_914_;
-                        let _e408 = phi_916_;
-                        let _e410 = phi_918_;
+                        let _e400 = phi_2010_;
+                        let _e402 = phi_647_;
+                        let _e404 = phi_650_;
+                        let _e406 = phi_652_;
+                        let _e408 = phi_654_;
+                        let _e410 = phi_656_;
                         local_2 = _e402;
                         if _e408 {
-                            phi_929_ = true;
+                            phi_667_ = true;
                         } else {
-                            phi_929_ = (_e410 > 0u);
+                            phi_667_ = (_e410 > 0u);
                         }
-                        let _e413 = phi_929_;
+                        let _e413 = phi_667_;
                         if _e413 {
                             let _e414 = (_e406 > 0u);
                             if _e414 {
                                 if _e408 {
-                                    phi_960_ = _e404;
-                                    phi_961_ = _e408;
-                                    phi_962_ = _e410;
+                                    phi_699_ = _e404;
+                                    phi_700_ = _e408;
+                                    phi_701_ = _e410;
                                 } else {
                                     let _e415 = (_e410 - 1u);
                                     let _e416 = (_e415 % 128u);
                                     let _e417 = (_e416 < 128u);
                                     if _e417 {
                                     } else {
-                                        phi_2381_ = true;
+                                        phi_2118_ = true;
                                         break;
                                     }
                                     let _e419 = local_1[_e416];
                                     if _e417 {
                                     } else {
-                                        phi_2381_ = true;
+                                        phi_2118_ = true;
                                         break;
                                     }
                                     let _e421 = local[_e416];
-                                    phi_960_ = _e419;
-                                    phi_961_ = (_e421 <= _e402.member_1);
-                                    phi_962_ = _e415;
+                                    phi_699_ = _e419;
+                                    phi_700_ = (_e421 <= _e402.member_1);
+                                    phi_701_ = _e415;
                                 }
-                                let _e425 = phi_960_;
-                                let _e427 = phi_961_;
-                                let _e429 = phi_962_;
+                                let _e425 = phi_699_;
+                                let _e427 = phi_700_;
+                                let _e429 = phi_701_;
                                 if _e427 {
                                     if ((_e425 & 2147483648u) != 0u) {
-                                        phi_977_ = _e402;
-                                        phi_980_ = type_4(0u, ((_e425 >> bitcast<u32>(28u)) & 7u));
+                                        phi_716_ = _e402;
+                                        phi_719_ = type_4(0u, ((_e425 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e627 = phi_977_;
-                                            let _e629 = phi_980_;
+                                            let _e627 = phi_716_;
+                                            let _e629 = phi_719_;
                                             local_3 = _e627;
                                             if (_e629.member < _e629.member_1) {
-                                                phi_981_ = type_4((_e629.member + 1u), _e629.member_1);
-                                                phi_1003_ = type_4(1u, _e629.member);
+                                                phi_720_ = type_4((_e629.member + 1u), _e629.member_1);
+                                                phi_742_ = type_4(1u, _e629.member);
                                             } else {
-                                                phi_981_ = _e629;
-                                                phi_1003_ = type_4(0u, type_4().member_1);
+                                                phi_720_ = _e629;
+                                                phi_742_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e642 = phi_981_;
-                                            let _e644 = phi_1003_;
+                                            let _e642 = phi_720_;
+                                            let _e644 = phi_742_;
                                             let _e648 = (bitcast<i32>(_e644.member) != 0i);
                                             if _e648 {
                                                 let _e649 = ((_e425 & 268435455u) + _e644.member_1);
@@ -514,21 +514,21 @@ fn function_() {
                                                 if _e650 {
                                                     if _e650 {
                                                     } else {
-                                                        phi_2267_ = true;
+                                                        phi_2004_ = true;
                                                         break;
                                                     }
                                                     let _e654 = global_3.member[_e649].member_1;
-                                                    phi_1024_ = _e654;
+                                                    phi_763_ = _e654;
                                                 } else {
-                                                    phi_1024_ = 4294967295u;
+                                                    phi_763_ = 4294967295u;
                                                 }
-                                                let _e656 = phi_1024_;
+                                                let _e656 = phi_763_;
                                                 if (_e649 >= _e66) {
-                                                    phi_1113_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_852_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e650 {
                                                     } else {
-                                                        phi_2267_ = true;
+                                                        phi_2004_ = true;
                                                         break;
                                                     }
                                                     let _e658 = (_e192 % 3u);
@@ -536,67 +536,67 @@ fn function_() {
                                                     let _e660 = (_e193 % 3u);
                                                     if (_e658 < 9u) {
                                                     } else {
-                                                        phi_2267_ = true;
+                                                        phi_2004_ = true;
                                                         break;
                                                     }
                                                     let _e666 = global_3.member[_e649].member[_e658];
                                                     if (_e659 < 9u) {
                                                     } else {
-                                                        phi_2267_ = true;
+                                                        phi_2004_ = true;
                                                         break;
                                                     }
                                                     let _e672 = global_3.member[_e649].member[_e659];
                                                     if (_e660 < 9u) {
                                                     } else {
-                                                        phi_2267_ = true;
+                                                        phi_2004_ = true;
                                                         break;
                                                     }
                                                     let _e678 = global_3.member[_e649].member[_e660];
                                                     let _e680 = (3u + _e658);
                                                     if (_e680 < 9u) {
                                                     } else {
-                                                        phi_2267_ = true;
+                                                        phi_2004_ = true;
                                                         break;
                                                     }
                                                     let _e686 = global_3.member[_e649].member[_e680];
                                                     let _e687 = (3u + _e659);
                                                     if (_e687 < 9u) {
                                                     } else {
-                                                        phi_2267_ = true;
+                                                        phi_2004_ = true;
                                                         break;
                                                     }
                                                     let _e693 = global_3.member[_e649].member[_e687];
                                                     let _e694 = (3u + _e660);
                                                     if (_e694 < 9u) {
                                                     } else {
-                                                        phi_2267_ = true;
+                                                        phi_2004_ = true;
                                                         break;
                                                     }
                                                     let _e700 = global_3.member[_e649].member[_e694];
                                                     let _e702 = (6u + _e658);
                                                     if (_e702 < 9u) {
                                                     } else {
-                                                        phi_2267_ = true;
+                                                        phi_2004_ = true;
                                                         break;
                                                     }
                                                     let _e708 = global_3.member[_e649].member[_e702];
                                                     let _e709 = (6u + _e659);
                                                     if (_e709 < 9u) {
                                                     } else {
-                                                        phi_2267_ = true;
+                                                        phi_2004_ = true;
                                                         break;
                                                     }
                                                     let _e715 = global_3.member[_e649].member[_e709];
                                                     let _e716 = (6u + _e660);
                                                     if (_e716 < 9u) {
                                                     } else {
-                                                        phi_2267_ = true;
+                                                        phi_2004_ = true;
                                                         break;
                                                     }
                                                     let _e722 = global_3.member[_e649].member[_e716];
-                                                    phi_1113_ = array<array<f32, 3>, 3>(array<f32, 3>(_e666, _e672, _e678), array<f32, 3>(_e686, _e693, _e700), array<f32, 3>(_e708, _e715, _e722));
+                                                    phi_852_ = array<array<f32, 3>, 3>(array<f32, 3>(_e666, _e672, _e678), array<f32, 3>(_e686, _e693, _e700), array<f32, 3>(_e708, _e715, _e722));
                                                 }
-                                                let _e726 = phi_1113_;
+                                                let _e726 = phi_852_;
                                                 let _e734 = (_e726[0][2] - _e318);
                                                 let _e737 = (((_e726[0][0] - _e241) * _e342) - (_e734 * _e266));
                                                 let _e740 = (((_e726[0][1] - _e280) * _e342) - (_e734 * _e304));
@@ -623,8 +623,8 @@ fn function_() {
                                                     let _e796 = select(0f, _e794, (_e794 > 0f));
                                                     let _e798 = ((_e788 + _e792) + _e796);
                                                     if (_e798 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1679_ = type_23();
-                                                        phi_1680_ = true;
+                                                        phi_1418_ = type_23();
+                                                        phi_1419_ = true;
                                                     } else {
                                                         let _e801 = select(_e726[1][0], _e726[0][0], (_e726[0][0] < _e726[1][0]));
                                                         let _e805 = select(_e726[1][0], _e726[0][0], (_e726[0][0] > _e726[1][0]));
@@ -651,12 +651,12 @@ fn function_() {
                                                         let _e856 = -(_e837);
                                                         let _e862 = select(_e392, _e847, (_e847 > _e392));
                                                         if (_e862 > (_e855 + (select(_e856, _e839, (_e839 > _e856)) * 0.0000019073523f))) {
-                                                            phi_1674_ = type_23();
-                                                            phi_1675_ = true;
+                                                            phi_1413_ = type_23();
+                                                            phi_1414_ = true;
                                                         } else {
                                                             let _e864 = (_e862 > _e627.member_1);
                                                             if _e864 {
-                                                                phi_1673_ = type_23();
+                                                                phi_1412_ = type_23();
                                                             } else {
                                                                 let _e868 = (_e726[1][0] - _e726[0][0]);
                                                                 let _e869 = (_e726[1][1] - _e726[0][1]);
@@ -688,30 +688,30 @@ fn function_() {
                                                                 let _e920 = select(_e905, _e892, (_e892 > _e905));
                                                                 let _e922 = select(_e918, _e920, (_e920 > _e918));
                                                                 if (_e892 == _e922) {
-                                                                    phi_1584_ = _e875;
-                                                                    phi_1585_ = _e879;
+                                                                    phi_1323_ = _e875;
+                                                                    phi_1324_ = _e879;
                                                                 } else {
                                                                     let _e925 = vec3((_e905 == _e922));
-                                                                    phi_1584_ = select(_e871, _e879, _e925);
-                                                                    phi_1585_ = select(_e875, _e871, _e925);
+                                                                    phi_1323_ = select(_e871, _e879, _e925);
+                                                                    phi_1324_ = select(_e875, _e871, _e925);
                                                                 }
-                                                                let _e929 = phi_1584_;
-                                                                let _e931 = phi_1585_;
+                                                                let _e929 = phi_1323_;
+                                                                let _e931 = phi_1324_;
                                                                 let _e938 = ((_e929.y * _e931.z) - (_e931.y * _e929.z));
                                                                 let _e943 = ((_e929.z * _e931.x) - (_e931.z * _e929.x));
                                                                 let _e946 = ((_e929.x * _e931.y) - (_e931.x * _e929.y));
                                                                 if (_e788 >= _e792) {
-                                                                    phi_1616_ = select(true, false, (_e788 >= _e796));
+                                                                    phi_1355_ = select(true, false, (_e788 >= _e796));
                                                                 } else {
-                                                                    phi_1616_ = true;
+                                                                    phi_1355_ = true;
                                                                 }
-                                                                let _e951 = phi_1616_;
+                                                                let _e951 = phi_1355_;
                                                                 if _e951 {
-                                                                    phi_1625_ = select(vec3<f32>(_e726[2][0], _e726[2][1], _e726[2][2]), vec3<f32>(_e726[1][0], _e726[1][1], _e726[1][2]), vec3((_e792 >= _e796)));
+                                                                    phi_1364_ = select(vec3<f32>(_e726[2][0], _e726[2][1], _e726[2][2]), vec3<f32>(_e726[1][0], _e726[1][1], _e726[1][2]), vec3((_e792 >= _e796)));
                                                                 } else {
-                                                                    phi_1625_ = vec3<f32>(_e726[0][0], _e726[0][1], _e726[0][2]);
+                                                                    phi_1364_ = vec3<f32>(_e726[0][0], _e726[0][1], _e726[0][2]);
                                                                 }
-                                                                let _e956 = phi_1625_;
+                                                                let _e956 = phi_1364_;
                                                                 let _e973 = ((((_e938 * (_e956.x - _e241)) + (_e943 * (_e956.y - _e280))) + (_e946 * (_e956.z - _e318))) / (((_e938 * _e266) + (_e943 * _e304)) + (_e946 * _e342)));
                                                                 let _e975 = select(_e855, _e973, (_e973 < _e855));
                                                                 let _e977 = select(_e847, _e975, (_e975 > _e847));
@@ -719,141 +719,141 @@ fn function_() {
                                                                     let _e979 = (_e977 <= _e627.member_1);
                                                                     if _e979 {
                                                                         let _e980 = (1f / _e798);
-                                                                        phi_1665_ = type_23(_e977, (_e792 * _e980), (_e796 * _e980), _e656);
+                                                                        phi_1404_ = type_23(_e977, (_e792 * _e980), (_e796 * _e980), _e656);
                                                                     } else {
-                                                                        phi_1665_ = type_23();
+                                                                        phi_1404_ = type_23();
                                                                     }
-                                                                    let _e985 = phi_1665_;
-                                                                    phi_1667_ = _e985;
-                                                                    phi_1668_ = select(true, false, _e979);
+                                                                    let _e985 = phi_1404_;
+                                                                    phi_1406_ = _e985;
+                                                                    phi_1407_ = select(true, false, _e979);
                                                                 } else {
-                                                                    phi_1667_ = type_23();
-                                                                    phi_1668_ = true;
+                                                                    phi_1406_ = type_23();
+                                                                    phi_1407_ = true;
                                                                 }
-                                                                let _e988 = phi_1667_;
-                                                                let _e990 = phi_1668_;
+                                                                let _e988 = phi_1406_;
+                                                                let _e990 = phi_1407_;
                                                                 if _e990 {
-                                                                    phi_1672_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1411_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1672_ = _e988;
+                                                                    phi_1411_ = _e988;
                                                                 }
-                                                                let _e992 = phi_1672_;
-                                                                phi_1673_ = _e992;
+                                                                let _e992 = phi_1411_;
+                                                                phi_1412_ = _e992;
                                                             }
-                                                            let _e994 = phi_1673_;
-                                                            phi_1674_ = _e994;
-                                                            phi_1675_ = _e864;
+                                                            let _e994 = phi_1412_;
+                                                            phi_1413_ = _e994;
+                                                            phi_1414_ = _e864;
                                                         }
-                                                        let _e996 = phi_1674_;
-                                                        let _e998 = phi_1675_;
-                                                        phi_1679_ = _e996;
-                                                        phi_1680_ = _e998;
+                                                        let _e996 = phi_1413_;
+                                                        let _e998 = phi_1414_;
+                                                        phi_1418_ = _e996;
+                                                        phi_1419_ = _e998;
                                                     }
-                                                    let _e1000 = phi_1679_;
-                                                    let _e1002 = phi_1680_;
-                                                    phi_1684_ = _e1000;
-                                                    phi_1685_ = _e1002;
+                                                    let _e1000 = phi_1418_;
+                                                    let _e1002 = phi_1419_;
+                                                    phi_1423_ = _e1000;
+                                                    phi_1424_ = _e1002;
                                                 } else {
-                                                    phi_1684_ = type_23();
-                                                    phi_1685_ = true;
+                                                    phi_1423_ = type_23();
+                                                    phi_1424_ = true;
                                                 }
-                                                let _e1004 = phi_1684_;
-                                                let _e1006 = phi_1685_;
+                                                let _e1004 = phi_1423_;
+                                                let _e1006 = phi_1424_;
                                                 if _e1006 {
-                                                    phi_1689_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1428_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1689_ = _e1004;
+                                                    phi_1428_ = _e1004;
                                                 }
-                                                let _e1008 = phi_1689_;
+                                                let _e1008 = phi_1428_;
                                                 if (_e1008.member_3 != 4294967295u) {
                                                     if (_e656 != 4294967295u) {
                                                         if (_e1008.member < _e627.member.member) {
-                                                            phi_1715_ = true;
+                                                            phi_1454_ = true;
                                                         } else {
                                                             if (_e1008.member == _e627.member.member) {
-                                                                phi_1714_ = (_e1008.member_3 < _e627.member.member_3);
+                                                                phi_1453_ = (_e1008.member_3 < _e627.member.member_3);
                                                             } else {
-                                                                phi_1714_ = false;
+                                                                phi_1453_ = false;
                                                             }
-                                                            let _e1021 = phi_1714_;
-                                                            phi_1715_ = _e1021;
+                                                            let _e1021 = phi_1453_;
+                                                            phi_1454_ = _e1021;
                                                         }
-                                                        let _e1023 = phi_1715_;
+                                                        let _e1023 = phi_1454_;
                                                         if _e1023 {
-                                                            phi_1721_ = type_39(_e1008, _e1008.member);
+                                                            phi_1460_ = type_39(_e1008, _e1008.member);
                                                         } else {
-                                                            phi_1721_ = _e627;
+                                                            phi_1460_ = _e627;
                                                         }
-                                                        let _e1026 = phi_1721_;
-                                                        phi_1722_ = _e1026;
+                                                        let _e1026 = phi_1460_;
+                                                        phi_1461_ = _e1026;
                                                     } else {
-                                                        phi_1722_ = _e627;
+                                                        phi_1461_ = _e627;
                                                     }
-                                                    let _e1028 = phi_1722_;
-                                                    phi_1723_ = _e1028;
+                                                    let _e1028 = phi_1461_;
+                                                    phi_1462_ = _e1028;
                                                 } else {
-                                                    phi_1723_ = _e627;
+                                                    phi_1462_ = _e627;
                                                 }
-                                                let _e1030 = phi_1723_;
-                                                phi_978_ = _e1030;
+                                                let _e1030 = phi_1462_;
+                                                phi_717_ = _e1030;
                                             } else {
-                                                phi_978_ = type_39();
+                                                phi_717_ = type_39();
                                             }
-                                            let _e1032 = phi_978_;
+                                            let _e1032 = phi_717_;
                                             continue;
                                             continuing {
-                                                phi_977_ = _e1032;
-                                                phi_980_ = _e642;
-                                                phi_2267_ = _e400;
+                                                phi_716_ = _e1032;
+                                                phi_719_ = _e642;
+                                                phi_2004_ = _e400;
                                                 break if !(_e648);
                                             }
                                         }
-                                        let _e1035 = phi_2267_;
-                                        phi_2381_ = _e1035;
+                                        let _e1035 = phi_2004_;
+                                        phi_2118_ = _e1035;
                                         if _e1035 {
                                             break;
                                         }
-                                        phi_2385_ = _e1035;
+                                        phi_2122_ = _e1035;
                                         let _e1203 = local_3;
-                                        phi_2177_ = _e1203;
-                                        phi_2178_ = _e425;
-                                        phi_2179_ = false;
-                                        phi_2180_ = _e429;
+                                        phi_1917_ = _e1203;
+                                        phi_1918_ = _e425;
+                                        phi_1919_ = false;
+                                        phi_1920_ = _e429;
                                     } else {
                                         if (_e425 >= _e64) {
-                                            phi_1783_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1522_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e425 < _e64) {
                                             } else {
-                                                phi_2381_ = true;
+                                                phi_2118_ = true;
                                                 break;
                                             }
                                             let _e439 = (_e192 % 3u);
                                             if (_e439 < 3u) {
                                             } else {
-                                                phi_2381_ = true;
+                                                phi_2118_ = true;
                                                 break;
                                             }
                                             let _e445 = global_2.member[_e425].member[_e439];
                                             let _e451 = (_e191 % 3u);
                                             if (_e451 < 3u) {
                                             } else {
-                                                phi_2381_ = true;
+                                                phi_2118_ = true;
                                                 break;
                                             }
                                             let _e457 = global_2.member[_e425].member[_e451];
                                             let _e463 = (_e193 % 3u);
                                             if (_e463 < 3u) {
                                             } else {
-                                                phi_2381_ = true;
+                                                phi_2118_ = true;
                                                 break;
                                             }
                                             let _e469 = global_2.member[_e425].member[_e463];
                                             let _e479 = global_2.member[_e425].member_1;
                                             let _e483 = global_2.member[_e425].member_2;
-                                            phi_1783_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e445[0], _e445[1], _e445[2], _e445[3]), vec4<f32>(_e457[0], _e457[1], _e457[2], _e457[3]), vec4<f32>(_e469[0], _e469[1], _e469[2], _e469[3])), _e479, _e483);
+                                            phi_1522_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e445[0], _e445[1], _e445[2], _e445[3]), vec4<f32>(_e457[0], _e457[1], _e457[2], _e457[3]), vec4<f32>(_e469[0], _e469[1], _e469[2], _e469[3])), _e479, _e483);
                                         }
-                                        let _e486 = phi_1783_;
+                                        let _e486 = phi_1522_;
                                         let _e498 = ((_e486.member[0].x - _e264) * _e269);
                                         let _e499 = ((_e486.member[0].y - _e264) * _e269);
                                         let _e500 = ((_e486.member[0].z - _e265) * _e269);
@@ -896,152 +896,152 @@ fn function_() {
                                         if _e586 {
                                             if _e587 {
                                                 if _e588 {
-                                                    phi_2127_ = _e486.member_2;
+                                                    phi_1866_ = _e486.member_2;
                                                 } else {
-                                                    phi_2127_ = _e486.member_1;
+                                                    phi_1866_ = _e486.member_1;
                                                 }
-                                                let _e592 = phi_2127_;
-                                                let _e593 = (_e429 % 128u);
-                                                let _e594 = (_e593 < 128u);
-                                                if _e594 {
+                                                let _e592 = phi_1866_;
+                                                let _e595 = (_e429 % 128u);
+                                                let _e596 = (_e595 < 128u);
+                                                if _e596 {
                                                 } else {
-                                                    phi_2381_ = true;
+                                                    phi_2118_ = true;
                                                     break;
                                                 }
-                                                local_1[_e593] = _e592;
-                                                if _e594 {
+                                                local_1[_e595] = _e592;
+                                                if _e596 {
                                                 } else {
-                                                    phi_2381_ = true;
+                                                    phi_2118_ = true;
                                                     break;
                                                 }
-                                                local[_e593] = select(_e581, _e579, (_e579 > _e581));
+                                                local[_e595] = select(_e581, _e579, (_e579 > _e581));
                                                 if _e588 {
-                                                    phi_2154_ = _e486.member_1;
+                                                    phi_1894_ = _e486.member_1;
                                                 } else {
-                                                    phi_2154_ = _e486.member_2;
+                                                    phi_1894_ = _e486.member_2;
                                                 }
-                                                let _e603 = phi_2154_;
-                                                phi_2155_ = _e603;
-                                                phi_2156_ = (_e429 + 1u);
+                                                let _e603 = phi_1894_;
+                                                phi_1895_ = _e603;
+                                                phi_1896_ = (_e429 + 1u);
                                             } else {
-                                                phi_2155_ = u32();
-                                                phi_2156_ = u32();
+                                                phi_1895_ = u32();
+                                                phi_1896_ = u32();
                                             }
-                                            let _e605 = phi_2155_;
-                                            let _e607 = phi_2156_;
-                                            phi_2158_ = _e605;
-                                            phi_2159_ = _e607;
-                                            phi_2160_ = select(true, false, _e587);
+                                            let _e605 = phi_1895_;
+                                            let _e607 = phi_1896_;
+                                            phi_1898_ = _e605;
+                                            phi_1899_ = _e607;
+                                            phi_1900_ = select(true, false, _e587);
                                         } else {
-                                            phi_2158_ = u32();
-                                            phi_2159_ = u32();
-                                            phi_2160_ = true;
+                                            phi_1898_ = u32();
+                                            phi_1899_ = u32();
+                                            phi_1900_ = true;
                                         }
-                                        let _e610 = phi_2158_;
-                                        let _e612 = phi_2159_;
-                                        let _e614 = phi_2160_;
+                                        let _e610 = phi_1898_;
+                                        let _e612 = phi_1899_;
+                                        let _e614 = phi_1900_;
                                         if _e614 {
                                             if _e586 {
-                                                phi_2169_ = _e486.member_1;
+                                                phi_1909_ = _e486.member_1;
                                             } else {
-                                                phi_2169_ = _e486.member_2;
+                                                phi_1909_ = _e486.member_2;
                                             }
-                                            let _e618 = phi_2169_;
-                                            phi_2174_ = _e618;
-                                            phi_2175_ = select(_e587, true, _e586);
+                                            let _e618 = phi_1909_;
+                                            phi_1914_ = _e618;
+                                            phi_1915_ = select(_e587, true, _e586);
                                         } else {
-                                            phi_2174_ = _e610;
-                                            phi_2175_ = _e427;
+                                            phi_1914_ = _e610;
+                                            phi_1915_ = _e427;
                                         }
-                                        let _e621 = phi_2174_;
-                                        let _e623 = phi_2175_;
-                                        phi_2385_ = _e400;
-                                        phi_2177_ = _e402;
-                                        phi_2178_ = _e621;
-                                        phi_2179_ = _e623;
-                                        phi_2180_ = select(_e612, _e429, _e614);
+                                        let _e621 = phi_1914_;
+                                        let _e623 = phi_1915_;
+                                        phi_2122_ = _e400;
+                                        phi_1917_ = _e402;
+                                        phi_1918_ = _e621;
+                                        phi_1919_ = _e623;
+                                        phi_1920_ = select(_e612, _e429, _e614);
                                     }
-                                    let _e1037 = phi_2385_;
-                                    let _e1039 = phi_2177_;
-                                    let _e1041 = phi_2178_;
-                                    let _e1043 = phi_2179_;
-                                    let _e1045 = phi_2180_;
-                                    phi_2384_ = _e1037;
-                                    phi_2181_ = _e1039;
-                                    phi_2182_ = _e1041;
-                                    phi_2183_ = (_e406 - 1u);
-                                    phi_2184_ = _e1043;
-                                    phi_2185_ = _e1045;
+                                    let _e1037 = phi_2122_;
+                                    let _e1039 = phi_1917_;
+                                    let _e1041 = phi_1918_;
+                                    let _e1043 = phi_1919_;
+                                    let _e1045 = phi_1920_;
+                                    phi_2121_ = _e1037;
+                                    phi_1921_ = _e1039;
+                                    phi_1922_ = _e1041;
+                                    phi_1923_ = (_e406 - 1u);
+                                    phi_1924_ = _e1043;
+                                    phi_1925_ = _e1045;
                                 } else {
-                                    phi_2384_ = _e400;
-                                    phi_2181_ = _e402;
-                                    phi_2182_ = _e425;
-                                    phi_2183_ = _e406;
-                                    phi_2184_ = _e427;
-                                    phi_2185_ = _e429;
+                                    phi_2121_ = _e400;
+                                    phi_1921_ = _e402;
+                                    phi_1922_ = _e425;
+                                    phi_1923_ = _e406;
+                                    phi_1924_ = _e427;
+                                    phi_1925_ = _e429;
                                 }
-                                let _e1047 = phi_2384_;
-                                let _e1049 = phi_2181_;
-                                let _e1051 = phi_2182_;
-                                let _e1053 = phi_2183_;
-                                let _e1055 = phi_2184_;
-                                let _e1057 = phi_2185_;
-                                phi_2383_ = _e1047;
-                                phi_2186_ = _e1049;
-                                phi_2187_ = _e1051;
-                                phi_2188_ = _e1053;
-                                phi_2189_ = _e1055;
-                                phi_2190_ = _e1057;
+                                let _e1047 = phi_2121_;
+                                let _e1049 = phi_1921_;
+                                let _e1051 = phi_1922_;
+                                let _e1053 = phi_1923_;
+                                let _e1055 = phi_1924_;
+                                let _e1057 = phi_1925_;
+                                phi_2120_ = _e1047;
+                                phi_1926_ = _e1049;
+                                phi_1927_ = _e1051;
+                                phi_1928_ = _e1053;
+                                phi_1929_ = _e1055;
+                                phi_1930_ = _e1057;
                             } else {
-                                phi_2383_ = _e400;
-                                phi_2186_ = type_39();
-                                phi_2187_ = u32();
-                                phi_2188_ = u32();
-                                phi_2189_ = bool();
-                                phi_2190_ = u32();
+                                phi_2120_ = _e400;
+                                phi_1926_ = type_39();
+                                phi_1927_ = u32();
+                                phi_1928_ = u32();
+                                phi_1929_ = bool();
+                                phi_1930_ = u32();
                             }
-                            let _e1059 = phi_2383_;
-                            let _e1061 = phi_2186_;
-                            let _e1063 = phi_2187_;
-                            let _e1065 = phi_2188_;
-                            let _e1067 = phi_2189_;
-                            let _e1069 = phi_2190_;
-                            phi_2382_ = _e1059;
-                            phi_910_ = _e1061;
-                            phi_913_ = _e1063;
-                            phi_915_ = _e1065;
-                            phi_917_ = _e1067;
-                            phi_919_ = _e1069;
-                            phi_2191_ = _e414;
+                            let _e1059 = phi_2120_;
+                            let _e1061 = phi_1926_;
+                            let _e1063 = phi_1927_;
+                            let _e1065 = phi_1928_;
+                            let _e1067 = phi_1929_;
+                            let _e1069 = phi_1930_;
+                            phi_2119_ = _e1059;
+                            phi_648_ = _e1061;
+                            phi_651_ = _e1063;
+                            phi_653_ = _e1065;
+                            phi_655_ = _e1067;
+                            phi_657_ = _e1069;
+                            phi_1931_ = _e414;
                         } else {
-                            phi_2382_ = _e400;
-                            phi_910_ = type_39();
-                            phi_913_ = u32();
-                            phi_915_ = u32();
-                            phi_917_ = bool();
-                            phi_919_ = u32();
-                            phi_2191_ = false;
+                            phi_2119_ = _e400;
+                            phi_648_ = type_39();
+                            phi_651_ = u32();
+                            phi_653_ = u32();
+                            phi_655_ = bool();
+                            phi_657_ = u32();
+                            phi_1931_ = false;
                         }
-                        let _e1071 = phi_2382_;
-                        let _e1073 = phi_910_;
-                        let _e1075 = phi_913_;
-                        let _e1077 = phi_915_;
-                        let _e1079 = phi_917_;
-                        let _e1081 = phi_919_;
-                        let _e1083 = phi_2191_;
+                        let _e1071 = phi_2119_;
+                        let _e1073 = phi_648_;
+                        let _e1075 = phi_651_;
+                        let _e1077 = phi_653_;
+                        let _e1079 = phi_655_;
+                        let _e1081 = phi_657_;
+                        let _e1083 = phi_1931_;
                         continue;
                         continuing {
-                            phi_2273_ = _e1071;
-                            phi_909_ = _e1073;
-                            phi_912_ = _e1075;
-                            phi_914_ = _e1077;
-                            phi_916_ = _e1079;
-                            phi_918_ = _e1081;
-                            phi_2381_ = _e1071;
+                            phi_2010_ = _e1071;
+                            phi_647_ = _e1073;
+                            phi_650_ = _e1075;
+                            phi_652_ = _e1077;
+                            phi_654_ = _e1079;
+                            phi_656_ = _e1081;
+                            phi_2118_ = _e1071;
                             break if !(_e1083);
                         }
                     }
-                    let _e1086 = phi_2381_;
+                    let _e1086 = phi_2118_;
                     if _e1086 {
                         break;
                     }
@@ -1052,11 +1052,11 @@ fn function_() {
                         let _e1101 = bitcast<f32>((bitcast<u32>((_e1094 + 127i)) << bitcast<u32>(23i)));
                         let _e1109 = (((_e1088.member.member * _e1101) * _e1101) * bitcast<f32>((bitcast<u32>(((_e1093 - (2i * _e1094)) + 127i)) << bitcast<u32>(23i))));
                         let _e1111 = select(340282350000000000000000000000000000000f, _e1109, (_e1109 < 340282350000000000000000000000000000000f));
-                        phi_2243_ = type_23(select(-340282350000000000000000000000000000000f, _e1111, (_e1111 > -340282350000000000000000000000000000000f)), _e1088.member.member_1, _e1088.member.member_2, _e1088.member.member_3);
+                        phi_1983_ = type_23(select(-340282350000000000000000000000000000000f, _e1111, (_e1111 > -340282350000000000000000000000000000000f)), _e1088.member.member_1, _e1088.member.member_2, _e1088.member.member_3);
                     } else {
-                        phi_2243_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_1983_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1118 = phi_2243_;
+                    let _e1118 = phi_1983_;
                     if _e80 {
                     } else {
                         break;

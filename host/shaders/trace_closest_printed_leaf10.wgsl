@@ -25,46 +25,46 @@ struct type_22 {
     member_3: f32,
 }
 
-struct type_28 {
+struct type_29 {
     member: type_18,
     member_1: f32,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<type_22>,
 }
 
-struct type_34 {
+struct type_35 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_36 {
+struct type_37 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_38 {
-    member: array<type_36>,
+struct type_39 {
+    member: array<type_37>,
 }
 
-struct type_41 {
+struct type_43 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_46 {
-    member: array<type_44>,
+struct type_47 {
+    member: array<type_45>,
 }
 
-struct type_50 {
-    member: type_41,
+struct type_51 {
+    member: type_43,
     member_1: u32,
 }
 
@@ -72,1258 +72,1342 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_8;
 @group(0) @binding(1) 
-var<uniform> global_2: type_34;
+var<uniform> global_2: type_35;
 @group(0) @binding(4) 
-var<storage> global_3: type_31;
+var<storage> global_3: type_32;
 @group(0) @binding(2) 
-var<storage> global_4: type_38;
+var<storage> global_4: type_39;
 @group(0) @binding(5) 
 var<storage, read_write> global_5: type_20;
 @group(0) @binding(3) 
-var<storage> global_6: type_46;
+var<storage> global_6: type_47;
 
 fn function_() {
-    var local: array<f32, 3>;
-    var local_1: array<f32, 3>;
-    var local_2: array<f32, 3>;
-    var local_3: array<f32, 3>;
+    var local: array<f32, 128>;
+    var local_1: array<f32, 128>;
+    var local_2: array<f32, 128>;
+    var local_3: array<f32, 128>;
     var local_4: array<f32, 128>;
-    var local_5: array<type_50, 128>;
-    var local_6: array<f32, 3>;
+    var local_5: array<f32, 128>;
+    var local_6: array<u32, 128>;
     var local_7: array<f32, 3>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var local_10: array<u32, 3>;
-    var local_11: array<u32, 3>;
-    var local_12: array<u32, 3>;
-    var local_13: array<array<f32, 3>, 3>;
-    var local_14: array<u32, 3>;
+    var local_10: array<f32, 3>;
+    var local_11: array<f32, 128>;
+    var local_12: array<f32, 3>;
+    var local_13: array<f32, 3>;
+    var local_14: array<f32, 3>;
     var local_15: array<f32, 3>;
-    var local_16: array<f32, 3>;
-    var phi_343_: i32;
-    var phi_344_: i32;
-    var phi_354_: bool;
-    var phi_364_: u32;
-    var phi_365_: u32;
-    var phi_367_: bool;
-    var phi_372_: u32;
-    var phi_385_: i32;
-    var phi_405_: i32;
-    var phi_423_: f32;
-    var phi_429_: f32;
-    var phi_440_: f32;
-    var phi_446_: f32;
-    var phi_469_: f32;
-    var phi_480_: f32;
-    var phi_489_: f32;
-    var phi_495_: f32;
-    var phi_506_: f32;
-    var phi_512_: f32;
-    var phi_535_: f32;
-    var phi_546_: f32;
-    var phi_555_: f32;
-    var phi_561_: f32;
-    var phi_572_: f32;
-    var phi_578_: f32;
-    var phi_601_: f32;
-    var phi_612_: f32;
-    var phi_712_: f32;
-    var phi_713_: f32;
-    var phi_4783_: bool;
-    var phi_2841_: type_28;
-    var phi_2844_: type_50;
-    var phi_2846_: u32;
-    var phi_2848_: bool;
-    var phi_2850_: u32;
-    var phi_2861_: bool;
-    var phi_2906_: type_50;
-    var phi_2907_: bool;
-    var phi_2908_: u32;
-    var phi_3824_: type_36;
-    var phi_3833_: type_4;
-    var phi_3834_: type_4;
-    var phi_3857_: type_4;
-    var phi_4776_: bool;
-    var phi_3987_: type_4;
-    var phi_3988_: type_4;
-    var phi_4011_: type_4;
-    var phi_4836_: bool;
-    var phi_4574_: type_50;
-    var phi_4613_: type_50;
-    var phi_4614_: type_50;
-    var phi_4615_: u32;
-    var phi_4617_: type_50;
-    var phi_4618_: u32;
-    var phi_4619_: bool;
-    var phi_4626_: type_50;
-    var phi_4631_: type_50;
-    var phi_4632_: bool;
-    var phi_4853_: bool;
-    var phi_2927_: type_28;
-    var phi_2930_: type_4;
-    var phi_2931_: type_4;
-    var phi_2953_: type_4;
-    var phi_2995_: u32;
-    var phi_3019_: type_44;
-    var phi_4849_: bool;
-    var phi_3030_: type_4;
-    var phi_3031_: type_4;
-    var phi_3054_: type_4;
-    var phi_3064_: type_4;
-    var phi_3065_: type_4;
-    var phi_3088_: type_4;
-    var phi_4844_: bool;
-    var phi_4857_: bool;
-    var phi_4856_: bool;
-    var phi_3651_: vec3<f32>;
-    var phi_3652_: vec3<f32>;
-    var phi_3683_: bool;
-    var phi_3692_: vec3<f32>;
-    var phi_3732_: type_18;
-    var phi_3734_: type_18;
-    var phi_3735_: bool;
-    var phi_3739_: type_18;
-    var phi_3740_: type_18;
-    var phi_3741_: type_18;
-    var phi_3742_: bool;
-    var phi_3746_: type_18;
-    var phi_3747_: bool;
-    var phi_3751_: type_18;
-    var phi_3752_: bool;
-    var phi_3756_: type_18;
-    var phi_3781_: bool;
-    var phi_3782_: bool;
-    var phi_3788_: type_28;
-    var phi_3789_: type_28;
-    var phi_3790_: type_28;
-    var phi_4859_: bool;
-    var phi_2928_: type_28;
-    var phi_4858_: bool;
-    var phi_4921_: bool;
-    var phi_4634_: type_28;
-    var phi_4635_: type_50;
-    var phi_4636_: bool;
-    var phi_4637_: u32;
-    var phi_4920_: bool;
-    var phi_4638_: type_28;
-    var phi_4639_: type_50;
-    var phi_4640_: u32;
-    var phi_4641_: bool;
-    var phi_4642_: u32;
-    var phi_4919_: bool;
-    var phi_4643_: type_28;
-    var phi_4644_: type_50;
-    var phi_4645_: u32;
-    var phi_4646_: bool;
-    var phi_4647_: u32;
-    var phi_4918_: bool;
-    var phi_2842_: type_28;
-    var phi_2845_: type_50;
-    var phi_2847_: u32;
-    var phi_2849_: bool;
-    var phi_2851_: u32;
-    var phi_4648_: bool;
-    var phi_4917_: bool;
-    var local_17: type_28;
-    var phi_4700_: type_18;
-    var local_18: type_28;
+    var local_16: array<u32, 3>;
+    var local_17: array<u32, 3>;
+    var local_18: array<u32, 3>;
+    var local_19: array<array<f32, 3>, 3>;
+    var local_20: array<u32, 3>;
+    var local_21: array<f32, 3>;
+    var local_22: array<f32, 3>;
+    var phi_346_: i32;
+    var phi_347_: i32;
+    var phi_357_: bool;
+    var phi_367_: u32;
+    var phi_368_: u32;
+    var phi_370_: bool;
+    var phi_375_: u32;
+    var phi_388_: i32;
+    var phi_408_: i32;
+    var phi_426_: f32;
+    var phi_432_: f32;
+    var phi_443_: f32;
+    var phi_449_: f32;
+    var phi_472_: f32;
+    var phi_483_: f32;
+    var phi_492_: f32;
+    var phi_498_: f32;
+    var phi_509_: f32;
+    var phi_515_: f32;
+    var phi_538_: f32;
+    var phi_549_: f32;
+    var phi_558_: f32;
+    var phi_564_: f32;
+    var phi_575_: f32;
+    var phi_581_: f32;
+    var phi_604_: f32;
+    var phi_615_: f32;
+    var phi_715_: f32;
+    var phi_716_: f32;
+    var phi_2824_: bool;
+    var phi_789_: type_29;
+    var phi_792_: type_51;
+    var phi_794_: u32;
+    var phi_796_: bool;
+    var phi_798_: u32;
+    var phi_809_: bool;
+    var phi_895_: type_51;
+    var phi_896_: bool;
+    var phi_897_: u32;
+    var phi_1813_: type_37;
+    var phi_1822_: type_4;
+    var phi_1823_: type_4;
+    var phi_1846_: type_4;
+    var phi_2817_: bool;
+    var phi_1976_: type_4;
+    var phi_1977_: type_4;
+    var phi_2000_: type_4;
+    var phi_2877_: bool;
+    var phi_2563_: type_51;
+    var phi_2640_: type_51;
+    var phi_2641_: type_51;
+    var phi_2642_: u32;
+    var phi_2644_: type_51;
+    var phi_2645_: u32;
+    var phi_2646_: bool;
+    var phi_2653_: type_51;
+    var phi_2658_: type_51;
+    var phi_2659_: bool;
+    var phi_2894_: bool;
+    var phi_916_: type_29;
+    var phi_919_: type_4;
+    var phi_920_: type_4;
+    var phi_942_: type_4;
+    var phi_984_: u32;
+    var phi_1008_: type_45;
+    var phi_2890_: bool;
+    var phi_1019_: type_4;
+    var phi_1020_: type_4;
+    var phi_1043_: type_4;
+    var phi_1053_: type_4;
+    var phi_1054_: type_4;
+    var phi_1077_: type_4;
+    var phi_2885_: bool;
+    var phi_2898_: bool;
+    var phi_2897_: bool;
+    var phi_1640_: vec3<f32>;
+    var phi_1641_: vec3<f32>;
+    var phi_1672_: bool;
+    var phi_1681_: vec3<f32>;
+    var phi_1721_: type_18;
+    var phi_1723_: type_18;
+    var phi_1724_: bool;
+    var phi_1728_: type_18;
+    var phi_1729_: type_18;
+    var phi_1730_: type_18;
+    var phi_1731_: bool;
+    var phi_1735_: type_18;
+    var phi_1736_: bool;
+    var phi_1740_: type_18;
+    var phi_1741_: bool;
+    var phi_1745_: type_18;
+    var phi_1770_: bool;
+    var phi_1771_: bool;
+    var phi_1777_: type_29;
+    var phi_1778_: type_29;
+    var phi_1779_: type_29;
+    var phi_2900_: bool;
+    var phi_917_: type_29;
+    var phi_2899_: bool;
+    var phi_2962_: bool;
+    var phi_2661_: type_29;
+    var phi_2662_: type_51;
+    var phi_2663_: bool;
+    var phi_2664_: u32;
+    var phi_2961_: bool;
+    var phi_2665_: type_29;
+    var phi_2666_: type_51;
+    var phi_2667_: u32;
+    var phi_2668_: bool;
+    var phi_2669_: u32;
+    var phi_2960_: bool;
+    var phi_2670_: type_29;
+    var phi_2671_: type_51;
+    var phi_2672_: u32;
+    var phi_2673_: bool;
+    var phi_2674_: u32;
+    var phi_2959_: bool;
+    var phi_790_: type_29;
+    var phi_793_: type_51;
+    var phi_795_: u32;
+    var phi_797_: bool;
+    var phi_799_: u32;
+    var phi_2675_: bool;
+    var phi_2958_: bool;
+    var local_23: type_29;
+    var phi_2727_: type_18;
+    var local_24: type_29;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e83 = global;
-            let _e86 = arrayLength((&global_4.member));
-            let _e97 = global_2.member[0u][0u];
-            let _e101 = global_2.member[0u][1u];
-            let _e105 = global_2.member[0u][2u];
-            let _e109 = global_2.member[1u][0u];
-            let _e113 = global_2.member[1u][1u];
-            let _e117 = global_2.member[1u][2u];
-            let _e121 = global_2.member[1u][3u];
-            let _e124 = global_1.member[0u];
-            let _e125 = bitcast<i32>(_e124);
-            let _e135 = (_e83.x + (_e83.y * 2097152u));
-            let _e136 = (_e135 < arrayLength((&global_3.member)));
-            if _e136 {
-                let _e137 = (_e135 < arrayLength((&global_5.member)));
-                if _e137 {
-                    if _e136 {
+            let _e87 = global;
+            let _e90 = arrayLength((&global_4.member));
+            let _e101 = global_2.member[0u][0u];
+            let _e105 = global_2.member[0u][1u];
+            let _e109 = global_2.member[0u][2u];
+            let _e113 = global_2.member[1u][0u];
+            let _e117 = global_2.member[1u][1u];
+            let _e121 = global_2.member[1u][2u];
+            let _e125 = global_2.member[1u][3u];
+            let _e128 = global_1.member[0u];
+            let _e129 = bitcast<i32>(_e128);
+            let _e139 = (_e87.x + (_e87.y * 2097152u));
+            let _e140 = (_e139 < arrayLength((&global_3.member)));
+            if _e140 {
+                let _e141 = (_e139 < arrayLength((&global_5.member)));
+                if _e141 {
+                    if _e140 {
                     } else {
                         break;
                     }
-                    let _e145 = global_3.member[_e135].member_2[0u];
-                    let _e147 = (bitcast<u32>(_e145) & 2147483647u);
-                    let _e152 = global_3.member[_e135].member_2[1u];
-                    let _e154 = (bitcast<u32>(_e152) & 2147483647u);
-                    let _e159 = global_3.member[_e135].member_2[2u];
-                    let _e161 = (bitcast<u32>(_e159) & 2147483647u);
-                    let _e166 = global_3.member[_e135].member[0u];
-                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
-                    let _e173 = global_3.member[_e135].member[1u];
-                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
-                    let _e180 = global_3.member[_e135].member[2u];
-                    let _e182 = (bitcast<u32>(_e180) & 2147483647u);
-                    let _e184 = select(_e154, _e147, (_e154 < _e147));
-                    let _e186 = select(_e161, _e184, (_e161 < _e184));
-                    let _e188 = select(_e168, _e186, (_e168 < _e186));
-                    let _e190 = select(_e175, _e188, (_e175 < _e188));
-                    let _e192 = select(_e182, _e190, (_e182 < _e190));
-                    let _e196 = global_3.member[_e135].member_1;
-                    let _e198 = (bitcast<u32>(_e196) & 2147483647u);
-                    let _e205 = global_3.member[_e135].member_3;
-                    let _e211 = (((select(_e198, _e192, (_e198 < _e192)) < 2139095040u) && ((bitcast<u32>(_e205) & 2147483647u) <= 2139095040u)) && (_e186 > 0u));
-                    if _e211 {
-                        let _e214 = (bitcast<u32>(bitcast<f32>(_e186)) & 2147483647u);
-                        if (_e214 >= 8388608u) {
-                            phi_343_ = (bitcast<i32>((_e214 >> bitcast<u32>(23i))) - 127i);
+                    let _e149 = global_3.member[_e139].member_2[0u];
+                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
+                    let _e156 = global_3.member[_e139].member_2[1u];
+                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
+                    let _e163 = global_3.member[_e139].member_2[2u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_3.member[_e139].member[0u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_3.member[_e139].member[1u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e184 = global_3.member[_e139].member[2u];
+                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                    let _e188 = select(_e158, _e151, (_e158 < _e151));
+                    let _e190 = select(_e165, _e188, (_e165 < _e188));
+                    let _e192 = select(_e172, _e190, (_e172 < _e190));
+                    let _e194 = select(_e179, _e192, (_e179 < _e192));
+                    let _e196 = select(_e186, _e194, (_e186 < _e194));
+                    let _e200 = global_3.member[_e139].member_1;
+                    let _e202 = (bitcast<u32>(_e200) & 2147483647u);
+                    let _e209 = global_3.member[_e139].member_3;
+                    let _e215 = (((select(_e202, _e196, (_e202 < _e196)) < 2139095040u) && ((bitcast<u32>(_e209) & 2147483647u) <= 2139095040u)) && (_e190 > 0u));
+                    if _e215 {
+                        let _e218 = (bitcast<u32>(bitcast<f32>(_e190)) & 2147483647u);
+                        if (_e218 >= 8388608u) {
+                            phi_346_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_343_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e214)), 32u, (_e214 == 0u))));
+                            phi_346_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
                         }
-                        let _e228 = phi_343_;
-                        phi_344_ = _e228;
+                        let _e232 = phi_346_;
+                        phi_347_ = _e232;
                     } else {
-                        phi_344_ = 0i;
+                        phi_347_ = 0i;
                     }
-                    let _e230 = phi_344_;
-                    let _e231 = (_e147 == _e186);
-                    if _e231 {
-                        phi_354_ = true;
+                    let _e234 = phi_347_;
+                    let _e235 = (_e151 == _e190);
+                    if _e235 {
+                        phi_357_ = true;
                     } else {
-                        phi_354_ = (_e154 == _e186);
+                        phi_357_ = (_e158 == _e190);
                     }
-                    let _e234 = phi_354_;
-                    let _e235 = select(1u, 0u, _e231);
-                    if _e234 {
-                        let _e236 = (_e235 + 1u);
-                        phi_364_ = _e236;
-                        phi_365_ = _e236;
-                        phi_367_ = select(true, false, (_e236 == 2u));
+                    let _e238 = phi_357_;
+                    let _e239 = select(1u, 0u, _e235);
+                    if _e238 {
+                        let _e240 = (_e239 + 1u);
+                        phi_367_ = _e240;
+                        phi_368_ = _e240;
+                        phi_370_ = select(true, false, (_e240 == 2u));
                     } else {
-                        phi_364_ = u32();
-                        phi_365_ = 0u;
-                        phi_367_ = true;
+                        phi_367_ = u32();
+                        phi_368_ = 0u;
+                        phi_370_ = true;
                     }
-                    let _e240 = phi_364_;
-                    let _e242 = phi_365_;
                     let _e244 = phi_367_;
-                    if _e244 {
-                        phi_372_ = (_e242 + 1u);
+                    let _e246 = phi_368_;
+                    let _e248 = phi_370_;
+                    if _e248 {
+                        phi_375_ = (_e246 + 1u);
                     } else {
-                        phi_372_ = 0u;
+                        phi_375_ = 0u;
                     }
-                    let _e248 = phi_372_;
-                    let _e249 = select(_e240, _e242, _e244);
-                    let _e250 = select(_e235, select(2u, _e235, _e234), _e244);
-                    if (_e125 < -126i) {
-                        phi_385_ = -126i;
+                    let _e252 = phi_375_;
+                    let _e253 = select(_e244, _e246, _e248);
+                    let _e254 = select(_e239, select(2u, _e239, _e238), _e248);
+                    if (_e129 < -126i) {
+                        phi_388_ = -126i;
                     } else {
-                        phi_385_ = select(_e125, 127i, (_e125 > 127i));
+                        phi_388_ = select(_e129, 127i, (_e129 > 127i));
                     }
-                    let _e255 = phi_385_;
-                    let _e260 = bitcast<f32>((bitcast<u32>((_e255 + 127i)) << bitcast<u32>(23i)));
-                    let _e266 = bitcast<f32>((bitcast<u32>(((_e125 - _e255) + 127i)) << bitcast<u32>(23i)));
-                    let _e267 = -(_e230);
-                    if (_e267 < -126i) {
-                        phi_405_ = -126i;
+                    let _e259 = phi_388_;
+                    let _e264 = bitcast<f32>((bitcast<u32>((_e259 + 127i)) << bitcast<u32>(23i)));
+                    let _e270 = bitcast<f32>((bitcast<u32>(((_e129 - _e259) + 127i)) << bitcast<u32>(23i)));
+                    let _e271 = -(_e234);
+                    if (_e271 < -126i) {
+                        phi_408_ = -126i;
                     } else {
-                        phi_405_ = select(_e267, 127i, (_e267 > 127i));
+                        phi_408_ = select(_e271, 127i, (_e271 > 127i));
                     }
-                    let _e272 = phi_405_;
-                    let _e277 = bitcast<f32>((bitcast<u32>((_e272 + 127i)) << bitcast<u32>(23i)));
-                    let _e283 = bitcast<f32>((bitcast<u32>(((_e267 - _e272) + 127i)) << bitcast<u32>(23i)));
-                    let _e287 = global_3.member[_e135].member;
-                    let _e288 = (_e249 == 0u);
-                    if _e288 {
-                        phi_423_ = _e287[0];
+                    let _e276 = phi_408_;
+                    let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
+                    let _e287 = bitcast<f32>((bitcast<u32>(((_e271 - _e276) + 127i)) << bitcast<u32>(23i)));
+                    let _e291 = global_3.member[_e139].member;
+                    let _e292 = (_e253 == 0u);
+                    if _e292 {
+                        phi_426_ = _e291[0];
                     } else {
-                        phi_423_ = _e287[1];
+                        phi_426_ = _e291[1];
                     }
-                    let _e292 = phi_423_;
-                    let _e293 = (_e249 == 2u);
-                    if _e293 {
-                        phi_429_ = _e287[2];
+                    let _e296 = phi_426_;
+                    let _e297 = (_e253 == 2u);
+                    if _e297 {
+                        phi_432_ = _e291[2];
                     } else {
-                        phi_429_ = _e292;
+                        phi_432_ = _e296;
                     }
-                    let _e296 = phi_429_;
-                    let _e298 = ((_e296 * _e260) * _e266);
-                    let _e299 = global_3.member[_e135].member_2;
-                    if _e288 {
-                        phi_440_ = _e299[0];
+                    let _e300 = phi_432_;
+                    let _e302 = ((_e300 * _e264) * _e270);
+                    let _e303 = global_3.member[_e139].member_2;
+                    if _e292 {
+                        phi_443_ = _e303[0];
                     } else {
-                        phi_440_ = _e299[1];
+                        phi_443_ = _e303[1];
                     }
-                    let _e303 = phi_440_;
-                    if _e293 {
-                        phi_446_ = _e299[2];
+                    let _e307 = phi_443_;
+                    if _e297 {
+                        phi_449_ = _e303[2];
                     } else {
-                        phi_446_ = _e303;
+                        phi_449_ = _e307;
                     }
-                    let _e306 = phi_446_;
-                    let _e308 = ((_e306 * _e277) * _e283);
-                    let _e312 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e312 {
-                        let _e316 = (bitcast<f32>((bitcast<u32>(_e298) & 2147483647u)) * 0.00000011920929f);
-                        phi_469_ = select(0.00000000000011368684f, _e316, (_e316 > 0.00000000000011368684f));
+                    let _e310 = phi_449_;
+                    let _e312 = ((_e310 * _e281) * _e287);
+                    let _e316 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e316 {
+                        let _e320 = (bitcast<f32>((bitcast<u32>(_e302) & 2147483647u)) * 0.00000011920929f);
+                        phi_472_ = select(0.00000000000011368684f, _e320, (_e320 > 0.00000000000011368684f));
                     } else {
-                        phi_469_ = 0f;
+                        phi_472_ = 0f;
                     }
-                    let _e320 = phi_469_;
-                    let _e321 = (_e298 + _e320);
-                    let _e322 = (_e298 - _e320);
-                    let _e323 = select(_e308, 0f, _e312);
-                    if _e312 {
-                        phi_480_ = 38685626000000000000000000f;
+                    let _e324 = phi_472_;
+                    let _e325 = (_e302 + _e324);
+                    let _e326 = (_e302 - _e324);
+                    let _e327 = select(_e312, 0f, _e316);
+                    if _e316 {
+                        phi_483_ = 38685626000000000000000000f;
                     } else {
-                        phi_480_ = (1f / _e308);
+                        phi_483_ = (1f / _e312);
                     }
-                    let _e326 = phi_480_;
-                    let _e327 = (_e248 == 0u);
-                    if _e327 {
-                        phi_489_ = _e287[0];
+                    let _e330 = phi_483_;
+                    let _e331 = (_e252 == 0u);
+                    if _e331 {
+                        phi_492_ = _e291[0];
                     } else {
-                        phi_489_ = _e287[1];
+                        phi_492_ = _e291[1];
                     }
-                    let _e331 = phi_489_;
-                    let _e332 = (_e248 == 2u);
-                    if _e332 {
-                        phi_495_ = _e287[2];
+                    let _e335 = phi_492_;
+                    let _e336 = (_e252 == 2u);
+                    if _e336 {
+                        phi_498_ = _e291[2];
                     } else {
-                        phi_495_ = _e331;
+                        phi_498_ = _e335;
                     }
-                    let _e335 = phi_495_;
-                    let _e337 = ((_e335 * _e260) * _e266);
-                    if _e327 {
-                        phi_506_ = _e299[0];
+                    let _e339 = phi_498_;
+                    let _e341 = ((_e339 * _e264) * _e270);
+                    if _e331 {
+                        phi_509_ = _e303[0];
                     } else {
-                        phi_506_ = _e299[1];
+                        phi_509_ = _e303[1];
                     }
-                    let _e341 = phi_506_;
-                    if _e332 {
-                        phi_512_ = _e299[2];
+                    let _e345 = phi_509_;
+                    if _e336 {
+                        phi_515_ = _e303[2];
                     } else {
-                        phi_512_ = _e341;
+                        phi_515_ = _e345;
                     }
-                    let _e344 = phi_512_;
-                    let _e346 = ((_e344 * _e277) * _e283);
-                    let _e350 = (bitcast<f32>((bitcast<u32>(_e346) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e350 {
-                        let _e354 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) * 0.00000011920929f);
-                        phi_535_ = select(0.00000000000011368684f, _e354, (_e354 > 0.00000000000011368684f));
+                    let _e348 = phi_515_;
+                    let _e350 = ((_e348 * _e281) * _e287);
+                    let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e354 {
+                        let _e358 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) * 0.00000011920929f);
+                        phi_538_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
                     } else {
-                        phi_535_ = 0f;
+                        phi_538_ = 0f;
                     }
-                    let _e358 = phi_535_;
-                    let _e359 = (_e337 + _e358);
-                    let _e360 = (_e337 - _e358);
-                    let _e361 = select(_e346, 0f, _e350);
-                    if _e350 {
-                        phi_546_ = 38685626000000000000000000f;
+                    let _e362 = phi_538_;
+                    let _e363 = (_e341 + _e362);
+                    let _e364 = (_e341 - _e362);
+                    let _e365 = select(_e350, 0f, _e354);
+                    if _e354 {
+                        phi_549_ = 38685626000000000000000000f;
                     } else {
-                        phi_546_ = (1f / _e346);
+                        phi_549_ = (1f / _e350);
                     }
-                    let _e364 = phi_546_;
-                    let _e365 = (_e250 == 0u);
-                    if _e365 {
-                        phi_555_ = _e287[0];
+                    let _e368 = phi_549_;
+                    let _e369 = (_e254 == 0u);
+                    if _e369 {
+                        phi_558_ = _e291[0];
                     } else {
-                        phi_555_ = _e287[1];
+                        phi_558_ = _e291[1];
                     }
-                    let _e369 = phi_555_;
-                    let _e370 = (_e250 == 2u);
-                    if _e370 {
-                        phi_561_ = _e287[2];
+                    let _e373 = phi_558_;
+                    let _e374 = (_e254 == 2u);
+                    if _e374 {
+                        phi_564_ = _e291[2];
                     } else {
-                        phi_561_ = _e369;
+                        phi_564_ = _e373;
                     }
-                    let _e373 = phi_561_;
-                    let _e375 = ((_e373 * _e260) * _e266);
-                    if _e365 {
-                        phi_572_ = _e299[0];
+                    let _e377 = phi_564_;
+                    let _e379 = ((_e377 * _e264) * _e270);
+                    if _e369 {
+                        phi_575_ = _e303[0];
                     } else {
-                        phi_572_ = _e299[1];
+                        phi_575_ = _e303[1];
                     }
-                    let _e379 = phi_572_;
-                    if _e370 {
-                        phi_578_ = _e299[2];
+                    let _e383 = phi_575_;
+                    if _e374 {
+                        phi_581_ = _e303[2];
                     } else {
-                        phi_578_ = _e379;
+                        phi_581_ = _e383;
                     }
-                    let _e382 = phi_578_;
-                    let _e384 = ((_e382 * _e277) * _e283);
-                    let _e388 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e388 {
-                        let _e392 = (bitcast<f32>((bitcast<u32>(_e375) & 2147483647u)) * 0.00000011920929f);
-                        phi_601_ = select(0.00000000000011368684f, _e392, (_e392 > 0.00000000000011368684f));
+                    let _e386 = phi_581_;
+                    let _e388 = ((_e386 * _e281) * _e287);
+                    let _e392 = (bitcast<f32>((bitcast<u32>(_e388) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e392 {
+                        let _e396 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
+                        phi_604_ = select(0.00000000000011368684f, _e396, (_e396 > 0.00000000000011368684f));
                     } else {
-                        phi_601_ = 0f;
+                        phi_604_ = 0f;
                     }
-                    let _e396 = phi_601_;
-                    let _e397 = (_e375 + _e396);
-                    let _e398 = (_e375 - _e396);
-                    let _e399 = select(_e384, 0f, _e388);
-                    if _e388 {
-                        phi_612_ = 38685626000000000000000000f;
+                    let _e400 = phi_604_;
+                    let _e401 = (_e379 + _e400);
+                    let _e402 = (_e379 - _e400);
+                    let _e403 = select(_e388, 0f, _e392);
+                    if _e392 {
+                        phi_615_ = 38685626000000000000000000f;
                     } else {
-                        phi_612_ = (1f / _e384);
+                        phi_615_ = (1f / _e388);
                     }
-                    let _e402 = phi_612_;
-                    let _e405 = bitcast<f32>((bitcast<u32>(_e298) & 2147483647u));
-                    let _e408 = bitcast<f32>((bitcast<u32>(_e337) & 2147483647u));
-                    let _e410 = select(_e408, _e405, (_e405 > _e408));
-                    let _e413 = bitcast<f32>((bitcast<u32>(_e375) & 2147483647u));
-                    let _e416 = (_e125 + _e230);
-                    if (_e211 && (select(_e413, _e410, (_e410 > _e413)) <= 1099511600000f)) {
-                        let _e419 = (_e416 / 3i);
-                        let _e426 = bitcast<f32>((bitcast<u32>((_e419 + 127i)) << bitcast<u32>(23i)));
-                        let _e433 = bitcast<f32>((bitcast<u32>(((_e416 - (2i * _e419)) + 127i)) << bitcast<u32>(23i)));
-                        let _e434 = (((_e196 * _e426) * _e426) * _e433);
-                        let _e436 = select(340282350000000000000000000000000000000f, _e434, (_e434 < 340282350000000000000000000000000000000f));
-                        let _e441 = (((_e205 * _e426) * _e426) * _e433);
-                        let _e443 = select(340282350000000000000000000000000000000f, _e441, (_e441 < 340282350000000000000000000000000000000f));
-                        phi_712_ = select(-340282350000000000000000000000000000000f, _e443, (_e443 > -340282350000000000000000000000000000000f));
-                        phi_713_ = select(-340282350000000000000000000000000000000f, _e436, (_e436 > -340282350000000000000000000000000000000f));
+                    let _e406 = phi_615_;
+                    let _e409 = bitcast<f32>((bitcast<u32>(_e302) & 2147483647u));
+                    let _e412 = bitcast<f32>((bitcast<u32>(_e341) & 2147483647u));
+                    let _e414 = select(_e412, _e409, (_e409 > _e412));
+                    let _e417 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
+                    let _e420 = (_e129 + _e234);
+                    if (_e215 && (select(_e417, _e414, (_e414 > _e417)) <= 1099511600000f)) {
+                        let _e423 = (_e420 / 3i);
+                        let _e430 = bitcast<f32>((bitcast<u32>((_e423 + 127i)) << bitcast<u32>(23i)));
+                        let _e437 = bitcast<f32>((bitcast<u32>(((_e420 - (2i * _e423)) + 127i)) << bitcast<u32>(23i)));
+                        let _e438 = (((_e200 * _e430) * _e430) * _e437);
+                        let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
+                        let _e445 = (((_e209 * _e430) * _e430) * _e437);
+                        let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
+                        phi_715_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
+                        phi_716_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_712_ = 0f;
-                        phi_713_ = 1f;
+                        phi_715_ = 0f;
+                        phi_716_ = 1f;
                     }
-                    let _e447 = phi_712_;
-                    let _e449 = phi_713_;
-                    local_5 = array<type_50, 128>(type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_50(type_41(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u));
+                    let _e451 = phi_715_;
+                    let _e453 = phi_716_;
+                    local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_16 = array<f32, 3>(bitcast<f32>(_e97), bitcast<f32>(_e101), bitcast<f32>(_e105));
-                    let _e454 = (_e249 % 3u);
-                    let _e455 = (_e454 < 3u);
-                    if _e455 {
-                    } else {
-                        break;
-                    }
-                    let _e457 = local_16[_e454];
-                    let _e458 = (_e248 % 3u);
+                    local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_11 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_22 = array<f32, 3>(bitcast<f32>(_e101), bitcast<f32>(_e105), bitcast<f32>(_e109));
+                    let _e458 = (_e253 % 3u);
                     let _e459 = (_e458 < 3u);
                     if _e459 {
                     } else {
                         break;
                     }
-                    let _e461 = local_16[_e458];
-                    let _e462 = (_e250 % 3u);
+                    let _e461 = local_22[_e458];
+                    let _e462 = (_e252 % 3u);
                     let _e463 = (_e462 < 3u);
                     if _e463 {
                     } else {
                         break;
                     }
-                    let _e465 = local_16[_e462];
-                    local_15 = array<f32, 3>(bitcast<f32>(_e109), bitcast<f32>(_e113), bitcast<f32>(_e117));
-                    if _e455 {
+                    let _e465 = local_22[_e462];
+                    let _e466 = (_e254 % 3u);
+                    let _e467 = (_e466 < 3u);
+                    if _e467 {
                     } else {
                         break;
                     }
-                    let _e469 = local_15[_e454];
+                    let _e469 = local_22[_e466];
+                    local_21 = array<f32, 3>(bitcast<f32>(_e113), bitcast<f32>(_e117), bitcast<f32>(_e121));
                     if _e459 {
                     } else {
                         break;
                     }
-                    let _e471 = local_15[_e458];
+                    let _e473 = local_21[_e458];
                     if _e463 {
                     } else {
                         break;
                     }
-                    let _e473 = local_15[_e462];
-                    phi_4783_ = false;
-                    phi_2841_ = type_28(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e447);
-                    phi_2844_ = type_50(type_41(array<f32, 3>(_e457, _e461, _e465), array<f32, 3>(_e469, _e471, _e473)), select(0u, 2147483648u, (_e86 == 0u)));
-                    phi_2846_ = ((3u * _e86) + 1u);
-                    phi_2848_ = (_e449 <= _e447);
-                    phi_2850_ = 0u;
+                    let _e475 = local_21[_e462];
+                    if _e467 {
+                    } else {
+                        break;
+                    }
+                    let _e477 = local_21[_e466];
+                    phi_2824_ = false;
+                    phi_789_ = type_29(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e451);
+                    phi_792_ = type_51(type_43(array<f32, 3>(_e461, _e465, _e469), array<f32, 3>(_e473, _e475, _e477)), select(0u, 2147483648u, (_e90 == 0u)));
+                    phi_794_ = ((3u * _e90) + 1u);
+                    phi_796_ = (_e453 <= _e451);
+                    phi_798_ = 0u;
                     loop {
-                        let _e481 = phi_4783_;
-                        let _e483 = phi_2841_;
-                        let _e485 = phi_2844_;
-                        let _e487 = phi_2846_;
-                        let _e489 = phi_2848_;
-                        let _e491 = phi_2850_;
-                        local_17 = _e483;
-                        if _e489 {
-                            phi_2861_ = true;
+                        let _e485 = phi_2824_;
+                        let _e487 = phi_789_;
+                        let _e489 = phi_792_;
+                        let _e491 = phi_794_;
+                        let _e493 = phi_796_;
+                        let _e495 = phi_798_;
+                        local_23 = _e487;
+                        if _e493 {
+                            phi_809_ = true;
                         } else {
-                            phi_2861_ = (_e491 > 0u);
+                            phi_809_ = (_e495 > 0u);
                         }
-                        let _e494 = phi_2861_;
-                        if _e494 {
-                            let _e495 = (_e487 > 0u);
-                            if _e495 {
-                                if _e489 {
-                                    phi_2906_ = _e485;
-                                    phi_2907_ = _e489;
-                                    phi_2908_ = _e491;
+                        let _e498 = phi_809_;
+                        if _e498 {
+                            let _e499 = (_e491 > 0u);
+                            if _e499 {
+                                if _e493 {
+                                    phi_895_ = _e489;
+                                    phi_896_ = _e493;
+                                    phi_897_ = _e495;
                                 } else {
-                                    let _e496 = (_e491 - 1u);
-                                    let _e497 = (_e496 % 128u);
-                                    let _e498 = (_e497 < 128u);
-                                    if _e498 {
+                                    let _e500 = (_e495 - 1u);
+                                    let _e501 = (_e500 % 128u);
+                                    let _e502 = (_e501 < 128u);
+                                    if _e502 {
                                     } else {
-                                        phi_4917_ = true;
+                                        phi_2958_ = true;
                                         break;
                                     }
-                                    let _e500 = local_5[_e497];
-                                    if _e498 {
+                                    let _e504 = local_6[_e501];
+                                    if _e502 {
                                     } else {
-                                        phi_4917_ = true;
+                                        phi_2958_ = true;
                                         break;
                                     }
-                                    let _e516 = local_4[_e497];
-                                    phi_2906_ = type_50(type_41(array<f32, 3>(_e500.member.member[0], _e500.member.member[1], _e500.member.member[2]), array<f32, 3>(_e500.member.member_1[0], _e500.member.member_1[1], _e500.member.member_1[2])), _e500.member_1);
-                                    phi_2907_ = (_e516 <= _e483.member_1);
-                                    phi_2908_ = _e496;
+                                    let _e506 = local_5[_e501];
+                                    if _e502 {
+                                    } else {
+                                        phi_2958_ = true;
+                                        break;
+                                    }
+                                    let _e508 = local_4[_e501];
+                                    if _e502 {
+                                    } else {
+                                        phi_2958_ = true;
+                                        break;
+                                    }
+                                    let _e510 = local_3[_e501];
+                                    if _e502 {
+                                    } else {
+                                        phi_2958_ = true;
+                                        break;
+                                    }
+                                    let _e513 = local_2[_e501];
+                                    if _e502 {
+                                    } else {
+                                        phi_2958_ = true;
+                                        break;
+                                    }
+                                    let _e515 = local_1[_e501];
+                                    if _e502 {
+                                    } else {
+                                        phi_2958_ = true;
+                                        break;
+                                    }
+                                    let _e517 = local[_e501];
+                                    if _e502 {
+                                    } else {
+                                        phi_2958_ = true;
+                                        break;
+                                    }
+                                    let _e522 = local_11[_e501];
+                                    phi_895_ = type_51(type_43(array<f32, 3>(_e506, _e508, _e510), array<f32, 3>(_e513, _e515, _e517)), _e504);
+                                    phi_896_ = (_e522 <= _e487.member_1);
+                                    phi_897_ = _e500;
                                 }
-                                let _e520 = phi_2906_;
-                                let _e522 = phi_2907_;
-                                let _e524 = phi_2908_;
-                                if _e522 {
-                                    if ((_e520.member_1 & 2147483648u) != 0u) {
-                                        phi_4853_ = _e481;
-                                        phi_2927_ = _e483;
-                                        phi_2930_ = type_4(0u, ((_e520.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e526 = phi_895_;
+                                let _e528 = phi_896_;
+                                let _e530 = phi_897_;
+                                if _e528 {
+                                    if ((_e526.member_1 & 2147483648u) != 0u) {
+                                        phi_2894_ = _e485;
+                                        phi_916_ = _e487;
+                                        phi_919_ = type_4(0u, ((_e526.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e846 = phi_4853_;
-                                            let _e848 = phi_2927_;
-                                            let _e850 = phi_2930_;
-                                            local_18 = _e848;
-                                            if (_e850.member < _e850.member_1) {
-                                                phi_2931_ = type_4((_e850.member + 1u), _e850.member_1);
-                                                phi_2953_ = type_4(1u, _e850.member);
+                                            let _e855 = phi_2894_;
+                                            let _e857 = phi_916_;
+                                            let _e859 = phi_919_;
+                                            local_24 = _e857;
+                                            if (_e859.member < _e859.member_1) {
+                                                phi_920_ = type_4((_e859.member + 1u), _e859.member_1);
+                                                phi_942_ = type_4(1u, _e859.member);
                                             } else {
-                                                phi_2931_ = _e850;
-                                                phi_2953_ = type_4(0u, type_4().member_1);
+                                                phi_920_ = _e859;
+                                                phi_942_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e863 = phi_2931_;
-                                            let _e865 = phi_2953_;
-                                            let _e869 = (bitcast<i32>(_e865.member) != 0i);
-                                            if _e869 {
-                                                local_1 = array<f32, 3>(_e520.member.member[0], _e520.member.member[1], _e520.member.member[2]);
-                                                local = array<f32, 3>(_e520.member.member_1[0], _e520.member.member_1[1], _e520.member.member_1[2]);
-                                                let _e880 = ((_e520.member_1 & 268435455u) + _e865.member_1);
-                                                let _e881 = (_e880 < arrayLength((&global_6.member)));
-                                                if _e881 {
-                                                    if _e881 {
+                                            let _e872 = phi_920_;
+                                            let _e874 = phi_942_;
+                                            let _e878 = (bitcast<i32>(_e874.member) != 0i);
+                                            if _e878 {
+                                                local_8 = array<f32, 3>(_e526.member.member[0], _e526.member.member[1], _e526.member.member[2]);
+                                                local_7 = array<f32, 3>(_e526.member.member_1[0], _e526.member.member_1[1], _e526.member.member_1[2]);
+                                                let _e889 = ((_e526.member_1 & 268435455u) + _e874.member_1);
+                                                let _e890 = (_e889 < arrayLength((&global_6.member)));
+                                                if _e890 {
+                                                    if _e890 {
                                                     } else {
-                                                        phi_4858_ = true;
+                                                        phi_2899_ = true;
                                                         break;
                                                     }
-                                                    let _e884 = global_6.member[_e880].member_1;
-                                                    phi_2995_ = _e884;
+                                                    let _e893 = global_6.member[_e889].member_1;
+                                                    phi_984_ = _e893;
                                                 } else {
-                                                    phi_2995_ = 4294967295u;
+                                                    phi_984_ = 4294967295u;
                                                 }
-                                                let _e886 = phi_2995_;
-                                                local_12 = array<u32, 3>(_e249, _e248, _e250);
-                                                if _e881 {
-                                                    if _e881 {
+                                                let _e895 = phi_984_;
+                                                local_18 = array<u32, 3>(_e253, _e252, _e254);
+                                                if _e890 {
+                                                    if _e890 {
                                                     } else {
-                                                        phi_4858_ = true;
+                                                        phi_2899_ = true;
                                                         break;
                                                     }
-                                                    let _e889 = global_6.member[_e880];
-                                                    phi_3019_ = _e889;
+                                                    let _e898 = global_6.member[_e889];
+                                                    phi_1008_ = _e898;
                                                 } else {
-                                                    phi_3019_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1008_ = type_45(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e891 = phi_3019_;
-                                                local_14 = array<u32, 3>(_e891.member[0], _e891.member[1], _e891.member[2]);
-                                                local_13[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_13[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_13[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_4849_ = _e846;
-                                                phi_3030_ = type_4(0u, 3u);
+                                                let _e900 = phi_1008_;
+                                                local_20 = array<u32, 3>(_e900.member[0], _e900.member[1], _e900.member[2]);
+                                                local_19[0u] = array<f32, 3>(0f, 0f, 0f);
+                                                local_19[1u] = array<f32, 3>(0f, 0f, 0f);
+                                                local_19[2u] = array<f32, 3>(0f, 0f, 0f);
+                                                phi_2890_ = _e855;
+                                                phi_1019_ = type_4(0u, 3u);
                                                 loop {
-                                                    let _e901 = phi_4849_;
-                                                    let _e903 = phi_3030_;
-                                                    if (_e903.member < _e903.member_1) {
-                                                        phi_3031_ = type_4((_e903.member + 1u), _e903.member_1);
-                                                        phi_3054_ = type_4(1u, _e903.member);
+                                                    let _e910 = phi_2890_;
+                                                    let _e912 = phi_1019_;
+                                                    if (_e912.member < _e912.member_1) {
+                                                        phi_1020_ = type_4((_e912.member + 1u), _e912.member_1);
+                                                        phi_1043_ = type_4(1u, _e912.member);
                                                     } else {
-                                                        phi_3031_ = _e903;
-                                                        phi_3054_ = type_4(0u, type_4().member_1);
+                                                        phi_1020_ = _e912;
+                                                        phi_1043_ = type_4(0u, type_4().member_1);
                                                     }
-                                                    let _e916 = phi_3031_;
-                                                    let _e918 = phi_3054_;
-                                                    let _e922 = (bitcast<i32>(_e918.member) != 0i);
-                                                    if _e922 {
-                                                        phi_3064_ = type_4(0u, 3u);
+                                                    let _e925 = phi_1020_;
+                                                    let _e927 = phi_1043_;
+                                                    let _e931 = (bitcast<i32>(_e927.member) != 0i);
+                                                    if _e931 {
+                                                        phi_1053_ = type_4(0u, 3u);
                                                         loop {
-                                                            let _e924 = phi_3064_;
-                                                            if (_e924.member < _e924.member_1) {
-                                                                phi_3065_ = type_4((_e924.member + 1u), _e924.member_1);
-                                                                phi_3088_ = type_4(1u, _e924.member);
+                                                            let _e933 = phi_1053_;
+                                                            if (_e933.member < _e933.member_1) {
+                                                                phi_1054_ = type_4((_e933.member + 1u), _e933.member_1);
+                                                                phi_1077_ = type_4(1u, _e933.member);
                                                             } else {
-                                                                phi_3065_ = _e924;
-                                                                phi_3088_ = type_4(0u, type_4().member_1);
+                                                                phi_1054_ = _e933;
+                                                                phi_1077_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e937 = phi_3065_;
-                                                            let _e939 = phi_3088_;
-                                                            let _e943 = (bitcast<i32>(_e939.member) != 0i);
-                                                            if _e943 {
-                                                                let _e944 = (_e918.member_1 < 3u);
-                                                                if _e944 {
+                                                            let _e946 = phi_1054_;
+                                                            let _e948 = phi_1077_;
+                                                            let _e952 = (bitcast<i32>(_e948.member) != 0i);
+                                                            if _e952 {
+                                                                let _e953 = (_e927.member_1 < 3u);
+                                                                if _e953 {
                                                                 } else {
-                                                                    phi_4844_ = true;
+                                                                    phi_2885_ = true;
                                                                     break;
                                                                 }
-                                                                let _e946 = local_14[_e918.member_1];
-                                                                let _e947 = (_e939.member_1 < 3u);
-                                                                if _e947 {
+                                                                let _e955 = local_20[_e927.member_1];
+                                                                let _e956 = (_e948.member_1 < 3u);
+                                                                if _e956 {
                                                                 } else {
-                                                                    phi_4844_ = true;
+                                                                    phi_2885_ = true;
                                                                     break;
                                                                 }
-                                                                let _e949 = local_12[_e939.member_1];
-                                                                let _e954 = ((_e946 >> bitcast<u32>(((10u * _e949) & 31u))) & 1023u);
-                                                                if _e947 {
+                                                                let _e958 = local_18[_e948.member_1];
+                                                                let _e963 = ((_e955 >> bitcast<u32>(((10u * _e958) & 31u))) & 1023u);
+                                                                if _e956 {
                                                                 } else {
-                                                                    phi_4844_ = true;
+                                                                    phi_2885_ = true;
                                                                     break;
                                                                 }
-                                                                let _e956 = local_1[_e939.member_1];
-                                                                if _e947 {
+                                                                let _e965 = local_8[_e948.member_1];
+                                                                if _e956 {
                                                                 } else {
-                                                                    phi_4844_ = true;
+                                                                    phi_2885_ = true;
                                                                     break;
                                                                 }
-                                                                let _e958 = local[_e939.member_1];
-                                                                let _e969 = (_e956 + bitcast<f32>((bitcast<u32>((f32(_e954) * bitcast<f32>((bitcast<u32>(((_e958 - _e956) * 0.0009775171f)) ^ _e121)))) ^ _e121)));
-                                                                if _e944 {
+                                                                let _e967 = local_7[_e948.member_1];
+                                                                let _e978 = (_e965 + bitcast<f32>((bitcast<u32>((f32(_e963) * bitcast<f32>((bitcast<u32>(((_e967 - _e965) * 0.0009775171f)) ^ _e125)))) ^ _e125)));
+                                                                if _e953 {
                                                                 } else {
-                                                                    phi_4844_ = true;
+                                                                    phi_2885_ = true;
                                                                     break;
                                                                 }
-                                                                if _e947 {
+                                                                if _e956 {
                                                                 } else {
-                                                                    phi_4844_ = true;
+                                                                    phi_2885_ = true;
                                                                     break;
                                                                 }
-                                                                local_13[_e918.member_1][_e939.member_1] = select(select(_e958, _e969, (_e969 < _e958)), _e958, (_e954 == 1023u));
+                                                                local_19[_e927.member_1][_e948.member_1] = select(select(_e967, _e978, (_e978 < _e967)), _e967, (_e963 == 1023u));
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_3064_ = _e937;
-                                                                phi_4844_ = _e901;
-                                                                break if !(_e943);
+                                                                phi_1053_ = _e946;
+                                                                phi_2885_ = _e910;
+                                                                break if !(_e952);
                                                             }
                                                         }
-                                                        let _e978 = phi_4844_;
-                                                        phi_4856_ = _e978;
-                                                        if _e978 {
+                                                        let _e987 = phi_2885_;
+                                                        phi_2897_ = _e987;
+                                                        if _e987 {
                                                             break;
                                                         }
-                                                        phi_4857_ = _e978;
+                                                        phi_2898_ = _e987;
                                                     } else {
-                                                        phi_4857_ = _e901;
+                                                        phi_2898_ = _e910;
                                                     }
-                                                    let _e980 = phi_4857_;
+                                                    let _e989 = phi_2898_;
                                                     continue;
                                                     continuing {
-                                                        phi_4849_ = _e980;
-                                                        phi_3030_ = _e916;
-                                                        phi_4856_ = _e980;
-                                                        break if !(_e922);
+                                                        phi_2890_ = _e989;
+                                                        phi_1019_ = _e925;
+                                                        phi_2897_ = _e989;
+                                                        break if !(_e931);
                                                     }
                                                 }
-                                                let _e983 = phi_4856_;
-                                                phi_4858_ = _e983;
-                                                if _e983 {
+                                                let _e992 = phi_2897_;
+                                                phi_2899_ = _e992;
+                                                if _e992 {
                                                     break;
                                                 }
-                                                let _e984 = local_13;
-                                                let _e1000 = (_e984[0][2] - _e375);
-                                                let _e1003 = (((_e984[0][0] - _e298) * _e399) - (_e1000 * _e323));
-                                                let _e1006 = (((_e984[0][1] - _e337) * _e399) - (_e1000 * _e361));
-                                                let _e1009 = (_e984[1][2] - _e375);
-                                                let _e1012 = (((_e984[1][0] - _e298) * _e399) - (_e1009 * _e323));
-                                                let _e1015 = (((_e984[1][1] - _e337) * _e399) - (_e1009 * _e361));
-                                                let _e1018 = (_e984[2][2] - _e375);
-                                                let _e1021 = (((_e984[2][0] - _e298) * _e399) - (_e1018 * _e323));
-                                                let _e1024 = (((_e984[2][1] - _e337) * _e399) - (_e1018 * _e361));
-                                                let _e1025 = (_e1021 * _e1015);
-                                                let _e1026 = (_e1024 * _e1012);
-                                                let _e1027 = (_e1003 * _e1024);
-                                                let _e1028 = (_e1006 * _e1021);
-                                                let _e1029 = (_e1012 * _e1006);
-                                                let _e1030 = (_e1015 * _e1003);
-                                                let _e1035 = (((_e1025 >= _e1026) && (_e1027 >= _e1028)) && (_e1029 >= _e1030));
-                                                if (_e1035 || (((_e1025 <= _e1026) && (_e1027 <= _e1028)) && (_e1029 <= _e1030))) {
-                                                    let _e1042 = select(-1f, 1f, _e1035);
-                                                    let _e1044 = ((_e1025 - _e1026) * _e1042);
-                                                    let _e1046 = select(0f, _e1044, (_e1044 > 0f));
-                                                    let _e1048 = ((_e1027 - _e1028) * _e1042);
-                                                    let _e1050 = select(0f, _e1048, (_e1048 > 0f));
-                                                    let _e1052 = ((_e1029 - _e1030) * _e1042);
-                                                    let _e1054 = select(0f, _e1052, (_e1052 > 0f));
-                                                    let _e1056 = ((_e1046 + _e1050) + _e1054);
-                                                    if (_e1056 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_3746_ = type_18();
-                                                        phi_3747_ = true;
+                                                let _e993 = local_19;
+                                                let _e1009 = (_e993[0][2] - _e379);
+                                                let _e1012 = (((_e993[0][0] - _e302) * _e403) - (_e1009 * _e327));
+                                                let _e1015 = (((_e993[0][1] - _e341) * _e403) - (_e1009 * _e365));
+                                                let _e1018 = (_e993[1][2] - _e379);
+                                                let _e1021 = (((_e993[1][0] - _e302) * _e403) - (_e1018 * _e327));
+                                                let _e1024 = (((_e993[1][1] - _e341) * _e403) - (_e1018 * _e365));
+                                                let _e1027 = (_e993[2][2] - _e379);
+                                                let _e1030 = (((_e993[2][0] - _e302) * _e403) - (_e1027 * _e327));
+                                                let _e1033 = (((_e993[2][1] - _e341) * _e403) - (_e1027 * _e365));
+                                                let _e1034 = (_e1030 * _e1024);
+                                                let _e1035 = (_e1033 * _e1021);
+                                                let _e1036 = (_e1012 * _e1033);
+                                                let _e1037 = (_e1015 * _e1030);
+                                                let _e1038 = (_e1021 * _e1015);
+                                                let _e1039 = (_e1024 * _e1012);
+                                                let _e1044 = (((_e1034 >= _e1035) && (_e1036 >= _e1037)) && (_e1038 >= _e1039));
+                                                if (_e1044 || (((_e1034 <= _e1035) && (_e1036 <= _e1037)) && (_e1038 <= _e1039))) {
+                                                    let _e1051 = select(-1f, 1f, _e1044);
+                                                    let _e1053 = ((_e1034 - _e1035) * _e1051);
+                                                    let _e1055 = select(0f, _e1053, (_e1053 > 0f));
+                                                    let _e1057 = ((_e1036 - _e1037) * _e1051);
+                                                    let _e1059 = select(0f, _e1057, (_e1057 > 0f));
+                                                    let _e1061 = ((_e1038 - _e1039) * _e1051);
+                                                    let _e1063 = select(0f, _e1061, (_e1061 > 0f));
+                                                    let _e1065 = ((_e1055 + _e1059) + _e1063);
+                                                    if (_e1065 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1735_ = type_18();
+                                                        phi_1736_ = true;
                                                     } else {
-                                                        let _e1059 = select(_e984[1][0], _e984[0][0], (_e984[0][0] < _e984[1][0]));
-                                                        let _e1063 = select(_e984[1][0], _e984[0][0], (_e984[0][0] > _e984[1][0]));
-                                                        let _e1067 = select(_e984[1][1], _e984[0][1], (_e984[0][1] < _e984[1][1]));
-                                                        let _e1071 = select(_e984[1][1], _e984[0][1], (_e984[0][1] > _e984[1][1]));
-                                                        let _e1075 = select(_e984[1][2], _e984[0][2], (_e984[0][2] < _e984[1][2]));
-                                                        let _e1079 = select(_e984[1][2], _e984[0][2], (_e984[0][2] > _e984[1][2]));
-                                                        let _e1084 = ((select(_e984[2][0], _e1059, (_e1059 < _e984[2][0])) - _e321) * _e326);
-                                                        let _e1085 = ((select(_e984[2][0], _e1063, (_e1063 > _e984[2][0])) - _e322) * _e326);
-                                                        let _e1088 = ((select(_e984[2][1], _e1067, (_e1067 < _e984[2][1])) - _e359) * _e364);
-                                                        let _e1089 = ((select(_e984[2][1], _e1071, (_e1071 > _e984[2][1])) - _e360) * _e364);
-                                                        let _e1092 = ((select(_e984[2][2], _e1075, (_e1075 < _e984[2][2])) - _e397) * _e402);
-                                                        let _e1093 = ((select(_e984[2][2], _e1079, (_e1079 > _e984[2][2])) - _e398) * _e402);
-                                                        let _e1095 = select(_e1093, _e1092, (_e1092 < _e1093));
-                                                        let _e1097 = select(_e1093, _e1092, (_e1092 > _e1093));
-                                                        let _e1099 = select(_e1085, _e1084, (_e1084 < _e1085));
-                                                        let _e1101 = select(_e1089, _e1088, (_e1088 < _e1089));
-                                                        let _e1103 = select(_e1101, _e1099, (_e1099 > _e1101));
-                                                        let _e1105 = select(_e1095, _e1103, (_e1103 > _e1095));
-                                                        let _e1107 = select(_e1085, _e1084, (_e1084 > _e1085));
-                                                        let _e1109 = select(_e1089, _e1088, (_e1088 > _e1089));
-                                                        let _e1111 = select(_e1109, _e1107, (_e1107 < _e1109));
-                                                        let _e1113 = select(_e1097, _e1111, (_e1111 < _e1097));
-                                                        let _e1114 = -(_e1095);
-                                                        let _e1120 = select(_e449, _e1105, (_e1105 > _e449));
-                                                        if (_e1120 > (_e1113 + (select(_e1114, _e1097, (_e1097 > _e1114)) * 0.0000019073523f))) {
-                                                            phi_3741_ = type_18();
-                                                            phi_3742_ = true;
+                                                        let _e1068 = select(_e993[1][0], _e993[0][0], (_e993[0][0] < _e993[1][0]));
+                                                        let _e1072 = select(_e993[1][0], _e993[0][0], (_e993[0][0] > _e993[1][0]));
+                                                        let _e1076 = select(_e993[1][1], _e993[0][1], (_e993[0][1] < _e993[1][1]));
+                                                        let _e1080 = select(_e993[1][1], _e993[0][1], (_e993[0][1] > _e993[1][1]));
+                                                        let _e1084 = select(_e993[1][2], _e993[0][2], (_e993[0][2] < _e993[1][2]));
+                                                        let _e1088 = select(_e993[1][2], _e993[0][2], (_e993[0][2] > _e993[1][2]));
+                                                        let _e1093 = ((select(_e993[2][0], _e1068, (_e1068 < _e993[2][0])) - _e325) * _e330);
+                                                        let _e1094 = ((select(_e993[2][0], _e1072, (_e1072 > _e993[2][0])) - _e326) * _e330);
+                                                        let _e1097 = ((select(_e993[2][1], _e1076, (_e1076 < _e993[2][1])) - _e363) * _e368);
+                                                        let _e1098 = ((select(_e993[2][1], _e1080, (_e1080 > _e993[2][1])) - _e364) * _e368);
+                                                        let _e1101 = ((select(_e993[2][2], _e1084, (_e1084 < _e993[2][2])) - _e401) * _e406);
+                                                        let _e1102 = ((select(_e993[2][2], _e1088, (_e1088 > _e993[2][2])) - _e402) * _e406);
+                                                        let _e1104 = select(_e1102, _e1101, (_e1101 < _e1102));
+                                                        let _e1106 = select(_e1102, _e1101, (_e1101 > _e1102));
+                                                        let _e1108 = select(_e1094, _e1093, (_e1093 < _e1094));
+                                                        let _e1110 = select(_e1098, _e1097, (_e1097 < _e1098));
+                                                        let _e1112 = select(_e1110, _e1108, (_e1108 > _e1110));
+                                                        let _e1114 = select(_e1104, _e1112, (_e1112 > _e1104));
+                                                        let _e1116 = select(_e1094, _e1093, (_e1093 > _e1094));
+                                                        let _e1118 = select(_e1098, _e1097, (_e1097 > _e1098));
+                                                        let _e1120 = select(_e1118, _e1116, (_e1116 < _e1118));
+                                                        let _e1122 = select(_e1106, _e1120, (_e1120 < _e1106));
+                                                        let _e1123 = -(_e1104);
+                                                        let _e1129 = select(_e453, _e1114, (_e1114 > _e453));
+                                                        if (_e1129 > (_e1122 + (select(_e1123, _e1106, (_e1106 > _e1123)) * 0.0000019073523f))) {
+                                                            phi_1730_ = type_18();
+                                                            phi_1731_ = true;
                                                         } else {
-                                                            let _e1122 = (_e1120 > _e848.member_1);
-                                                            if _e1122 {
-                                                                phi_3740_ = type_18();
+                                                            let _e1131 = (_e1129 > _e857.member_1);
+                                                            if _e1131 {
+                                                                phi_1729_ = type_18();
                                                             } else {
-                                                                let _e1126 = (_e984[1][0] - _e984[0][0]);
-                                                                let _e1127 = (_e984[1][1] - _e984[0][1]);
-                                                                let _e1128 = (_e984[1][2] - _e984[0][2]);
-                                                                let _e1129 = vec3<f32>(_e1126, _e1127, _e1128);
-                                                                let _e1130 = (_e984[2][0] - _e984[1][0]);
-                                                                let _e1131 = (_e984[2][1] - _e984[1][1]);
-                                                                let _e1132 = (_e984[2][2] - _e984[1][2]);
-                                                                let _e1133 = vec3<f32>(_e1130, _e1131, _e1132);
-                                                                let _e1134 = (_e984[0][0] - _e984[2][0]);
-                                                                let _e1135 = (_e984[0][1] - _e984[2][1]);
-                                                                let _e1136 = (_e984[0][2] - _e984[2][2]);
-                                                                let _e1137 = vec3<f32>(_e1134, _e1135, _e1136);
-                                                                let _e1140 = bitcast<f32>((bitcast<u32>(_e1126) & 2147483647u));
-                                                                let _e1143 = bitcast<f32>((bitcast<u32>(_e1127) & 2147483647u));
-                                                                let _e1145 = select(_e1143, _e1140, (_e1140 > _e1143));
-                                                                let _e1148 = bitcast<f32>((bitcast<u32>(_e1128) & 2147483647u));
-                                                                let _e1150 = select(_e1148, _e1145, (_e1145 > _e1148));
-                                                                let _e1153 = bitcast<f32>((bitcast<u32>(_e1130) & 2147483647u));
-                                                                let _e1156 = bitcast<f32>((bitcast<u32>(_e1131) & 2147483647u));
-                                                                let _e1158 = select(_e1156, _e1153, (_e1153 > _e1156));
-                                                                let _e1161 = bitcast<f32>((bitcast<u32>(_e1132) & 2147483647u));
-                                                                let _e1163 = select(_e1161, _e1158, (_e1158 > _e1161));
-                                                                let _e1166 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
-                                                                let _e1169 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
-                                                                let _e1171 = select(_e1169, _e1166, (_e1166 > _e1169));
-                                                                let _e1174 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
-                                                                let _e1176 = select(_e1174, _e1171, (_e1171 > _e1174));
-                                                                let _e1178 = select(_e1163, _e1150, (_e1150 > _e1163));
-                                                                let _e1180 = select(_e1176, _e1178, (_e1178 > _e1176));
-                                                                if (_e1150 == _e1180) {
-                                                                    phi_3651_ = _e1133;
-                                                                    phi_3652_ = _e1137;
+                                                                let _e1135 = (_e993[1][0] - _e993[0][0]);
+                                                                let _e1136 = (_e993[1][1] - _e993[0][1]);
+                                                                let _e1137 = (_e993[1][2] - _e993[0][2]);
+                                                                let _e1138 = vec3<f32>(_e1135, _e1136, _e1137);
+                                                                let _e1139 = (_e993[2][0] - _e993[1][0]);
+                                                                let _e1140 = (_e993[2][1] - _e993[1][1]);
+                                                                let _e1141 = (_e993[2][2] - _e993[1][2]);
+                                                                let _e1142 = vec3<f32>(_e1139, _e1140, _e1141);
+                                                                let _e1143 = (_e993[0][0] - _e993[2][0]);
+                                                                let _e1144 = (_e993[0][1] - _e993[2][1]);
+                                                                let _e1145 = (_e993[0][2] - _e993[2][2]);
+                                                                let _e1146 = vec3<f32>(_e1143, _e1144, _e1145);
+                                                                let _e1149 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
+                                                                let _e1152 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
+                                                                let _e1154 = select(_e1152, _e1149, (_e1149 > _e1152));
+                                                                let _e1157 = bitcast<f32>((bitcast<u32>(_e1137) & 2147483647u));
+                                                                let _e1159 = select(_e1157, _e1154, (_e1154 > _e1157));
+                                                                let _e1162 = bitcast<f32>((bitcast<u32>(_e1139) & 2147483647u));
+                                                                let _e1165 = bitcast<f32>((bitcast<u32>(_e1140) & 2147483647u));
+                                                                let _e1167 = select(_e1165, _e1162, (_e1162 > _e1165));
+                                                                let _e1170 = bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u));
+                                                                let _e1172 = select(_e1170, _e1167, (_e1167 > _e1170));
+                                                                let _e1175 = bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u));
+                                                                let _e1178 = bitcast<f32>((bitcast<u32>(_e1144) & 2147483647u));
+                                                                let _e1180 = select(_e1178, _e1175, (_e1175 > _e1178));
+                                                                let _e1183 = bitcast<f32>((bitcast<u32>(_e1145) & 2147483647u));
+                                                                let _e1185 = select(_e1183, _e1180, (_e1180 > _e1183));
+                                                                let _e1187 = select(_e1172, _e1159, (_e1159 > _e1172));
+                                                                let _e1189 = select(_e1185, _e1187, (_e1187 > _e1185));
+                                                                if (_e1159 == _e1189) {
+                                                                    phi_1640_ = _e1142;
+                                                                    phi_1641_ = _e1146;
                                                                 } else {
-                                                                    let _e1183 = vec3((_e1163 == _e1180));
-                                                                    phi_3651_ = select(_e1129, _e1137, _e1183);
-                                                                    phi_3652_ = select(_e1133, _e1129, _e1183);
+                                                                    let _e1192 = vec3((_e1172 == _e1189));
+                                                                    phi_1640_ = select(_e1138, _e1146, _e1192);
+                                                                    phi_1641_ = select(_e1142, _e1138, _e1192);
                                                                 }
-                                                                let _e1187 = phi_3651_;
-                                                                let _e1189 = phi_3652_;
-                                                                let _e1196 = ((_e1187.y * _e1189.z) - (_e1189.y * _e1187.z));
-                                                                let _e1201 = ((_e1187.z * _e1189.x) - (_e1189.z * _e1187.x));
-                                                                let _e1204 = ((_e1187.x * _e1189.y) - (_e1189.x * _e1187.y));
-                                                                if (_e1046 >= _e1050) {
-                                                                    phi_3683_ = select(true, false, (_e1046 >= _e1054));
+                                                                let _e1196 = phi_1640_;
+                                                                let _e1198 = phi_1641_;
+                                                                let _e1205 = ((_e1196.y * _e1198.z) - (_e1198.y * _e1196.z));
+                                                                let _e1210 = ((_e1196.z * _e1198.x) - (_e1198.z * _e1196.x));
+                                                                let _e1213 = ((_e1196.x * _e1198.y) - (_e1198.x * _e1196.y));
+                                                                if (_e1055 >= _e1059) {
+                                                                    phi_1672_ = select(true, false, (_e1055 >= _e1063));
                                                                 } else {
-                                                                    phi_3683_ = true;
+                                                                    phi_1672_ = true;
                                                                 }
-                                                                let _e1209 = phi_3683_;
-                                                                if _e1209 {
-                                                                    phi_3692_ = select(vec3<f32>(_e984[2][0], _e984[2][1], _e984[2][2]), vec3<f32>(_e984[1][0], _e984[1][1], _e984[1][2]), vec3((_e1050 >= _e1054)));
+                                                                let _e1218 = phi_1672_;
+                                                                if _e1218 {
+                                                                    phi_1681_ = select(vec3<f32>(_e993[2][0], _e993[2][1], _e993[2][2]), vec3<f32>(_e993[1][0], _e993[1][1], _e993[1][2]), vec3((_e1059 >= _e1063)));
                                                                 } else {
-                                                                    phi_3692_ = vec3<f32>(_e984[0][0], _e984[0][1], _e984[0][2]);
+                                                                    phi_1681_ = vec3<f32>(_e993[0][0], _e993[0][1], _e993[0][2]);
                                                                 }
-                                                                let _e1214 = phi_3692_;
-                                                                let _e1231 = ((((_e1196 * (_e1214.x - _e298)) + (_e1201 * (_e1214.y - _e337))) + (_e1204 * (_e1214.z - _e375))) / (((_e1196 * _e323) + (_e1201 * _e361)) + (_e1204 * _e399)));
-                                                                let _e1233 = select(_e1113, _e1231, (_e1231 < _e1113));
-                                                                let _e1235 = select(_e1105, _e1233, (_e1233 > _e1105));
-                                                                if (_e1235 >= _e449) {
-                                                                    let _e1237 = (_e1235 <= _e848.member_1);
-                                                                    if _e1237 {
-                                                                        let _e1238 = (1f / _e1056);
-                                                                        phi_3732_ = type_18(_e1235, (_e1050 * _e1238), (_e1054 * _e1238), _e886);
+                                                                let _e1223 = phi_1681_;
+                                                                let _e1240 = ((((_e1205 * (_e1223.x - _e302)) + (_e1210 * (_e1223.y - _e341))) + (_e1213 * (_e1223.z - _e379))) / (((_e1205 * _e327) + (_e1210 * _e365)) + (_e1213 * _e403)));
+                                                                let _e1242 = select(_e1122, _e1240, (_e1240 < _e1122));
+                                                                let _e1244 = select(_e1114, _e1242, (_e1242 > _e1114));
+                                                                if (_e1244 >= _e453) {
+                                                                    let _e1246 = (_e1244 <= _e857.member_1);
+                                                                    if _e1246 {
+                                                                        let _e1247 = (1f / _e1065);
+                                                                        phi_1721_ = type_18(_e1244, (_e1059 * _e1247), (_e1063 * _e1247), _e895);
                                                                     } else {
-                                                                        phi_3732_ = type_18();
+                                                                        phi_1721_ = type_18();
                                                                     }
-                                                                    let _e1243 = phi_3732_;
-                                                                    phi_3734_ = _e1243;
-                                                                    phi_3735_ = select(true, false, _e1237);
+                                                                    let _e1252 = phi_1721_;
+                                                                    phi_1723_ = _e1252;
+                                                                    phi_1724_ = select(true, false, _e1246);
                                                                 } else {
-                                                                    phi_3734_ = type_18();
-                                                                    phi_3735_ = true;
+                                                                    phi_1723_ = type_18();
+                                                                    phi_1724_ = true;
                                                                 }
-                                                                let _e1246 = phi_3734_;
-                                                                let _e1248 = phi_3735_;
-                                                                if _e1248 {
-                                                                    phi_3739_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1255 = phi_1723_;
+                                                                let _e1257 = phi_1724_;
+                                                                if _e1257 {
+                                                                    phi_1728_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_3739_ = _e1246;
+                                                                    phi_1728_ = _e1255;
                                                                 }
-                                                                let _e1250 = phi_3739_;
-                                                                phi_3740_ = _e1250;
+                                                                let _e1259 = phi_1728_;
+                                                                phi_1729_ = _e1259;
                                                             }
-                                                            let _e1252 = phi_3740_;
-                                                            phi_3741_ = _e1252;
-                                                            phi_3742_ = _e1122;
+                                                            let _e1261 = phi_1729_;
+                                                            phi_1730_ = _e1261;
+                                                            phi_1731_ = _e1131;
                                                         }
-                                                        let _e1254 = phi_3741_;
-                                                        let _e1256 = phi_3742_;
-                                                        phi_3746_ = _e1254;
-                                                        phi_3747_ = _e1256;
+                                                        let _e1263 = phi_1730_;
+                                                        let _e1265 = phi_1731_;
+                                                        phi_1735_ = _e1263;
+                                                        phi_1736_ = _e1265;
                                                     }
-                                                    let _e1258 = phi_3746_;
-                                                    let _e1260 = phi_3747_;
-                                                    phi_3751_ = _e1258;
-                                                    phi_3752_ = _e1260;
+                                                    let _e1267 = phi_1735_;
+                                                    let _e1269 = phi_1736_;
+                                                    phi_1740_ = _e1267;
+                                                    phi_1741_ = _e1269;
                                                 } else {
-                                                    phi_3751_ = type_18();
-                                                    phi_3752_ = true;
+                                                    phi_1740_ = type_18();
+                                                    phi_1741_ = true;
                                                 }
-                                                let _e1262 = phi_3751_;
-                                                let _e1264 = phi_3752_;
-                                                if _e1264 {
-                                                    phi_3756_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1271 = phi_1740_;
+                                                let _e1273 = phi_1741_;
+                                                if _e1273 {
+                                                    phi_1745_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_3756_ = _e1262;
+                                                    phi_1745_ = _e1271;
                                                 }
-                                                let _e1266 = phi_3756_;
-                                                if (_e1266.member_3 != 4294967295u) {
-                                                    if (_e886 != 4294967295u) {
-                                                        if (_e1266.member < _e848.member.member) {
-                                                            phi_3782_ = true;
+                                                let _e1275 = phi_1745_;
+                                                if (_e1275.member_3 != 4294967295u) {
+                                                    if (_e895 != 4294967295u) {
+                                                        if (_e1275.member < _e857.member.member) {
+                                                            phi_1771_ = true;
                                                         } else {
-                                                            if (_e1266.member == _e848.member.member) {
-                                                                phi_3781_ = (_e1266.member_3 < _e848.member.member_3);
+                                                            if (_e1275.member == _e857.member.member) {
+                                                                phi_1770_ = (_e1275.member_3 < _e857.member.member_3);
                                                             } else {
-                                                                phi_3781_ = false;
+                                                                phi_1770_ = false;
                                                             }
-                                                            let _e1279 = phi_3781_;
-                                                            phi_3782_ = _e1279;
+                                                            let _e1288 = phi_1770_;
+                                                            phi_1771_ = _e1288;
                                                         }
-                                                        let _e1281 = phi_3782_;
-                                                        if _e1281 {
-                                                            phi_3788_ = type_28(_e1266, _e1266.member);
+                                                        let _e1290 = phi_1771_;
+                                                        if _e1290 {
+                                                            phi_1777_ = type_29(_e1275, _e1275.member);
                                                         } else {
-                                                            phi_3788_ = _e848;
+                                                            phi_1777_ = _e857;
                                                         }
-                                                        let _e1284 = phi_3788_;
-                                                        phi_3789_ = _e1284;
+                                                        let _e1293 = phi_1777_;
+                                                        phi_1778_ = _e1293;
                                                     } else {
-                                                        phi_3789_ = _e848;
+                                                        phi_1778_ = _e857;
                                                     }
-                                                    let _e1286 = phi_3789_;
-                                                    phi_3790_ = _e1286;
+                                                    let _e1295 = phi_1778_;
+                                                    phi_1779_ = _e1295;
                                                 } else {
-                                                    phi_3790_ = _e848;
+                                                    phi_1779_ = _e857;
                                                 }
-                                                let _e1288 = phi_3790_;
-                                                phi_4859_ = _e983;
-                                                phi_2928_ = _e1288;
+                                                let _e1297 = phi_1779_;
+                                                phi_2900_ = _e992;
+                                                phi_917_ = _e1297;
                                             } else {
-                                                phi_4859_ = _e846;
-                                                phi_2928_ = type_28();
+                                                phi_2900_ = _e855;
+                                                phi_917_ = type_29();
                                             }
-                                            let _e1290 = phi_4859_;
-                                            let _e1292 = phi_2928_;
+                                            let _e1299 = phi_2900_;
+                                            let _e1301 = phi_917_;
                                             continue;
                                             continuing {
-                                                phi_4853_ = _e1290;
-                                                phi_2927_ = _e1292;
-                                                phi_2930_ = _e863;
-                                                phi_4858_ = _e1290;
-                                                break if !(_e869);
+                                                phi_2894_ = _e1299;
+                                                phi_916_ = _e1301;
+                                                phi_919_ = _e872;
+                                                phi_2899_ = _e1299;
+                                                break if !(_e878);
                                             }
                                         }
-                                        let _e1295 = phi_4858_;
-                                        phi_4917_ = _e1295;
-                                        if _e1295 {
+                                        let _e1304 = phi_2899_;
+                                        phi_2958_ = _e1304;
+                                        if _e1304 {
                                             break;
                                         }
-                                        phi_4921_ = _e1295;
-                                        let _e1483 = local_18;
-                                        phi_4634_ = _e1483;
-                                        phi_4635_ = _e520;
-                                        phi_4636_ = false;
-                                        phi_4637_ = _e524;
+                                        phi_2962_ = _e1304;
+                                        let _e1492 = local_24;
+                                        phi_2661_ = _e1492;
+                                        phi_2662_ = _e526;
+                                        phi_2663_ = false;
+                                        phi_2664_ = _e530;
                                     } else {
-                                        local_3 = array<f32, 3>(_e520.member.member[0], _e520.member.member[1], _e520.member.member[2]);
-                                        local_2 = array<f32, 3>(_e520.member.member_1[0], _e520.member.member_1[1], _e520.member.member_1[2]);
-                                        let _e544 = (_e520.member_1 < _e86);
-                                        if _e544 {
-                                            if _e544 {
+                                        local_10 = array<f32, 3>(_e526.member.member[0], _e526.member.member[1], _e526.member.member[2]);
+                                        local_9 = array<f32, 3>(_e526.member.member_1[0], _e526.member.member_1[1], _e526.member.member_1[2]);
+                                        let _e550 = (_e526.member_1 < _e90);
+                                        if _e550 {
+                                            if _e550 {
                                             } else {
-                                                phi_4917_ = true;
+                                                phi_2958_ = true;
                                                 break;
                                             }
-                                            let _e546 = global_4.member[_e520.member_1];
-                                            phi_3824_ = _e546;
+                                            let _e552 = global_4.member[_e526.member_1];
+                                            phi_1813_ = _e552;
                                         } else {
-                                            phi_3824_ = type_36(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_1813_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e548 = phi_3824_;
-                                        let _e550 = array<u32, 3>(_e249, _e248, _e250);
-                                        local_11 = _e550;
-                                        local_7 = array<f32, 3>(0f, 0f, 0f);
-                                        local_6 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_3833_ = type_4(0u, 3u);
+                                        let _e554 = phi_1813_;
+                                        let _e556 = array<u32, 3>(_e253, _e252, _e254);
+                                        local_17 = _e556;
+                                        local_13 = array<f32, 3>(0f, 0f, 0f);
+                                        local_12 = array<f32, 3>(0f, 0f, 0f);
+                                        phi_1822_ = type_4(0u, 3u);
                                         loop {
-                                            let _e552 = phi_3833_;
-                                            if (_e552.member < _e552.member_1) {
-                                                phi_3834_ = type_4((_e552.member + 1u), _e552.member_1);
-                                                phi_3857_ = type_4(1u, _e552.member);
+                                            let _e558 = phi_1822_;
+                                            if (_e558.member < _e558.member_1) {
+                                                phi_1823_ = type_4((_e558.member + 1u), _e558.member_1);
+                                                phi_1846_ = type_4(1u, _e558.member);
                                             } else {
-                                                phi_3834_ = _e552;
-                                                phi_3857_ = type_4(0u, type_4().member_1);
+                                                phi_1823_ = _e558;
+                                                phi_1846_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e565 = phi_3834_;
-                                            let _e567 = phi_3857_;
-                                            let _e571 = (bitcast<i32>(_e567.member) != 0i);
-                                            if _e571 {
-                                                let _e572 = (_e567.member_1 < 3u);
-                                                if _e572 {
+                                            let _e571 = phi_1823_;
+                                            let _e573 = phi_1846_;
+                                            let _e577 = (bitcast<i32>(_e573.member) != 0i);
+                                            if _e577 {
+                                                let _e578 = (_e573.member_1 < 3u);
+                                                if _e578 {
                                                 } else {
-                                                    phi_4776_ = true;
+                                                    phi_2817_ = true;
                                                     break;
                                                 }
-                                                let _e574 = local_11[_e567.member_1];
-                                                if _e572 {
+                                                let _e580 = local_17[_e573.member_1];
+                                                if _e578 {
                                                 } else {
-                                                    phi_4776_ = true;
+                                                    phi_2817_ = true;
                                                     break;
                                                 }
-                                                let _e576 = local_3[_e567.member_1];
-                                                if _e572 {
+                                                let _e582 = local_10[_e573.member_1];
+                                                if _e578 {
                                                 } else {
-                                                    phi_4776_ = true;
+                                                    phi_2817_ = true;
                                                     break;
                                                 }
-                                                let _e578 = local_2[_e567.member_1];
-                                                let _e581 = ((10u * _e574) & 31u);
-                                                let _e584 = ((_e548.member[0] >> bitcast<u32>(_e581)) & 1023u);
-                                                let _e589 = bitcast<f32>((bitcast<u32>(((_e578 - _e576) * 0.0009775171f)) ^ _e121));
-                                                let _e595 = (_e576 + bitcast<f32>((bitcast<u32>((f32(_e584) * _e589)) ^ _e121)));
-                                                if _e572 {
+                                                let _e584 = local_9[_e573.member_1];
+                                                let _e587 = ((10u * _e580) & 31u);
+                                                let _e590 = ((_e554.member[0] >> bitcast<u32>(_e587)) & 1023u);
+                                                let _e595 = bitcast<f32>((bitcast<u32>(((_e584 - _e582) * 0.0009775171f)) ^ _e125));
+                                                let _e601 = (_e582 + bitcast<f32>((bitcast<u32>((f32(_e590) * _e595)) ^ _e125)));
+                                                if _e578 {
                                                 } else {
-                                                    phi_4776_ = true;
+                                                    phi_2817_ = true;
                                                     break;
                                                 }
-                                                local_7[_e567.member_1] = select(select(_e578, _e595, (_e595 < _e578)), _e578, (_e584 == 1023u));
-                                                let _e604 = ((_e548.member[1] >> bitcast<u32>(_e581)) & 1023u);
-                                                let _e610 = (_e576 + bitcast<f32>((bitcast<u32>((f32(_e604) * _e589)) ^ _e121)));
-                                                if _e572 {
+                                                local_13[_e573.member_1] = select(select(_e584, _e601, (_e601 < _e584)), _e584, (_e590 == 1023u));
+                                                let _e610 = ((_e554.member[1] >> bitcast<u32>(_e587)) & 1023u);
+                                                let _e616 = (_e582 + bitcast<f32>((bitcast<u32>((f32(_e610) * _e595)) ^ _e125)));
+                                                if _e578 {
                                                 } else {
-                                                    phi_4776_ = true;
+                                                    phi_2817_ = true;
                                                     break;
                                                 }
-                                                local_6[_e567.member_1] = select(select(_e578, _e610, (_e610 < _e578)), _e578, (_e604 == 1023u));
+                                                local_12[_e573.member_1] = select(select(_e584, _e616, (_e616 < _e584)), _e584, (_e610 == 1023u));
                                             }
                                             continue;
                                             continuing {
-                                                phi_3833_ = _e565;
-                                                phi_4776_ = _e481;
-                                                break if !(_e571);
+                                                phi_1822_ = _e571;
+                                                phi_2817_ = _e485;
+                                                break if !(_e577);
                                             }
                                         }
-                                        let _e618 = phi_4776_;
-                                        phi_4917_ = _e618;
-                                        if _e618 {
+                                        let _e624 = phi_2817_;
+                                        phi_2958_ = _e624;
+                                        if _e624 {
                                             break;
                                         }
-                                        let _e619 = local_6;
-                                        let _e620 = local_7;
-                                        local_10 = _e550;
-                                        local_9 = array<f32, 3>(0f, 0f, 0f);
-                                        local_8 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_3987_ = type_4(0u, 3u);
+                                        let _e625 = local_12;
+                                        let _e626 = local_13;
+                                        local_16 = _e556;
+                                        local_15 = array<f32, 3>(0f, 0f, 0f);
+                                        local_14 = array<f32, 3>(0f, 0f, 0f);
+                                        phi_1976_ = type_4(0u, 3u);
                                         loop {
-                                            let _e629 = phi_3987_;
-                                            if (_e629.member < _e629.member_1) {
-                                                phi_3988_ = type_4((_e629.member + 1u), _e629.member_1);
-                                                phi_4011_ = type_4(1u, _e629.member);
+                                            let _e635 = phi_1976_;
+                                            if (_e635.member < _e635.member_1) {
+                                                phi_1977_ = type_4((_e635.member + 1u), _e635.member_1);
+                                                phi_2000_ = type_4(1u, _e635.member);
                                             } else {
-                                                phi_3988_ = _e629;
-                                                phi_4011_ = type_4(0u, type_4().member_1);
+                                                phi_1977_ = _e635;
+                                                phi_2000_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e642 = phi_3988_;
-                                            let _e644 = phi_4011_;
-                                            let _e648 = (bitcast<i32>(_e644.member) != 0i);
-                                            if _e648 {
-                                                let _e649 = (_e644.member_1 < 3u);
-                                                if _e649 {
+                                            let _e648 = phi_1977_;
+                                            let _e650 = phi_2000_;
+                                            let _e654 = (bitcast<i32>(_e650.member) != 0i);
+                                            if _e654 {
+                                                let _e655 = (_e650.member_1 < 3u);
+                                                if _e655 {
                                                 } else {
-                                                    phi_4836_ = true;
+                                                    phi_2877_ = true;
                                                     break;
                                                 }
-                                                let _e651 = local_10[_e644.member_1];
-                                                if _e649 {
+                                                let _e657 = local_16[_e650.member_1];
+                                                if _e655 {
                                                 } else {
-                                                    phi_4836_ = true;
+                                                    phi_2877_ = true;
                                                     break;
                                                 }
-                                                let _e653 = local_3[_e644.member_1];
-                                                if _e649 {
+                                                let _e659 = local_10[_e650.member_1];
+                                                if _e655 {
                                                 } else {
-                                                    phi_4836_ = true;
+                                                    phi_2877_ = true;
                                                     break;
                                                 }
-                                                let _e655 = local_2[_e644.member_1];
-                                                let _e658 = ((10u * _e651) & 31u);
-                                                let _e661 = ((_e548.member_1[0] >> bitcast<u32>(_e658)) & 1023u);
-                                                let _e666 = bitcast<f32>((bitcast<u32>(((_e655 - _e653) * 0.0009775171f)) ^ _e121));
-                                                let _e672 = (_e653 + bitcast<f32>((bitcast<u32>((f32(_e661) * _e666)) ^ _e121)));
-                                                if _e649 {
+                                                let _e661 = local_9[_e650.member_1];
+                                                let _e664 = ((10u * _e657) & 31u);
+                                                let _e667 = ((_e554.member_1[0] >> bitcast<u32>(_e664)) & 1023u);
+                                                let _e672 = bitcast<f32>((bitcast<u32>(((_e661 - _e659) * 0.0009775171f)) ^ _e125));
+                                                let _e678 = (_e659 + bitcast<f32>((bitcast<u32>((f32(_e667) * _e672)) ^ _e125)));
+                                                if _e655 {
                                                 } else {
-                                                    phi_4836_ = true;
+                                                    phi_2877_ = true;
                                                     break;
                                                 }
-                                                local_9[_e644.member_1] = select(select(_e655, _e672, (_e672 < _e655)), _e655, (_e661 == 1023u));
-                                                let _e681 = ((_e548.member_1[1] >> bitcast<u32>(_e658)) & 1023u);
-                                                let _e687 = (_e653 + bitcast<f32>((bitcast<u32>((f32(_e681) * _e666)) ^ _e121)));
-                                                if _e649 {
+                                                local_15[_e650.member_1] = select(select(_e661, _e678, (_e678 < _e661)), _e661, (_e667 == 1023u));
+                                                let _e687 = ((_e554.member_1[1] >> bitcast<u32>(_e664)) & 1023u);
+                                                let _e693 = (_e659 + bitcast<f32>((bitcast<u32>((f32(_e687) * _e672)) ^ _e125)));
+                                                if _e655 {
                                                 } else {
-                                                    phi_4836_ = true;
+                                                    phi_2877_ = true;
                                                     break;
                                                 }
-                                                local_8[_e644.member_1] = select(select(_e655, _e687, (_e687 < _e655)), _e655, (_e681 == 1023u));
+                                                local_14[_e650.member_1] = select(select(_e661, _e693, (_e693 < _e661)), _e661, (_e687 == 1023u));
                                             }
                                             continue;
                                             continuing {
-                                                phi_3987_ = _e642;
-                                                phi_4836_ = _e618;
-                                                break if !(_e648);
+                                                phi_1976_ = _e648;
+                                                phi_2877_ = _e624;
+                                                break if !(_e654);
                                             }
                                         }
-                                        let _e695 = phi_4836_;
-                                        phi_4917_ = _e695;
-                                        if _e695 {
+                                        let _e701 = phi_2877_;
+                                        phi_2958_ = _e701;
+                                        if _e701 {
                                             break;
                                         }
-                                        let _e696 = local_8;
-                                        let _e697 = local_9;
-                                        let _e708 = type_50(type_41(array<f32, 3>(_e620[0], _e620[1], _e620[2]), array<f32, 3>(_e619[0], _e619[1], _e619[2])), _e548.member_2);
-                                        let _e713 = type_50(type_41(array<f32, 3>(_e697[0], _e697[1], _e697[2]), array<f32, 3>(_e696[0], _e696[1], _e696[2])), _e548.member_3);
-                                        let _e719 = ((_e620[0] - _e321) * _e326);
-                                        let _e720 = ((_e697[0] - _e321) * _e326);
-                                        let _e721 = ((_e619[0] - _e322) * _e326);
-                                        let _e722 = ((_e696[0] - _e322) * _e326);
-                                        let _e727 = ((_e620[1] - _e359) * _e364);
-                                        let _e728 = ((_e697[1] - _e359) * _e364);
-                                        let _e729 = ((_e619[1] - _e360) * _e364);
-                                        let _e730 = ((_e696[1] - _e360) * _e364);
-                                        let _e735 = ((_e620[2] - _e397) * _e402);
-                                        let _e736 = ((_e697[2] - _e397) * _e402);
-                                        let _e737 = ((_e619[2] - _e398) * _e402);
-                                        let _e738 = ((_e696[2] - _e398) * _e402);
-                                        let _e740 = select(_e737, _e735, (_e735 < _e737));
-                                        let _e742 = select(_e738, _e736, (_e736 < _e738));
-                                        let _e744 = select(_e737, _e735, (_e735 > _e737));
-                                        let _e746 = select(_e738, _e736, (_e736 > _e738));
-                                        let _e748 = select(_e721, _e719, (_e719 < _e721));
-                                        let _e750 = select(_e722, _e720, (_e720 < _e722));
-                                        let _e752 = select(_e729, _e727, (_e727 < _e729));
-                                        let _e754 = select(_e730, _e728, (_e728 < _e730));
-                                        let _e756 = select(_e752, _e748, (_e748 > _e752));
-                                        let _e758 = select(_e754, _e750, (_e750 > _e754));
-                                        let _e760 = select(_e740, _e756, (_e756 > _e740));
-                                        let _e762 = select(_e742, _e758, (_e758 > _e742));
-                                        let _e764 = select(_e721, _e719, (_e719 > _e721));
-                                        let _e766 = select(_e722, _e720, (_e720 > _e722));
-                                        let _e768 = select(_e729, _e727, (_e727 > _e729));
-                                        let _e770 = select(_e730, _e728, (_e728 > _e730));
-                                        let _e772 = select(_e768, _e764, (_e764 < _e768));
-                                        let _e774 = select(_e770, _e766, (_e766 < _e770));
-                                        let _e779 = -(_e740);
-                                        let _e780 = -(_e742);
-                                        let _e787 = (select(_e744, _e772, (_e772 < _e744)) + (select(_e779, _e744, (_e744 > _e779)) * 0.0000019073523f));
-                                        let _e788 = (select(_e746, _e774, (_e774 < _e746)) + (select(_e780, _e746, (_e746 > _e780)) * 0.0000019073523f));
-                                        let _e790 = select(_e449, _e760, (_e760 > _e449));
-                                        let _e792 = select(_e449, _e762, (_e762 > _e449));
-                                        let _e797 = (_e790 <= select(_e483.member_1, _e787, (_e787 < _e483.member_1)));
-                                        let _e798 = (_e792 <= select(_e483.member_1, _e788, (_e788 < _e483.member_1)));
-                                        let _e799 = (_e790 <= _e792);
-                                        if _e797 {
-                                            if _e798 {
-                                                if _e799 {
-                                                    phi_4574_ = _e713;
+                                        let _e702 = local_14;
+                                        let _e703 = local_15;
+                                        let _e714 = type_51(type_43(array<f32, 3>(_e626[0], _e626[1], _e626[2]), array<f32, 3>(_e625[0], _e625[1], _e625[2])), _e554.member_2);
+                                        let _e719 = type_51(type_43(array<f32, 3>(_e703[0], _e703[1], _e703[2]), array<f32, 3>(_e702[0], _e702[1], _e702[2])), _e554.member_3);
+                                        let _e725 = ((_e626[0] - _e325) * _e330);
+                                        let _e726 = ((_e703[0] - _e325) * _e330);
+                                        let _e727 = ((_e625[0] - _e326) * _e330);
+                                        let _e728 = ((_e702[0] - _e326) * _e330);
+                                        let _e733 = ((_e626[1] - _e363) * _e368);
+                                        let _e734 = ((_e703[1] - _e363) * _e368);
+                                        let _e735 = ((_e625[1] - _e364) * _e368);
+                                        let _e736 = ((_e702[1] - _e364) * _e368);
+                                        let _e741 = ((_e626[2] - _e401) * _e406);
+                                        let _e742 = ((_e703[2] - _e401) * _e406);
+                                        let _e743 = ((_e625[2] - _e402) * _e406);
+                                        let _e744 = ((_e702[2] - _e402) * _e406);
+                                        let _e746 = select(_e743, _e741, (_e741 < _e743));
+                                        let _e748 = select(_e744, _e742, (_e742 < _e744));
+                                        let _e750 = select(_e743, _e741, (_e741 > _e743));
+                                        let _e752 = select(_e744, _e742, (_e742 > _e744));
+                                        let _e754 = select(_e727, _e725, (_e725 < _e727));
+                                        let _e756 = select(_e728, _e726, (_e726 < _e728));
+                                        let _e758 = select(_e735, _e733, (_e733 < _e735));
+                                        let _e760 = select(_e736, _e734, (_e734 < _e736));
+                                        let _e762 = select(_e758, _e754, (_e754 > _e758));
+                                        let _e764 = select(_e760, _e756, (_e756 > _e760));
+                                        let _e766 = select(_e746, _e762, (_e762 > _e746));
+                                        let _e768 = select(_e748, _e764, (_e764 > _e748));
+                                        let _e770 = select(_e727, _e725, (_e725 > _e727));
+                                        let _e772 = select(_e728, _e726, (_e726 > _e728));
+                                        let _e774 = select(_e735, _e733, (_e733 > _e735));
+                                        let _e776 = select(_e736, _e734, (_e734 > _e736));
+                                        let _e778 = select(_e774, _e770, (_e770 < _e774));
+                                        let _e780 = select(_e776, _e772, (_e772 < _e776));
+                                        let _e785 = -(_e746);
+                                        let _e786 = -(_e748);
+                                        let _e793 = (select(_e750, _e778, (_e778 < _e750)) + (select(_e785, _e750, (_e750 > _e785)) * 0.0000019073523f));
+                                        let _e794 = (select(_e752, _e780, (_e780 < _e752)) + (select(_e786, _e752, (_e752 > _e786)) * 0.0000019073523f));
+                                        let _e796 = select(_e453, _e766, (_e766 > _e453));
+                                        let _e798 = select(_e453, _e768, (_e768 > _e453));
+                                        let _e803 = (_e796 <= select(_e487.member_1, _e793, (_e793 < _e487.member_1)));
+                                        let _e804 = (_e798 <= select(_e487.member_1, _e794, (_e794 < _e487.member_1)));
+                                        let _e805 = (_e796 <= _e798);
+                                        if _e803 {
+                                            if _e804 {
+                                                if _e805 {
+                                                    phi_2563_ = _e719;
                                                 } else {
-                                                    phi_4574_ = _e708;
+                                                    phi_2563_ = _e714;
                                                 }
-                                                let _e801 = phi_4574_;
-                                                let _e802 = (_e524 % 128u);
-                                                let _e803 = (_e802 < 128u);
-                                                if _e803 {
+                                                let _e807 = phi_2563_;
+                                                let _e815 = (_e530 % 128u);
+                                                let _e816 = (_e815 < 128u);
+                                                if _e816 {
                                                 } else {
-                                                    phi_4917_ = true;
+                                                    phi_2958_ = true;
                                                     break;
                                                 }
-                                                local_5[_e802] = type_50(type_41(array<f32, 3>(_e801.member.member[0], _e801.member.member[1], _e801.member.member[2]), array<f32, 3>(_e801.member.member_1[0], _e801.member.member_1[1], _e801.member.member_1[2])), _e801.member_1);
-                                                if _e803 {
+                                                local_6[_e815] = _e807.member_1;
+                                                if _e816 {
                                                 } else {
-                                                    phi_4917_ = true;
+                                                    phi_2958_ = true;
                                                     break;
                                                 }
-                                                local_4[_e802] = select(_e792, _e790, (_e790 > _e792));
-                                                if _e799 {
-                                                    phi_4613_ = _e708;
+                                                local_5[_e815] = _e807.member.member[0];
+                                                if _e816 {
                                                 } else {
-                                                    phi_4613_ = _e713;
+                                                    phi_2958_ = true;
+                                                    break;
                                                 }
-                                                let _e824 = phi_4613_;
-                                                phi_4614_ = _e824;
-                                                phi_4615_ = (_e524 + 1u);
+                                                local_4[_e815] = _e807.member.member[1];
+                                                if _e816 {
+                                                } else {
+                                                    phi_2958_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e815] = _e807.member.member[2];
+                                                if _e816 {
+                                                } else {
+                                                    phi_2958_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e815] = _e807.member.member_1[0];
+                                                if _e816 {
+                                                } else {
+                                                    phi_2958_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e815] = _e807.member.member_1[1];
+                                                if _e816 {
+                                                } else {
+                                                    phi_2958_ = true;
+                                                    break;
+                                                }
+                                                local[_e815] = _e807.member.member_1[2];
+                                                if _e816 {
+                                                } else {
+                                                    phi_2958_ = true;
+                                                    break;
+                                                }
+                                                local_11[_e815] = select(_e798, _e796, (_e796 > _e798));
+                                                if _e805 {
+                                                    phi_2640_ = _e714;
+                                                } else {
+                                                    phi_2640_ = _e719;
+                                                }
+                                                let _e833 = phi_2640_;
+                                                phi_2641_ = _e833;
+                                                phi_2642_ = (_e530 + 1u);
                                             } else {
-                                                phi_4614_ = type_50();
-                                                phi_4615_ = u32();
+                                                phi_2641_ = type_51();
+                                                phi_2642_ = u32();
                                             }
-                                            let _e826 = phi_4614_;
-                                            let _e828 = phi_4615_;
-                                            phi_4617_ = _e826;
-                                            phi_4618_ = _e828;
-                                            phi_4619_ = select(true, false, _e798);
+                                            let _e835 = phi_2641_;
+                                            let _e837 = phi_2642_;
+                                            phi_2644_ = _e835;
+                                            phi_2645_ = _e837;
+                                            phi_2646_ = select(true, false, _e804);
                                         } else {
-                                            phi_4617_ = type_50();
-                                            phi_4618_ = u32();
-                                            phi_4619_ = true;
+                                            phi_2644_ = type_51();
+                                            phi_2645_ = u32();
+                                            phi_2646_ = true;
                                         }
-                                        let _e831 = phi_4617_;
-                                        let _e833 = phi_4618_;
-                                        let _e835 = phi_4619_;
-                                        if _e835 {
-                                            if _e797 {
-                                                phi_4626_ = _e708;
+                                        let _e840 = phi_2644_;
+                                        let _e842 = phi_2645_;
+                                        let _e844 = phi_2646_;
+                                        if _e844 {
+                                            if _e803 {
+                                                phi_2653_ = _e714;
                                             } else {
-                                                phi_4626_ = _e713;
+                                                phi_2653_ = _e719;
                                             }
-                                            let _e837 = phi_4626_;
-                                            phi_4631_ = _e837;
-                                            phi_4632_ = select(_e798, true, _e797);
+                                            let _e846 = phi_2653_;
+                                            phi_2658_ = _e846;
+                                            phi_2659_ = select(_e804, true, _e803);
                                         } else {
-                                            phi_4631_ = _e831;
-                                            phi_4632_ = _e522;
+                                            phi_2658_ = _e840;
+                                            phi_2659_ = _e528;
                                         }
-                                        let _e840 = phi_4631_;
-                                        let _e842 = phi_4632_;
-                                        phi_4921_ = _e695;
-                                        phi_4634_ = _e483;
-                                        phi_4635_ = _e840;
-                                        phi_4636_ = _e842;
-                                        phi_4637_ = select(_e833, _e524, _e835);
+                                        let _e849 = phi_2658_;
+                                        let _e851 = phi_2659_;
+                                        phi_2962_ = _e701;
+                                        phi_2661_ = _e487;
+                                        phi_2662_ = _e849;
+                                        phi_2663_ = _e851;
+                                        phi_2664_ = select(_e842, _e530, _e844);
                                     }
-                                    let _e1297 = phi_4921_;
-                                    let _e1299 = phi_4634_;
-                                    let _e1301 = phi_4635_;
-                                    let _e1303 = phi_4636_;
-                                    let _e1305 = phi_4637_;
-                                    phi_4920_ = _e1297;
-                                    phi_4638_ = _e1299;
-                                    phi_4639_ = _e1301;
-                                    phi_4640_ = (_e487 - 1u);
-                                    phi_4641_ = _e1303;
-                                    phi_4642_ = _e1305;
+                                    let _e1306 = phi_2962_;
+                                    let _e1308 = phi_2661_;
+                                    let _e1310 = phi_2662_;
+                                    let _e1312 = phi_2663_;
+                                    let _e1314 = phi_2664_;
+                                    phi_2961_ = _e1306;
+                                    phi_2665_ = _e1308;
+                                    phi_2666_ = _e1310;
+                                    phi_2667_ = (_e491 - 1u);
+                                    phi_2668_ = _e1312;
+                                    phi_2669_ = _e1314;
                                 } else {
-                                    phi_4920_ = _e481;
-                                    phi_4638_ = _e483;
-                                    phi_4639_ = _e520;
-                                    phi_4640_ = _e487;
-                                    phi_4641_ = _e522;
-                                    phi_4642_ = _e524;
+                                    phi_2961_ = _e485;
+                                    phi_2665_ = _e487;
+                                    phi_2666_ = _e526;
+                                    phi_2667_ = _e491;
+                                    phi_2668_ = _e528;
+                                    phi_2669_ = _e530;
                                 }
-                                let _e1307 = phi_4920_;
-                                let _e1309 = phi_4638_;
-                                let _e1311 = phi_4639_;
-                                let _e1313 = phi_4640_;
-                                let _e1315 = phi_4641_;
-                                let _e1317 = phi_4642_;
-                                phi_4919_ = _e1307;
-                                phi_4643_ = _e1309;
-                                phi_4644_ = _e1311;
-                                phi_4645_ = _e1313;
-                                phi_4646_ = _e1315;
-                                phi_4647_ = _e1317;
+                                let _e1316 = phi_2961_;
+                                let _e1318 = phi_2665_;
+                                let _e1320 = phi_2666_;
+                                let _e1322 = phi_2667_;
+                                let _e1324 = phi_2668_;
+                                let _e1326 = phi_2669_;
+                                phi_2960_ = _e1316;
+                                phi_2670_ = _e1318;
+                                phi_2671_ = _e1320;
+                                phi_2672_ = _e1322;
+                                phi_2673_ = _e1324;
+                                phi_2674_ = _e1326;
                             } else {
-                                phi_4919_ = _e481;
-                                phi_4643_ = type_28();
-                                phi_4644_ = type_50();
-                                phi_4645_ = u32();
-                                phi_4646_ = bool();
-                                phi_4647_ = u32();
+                                phi_2960_ = _e485;
+                                phi_2670_ = type_29();
+                                phi_2671_ = type_51();
+                                phi_2672_ = u32();
+                                phi_2673_ = bool();
+                                phi_2674_ = u32();
                             }
-                            let _e1319 = phi_4919_;
-                            let _e1321 = phi_4643_;
-                            let _e1323 = phi_4644_;
-                            let _e1325 = phi_4645_;
-                            let _e1327 = phi_4646_;
-                            let _e1329 = phi_4647_;
-                            phi_4918_ = _e1319;
-                            phi_2842_ = _e1321;
-                            phi_2845_ = _e1323;
-                            phi_2847_ = _e1325;
-                            phi_2849_ = _e1327;
-                            phi_2851_ = _e1329;
-                            phi_4648_ = _e495;
+                            let _e1328 = phi_2960_;
+                            let _e1330 = phi_2670_;
+                            let _e1332 = phi_2671_;
+                            let _e1334 = phi_2672_;
+                            let _e1336 = phi_2673_;
+                            let _e1338 = phi_2674_;
+                            phi_2959_ = _e1328;
+                            phi_790_ = _e1330;
+                            phi_793_ = _e1332;
+                            phi_795_ = _e1334;
+                            phi_797_ = _e1336;
+                            phi_799_ = _e1338;
+                            phi_2675_ = _e499;
                         } else {
-                            phi_4918_ = _e481;
-                            phi_2842_ = type_28();
-                            phi_2845_ = type_50();
-                            phi_2847_ = u32();
-                            phi_2849_ = bool();
-                            phi_2851_ = u32();
-                            phi_4648_ = false;
+                            phi_2959_ = _e485;
+                            phi_790_ = type_29();
+                            phi_793_ = type_51();
+                            phi_795_ = u32();
+                            phi_797_ = bool();
+                            phi_799_ = u32();
+                            phi_2675_ = false;
                         }
-                        let _e1331 = phi_4918_;
-                        let _e1333 = phi_2842_;
-                        let _e1335 = phi_2845_;
-                        let _e1337 = phi_2847_;
-                        let _e1339 = phi_2849_;
-                        let _e1341 = phi_2851_;
-                        let _e1343 = phi_4648_;
+                        let _e1340 = phi_2959_;
+                        let _e1342 = phi_790_;
+                        let _e1344 = phi_793_;
+                        let _e1346 = phi_795_;
+                        let _e1348 = phi_797_;
+                        let _e1350 = phi_799_;
+                        let _e1352 = phi_2675_;
                         continue;
                         continuing {
-                            phi_4783_ = _e1331;
-                            phi_2841_ = _e1333;
-                            phi_2844_ = _e1335;
-                            phi_2846_ = _e1337;
-                            phi_2848_ = _e1339;
-                            phi_2850_ = _e1341;
-                            phi_4917_ = _e1331;
-                            break if !(_e1343);
+                            phi_2824_ = _e1340;
+                            phi_789_ = _e1342;
+                            phi_792_ = _e1344;
+                            phi_794_ = _e1346;
+                            phi_796_ = _e1348;
+                            phi_798_ = _e1350;
+                            phi_2958_ = _e1340;
+                            break if !(_e1352);
                         }
                     }
-                    let _e1346 = phi_4917_;
-                    if _e1346 {
+                    let _e1355 = phi_2958_;
+                    if _e1355 {
                         break;
                     }
-                    let _e1348 = local_17;
-                    if (_e1348.member.member_3 != 4294967295u) {
-                        let _e1353 = -(_e416);
-                        let _e1354 = (_e1353 / 3i);
-                        let _e1361 = bitcast<f32>((bitcast<u32>((_e1354 + 127i)) << bitcast<u32>(23i)));
-                        let _e1369 = (((_e1348.member.member * _e1361) * _e1361) * bitcast<f32>((bitcast<u32>(((_e1353 - (2i * _e1354)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1371 = select(340282350000000000000000000000000000000f, _e1369, (_e1369 < 340282350000000000000000000000000000000f));
-                        phi_4700_ = type_18(select(-340282350000000000000000000000000000000f, _e1371, (_e1371 > -340282350000000000000000000000000000000f)), _e1348.member.member_1, _e1348.member.member_2, _e1348.member.member_3);
+                    let _e1357 = local_23;
+                    if (_e1357.member.member_3 != 4294967295u) {
+                        let _e1362 = -(_e420);
+                        let _e1363 = (_e1362 / 3i);
+                        let _e1370 = bitcast<f32>((bitcast<u32>((_e1363 + 127i)) << bitcast<u32>(23i)));
+                        let _e1378 = (((_e1357.member.member * _e1370) * _e1370) * bitcast<f32>((bitcast<u32>(((_e1362 - (2i * _e1363)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1380 = select(340282350000000000000000000000000000000f, _e1378, (_e1378 < 340282350000000000000000000000000000000f));
+                        phi_2727_ = type_18(select(-340282350000000000000000000000000000000f, _e1380, (_e1380 > -340282350000000000000000000000000000000f)), _e1357.member.member_1, _e1357.member.member_2, _e1357.member.member_3);
                     } else {
-                        phi_4700_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2727_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1378 = phi_4700_;
-                    if _e137 {
+                    let _e1387 = phi_2727_;
+                    if _e141 {
                     } else {
                         break;
                     }
-                    global_5.member[_e135] = _e1378;
+                    global_5.member[_e139] = _e1387;
                 }
             }
             break;

@@ -16,55 +16,55 @@ struct type_15 {
     member: array<type_13>,
 }
 
-struct type_20 {
+struct type_21 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_22 {
-    member: array<type_20>,
+struct type_23 {
+    member: array<type_21>,
 }
 
-struct type_24 {
+struct type_25 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
     member_3: f32,
 }
 
-struct type_28 {
+struct type_29 {
     member: vec4<f32>,
     member_1: vec4<f32>,
 }
 
-struct type_31 {
-    member: type_20,
+struct type_33 {
+    member: type_21,
     member_1: f32,
 }
 
-struct type_36 {
-    member: array<type_24>,
+struct type_38 {
+    member: array<type_25>,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_46 {
+struct type_48 {
     member: array<array<u32, 7>>,
 }
 
-struct type_48 {
-    member: type_28,
+struct type_50 {
+    member: type_29,
     member_1: u32,
 }
 
 struct type_51 {
     member: array<vec4<f32>, 3>,
-    member_1: type_48,
-    member_2: type_48,
+    member_1: type_50,
+    member_2: type_50,
 }
 
 var<private> global: vec3<u32>;
@@ -73,1154 +73,1238 @@ var<uniform> global_1: type_8;
 @group(0) @binding(3) 
 var<storage> global_2: type_15;
 @group(0) @binding(1) 
-var<uniform> global_3: type_39;
+var<uniform> global_3: type_41;
 @group(0) @binding(4) 
-var<storage> global_4: type_36;
+var<storage> global_4: type_38;
 @group(0) @binding(2) 
-var<storage> global_5: type_46;
+var<storage> global_5: type_48;
 @group(0) @binding(5) 
-var<storage, read_write> global_6: type_22;
+var<storage, read_write> global_6: type_23;
 
 fn function_() {
     var local: array<i32, 3>;
     var local_1: array<i32, 3>;
     var local_2: array<f32, 128>;
-    var local_3: array<type_48, 128>;
-    var phi_377_: i32;
+    var local_3: array<f32, 128>;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<f32, 128>;
+    var local_7: array<f32, 128>;
+    var local_8: array<u32, 128>;
+    var local_9: array<f32, 128>;
     var phi_378_: i32;
-    var phi_388_: bool;
-    var phi_398_: u32;
+    var phi_379_: i32;
+    var phi_389_: bool;
     var phi_399_: u32;
-    var phi_401_: bool;
-    var phi_406_: u32;
-    var phi_419_: i32;
-    var phi_439_: i32;
-    var phi_457_: f32;
-    var phi_463_: f32;
-    var phi_474_: f32;
-    var phi_480_: f32;
-    var phi_503_: f32;
-    var phi_514_: f32;
-    var phi_523_: f32;
-    var phi_529_: f32;
-    var phi_540_: f32;
-    var phi_546_: f32;
-    var phi_569_: f32;
-    var phi_580_: f32;
-    var phi_589_: f32;
-    var phi_595_: f32;
-    var phi_606_: f32;
-    var phi_612_: f32;
-    var phi_635_: f32;
-    var phi_646_: f32;
-    var phi_746_: f32;
+    var phi_400_: u32;
+    var phi_402_: bool;
+    var phi_407_: u32;
+    var phi_420_: i32;
+    var phi_440_: i32;
+    var phi_458_: f32;
+    var phi_464_: f32;
+    var phi_475_: f32;
+    var phi_481_: f32;
+    var phi_504_: f32;
+    var phi_515_: f32;
+    var phi_524_: f32;
+    var phi_530_: f32;
+    var phi_541_: f32;
+    var phi_547_: f32;
+    var phi_570_: f32;
+    var phi_581_: f32;
+    var phi_590_: f32;
+    var phi_596_: f32;
+    var phi_607_: f32;
+    var phi_613_: f32;
+    var phi_636_: f32;
+    var phi_647_: f32;
     var phi_747_: f32;
-    var phi_4249_: bool;
-    var phi_1867_: type_31;
-    var phi_1870_: type_48;
-    var phi_1872_: u32;
-    var phi_1874_: bool;
-    var phi_1876_: u32;
-    var phi_1887_: bool;
-    var phi_1924_: type_48;
-    var phi_1925_: bool;
-    var phi_1926_: u32;
-    var phi_3554_: u32;
-    var phi_3555_: u32;
-    var phi_3565_: u32;
-    var phi_3567_: u32;
-    var phi_3568_: bool;
-    var phi_3588_: u32;
-    var phi_3589_: u32;
-    var phi_3593_: type_51;
-    var phi_3937_: type_48;
-    var phi_3970_: type_48;
-    var phi_3971_: type_48;
-    var phi_3972_: u32;
-    var phi_3974_: type_48;
-    var phi_3975_: u32;
-    var phi_3976_: bool;
-    var phi_3985_: type_48;
-    var phi_3990_: type_48;
-    var phi_3991_: bool;
-    var phi_1944_: type_31;
-    var phi_1947_: type_4;
-    var phi_1948_: type_4;
-    var phi_1970_: type_4;
-    var phi_1991_: u32;
-    var phi_2080_: array<array<f32, 3>, 3>;
-    var phi_2551_: vec3<f32>;
-    var phi_2552_: vec3<f32>;
-    var phi_2583_: bool;
-    var phi_2592_: vec3<f32>;
-    var phi_2632_: type_20;
-    var phi_2634_: type_20;
-    var phi_2635_: bool;
-    var phi_2639_: type_20;
-    var phi_2640_: type_20;
-    var phi_2641_: type_20;
-    var phi_2642_: bool;
-    var phi_2646_: type_20;
-    var phi_2647_: bool;
-    var phi_2651_: type_20;
-    var phi_2652_: bool;
-    var phi_2656_: type_20;
-    var phi_2681_: bool;
-    var phi_2682_: bool;
-    var phi_2688_: type_31;
-    var phi_2689_: type_31;
-    var phi_2690_: type_31;
-    var phi_1945_: type_31;
-    var phi_4243_: bool;
-    var phi_4361_: bool;
-    var phi_3993_: type_31;
-    var phi_3994_: type_48;
-    var phi_3995_: bool;
-    var phi_3996_: u32;
-    var phi_4360_: bool;
-    var phi_3997_: type_31;
-    var phi_3998_: type_48;
-    var phi_3999_: u32;
-    var phi_4000_: bool;
-    var phi_4001_: u32;
-    var phi_4359_: bool;
-    var phi_4002_: type_31;
-    var phi_4003_: type_48;
-    var phi_4004_: u32;
-    var phi_4005_: bool;
-    var phi_4006_: u32;
-    var phi_4358_: bool;
-    var phi_1868_: type_31;
-    var phi_1871_: type_48;
-    var phi_1873_: u32;
-    var phi_1875_: bool;
-    var phi_1877_: u32;
-    var phi_4007_: bool;
-    var phi_4357_: bool;
-    var local_4: type_31;
-    var phi_4059_: type_20;
-    var local_5: type_31;
+    var phi_748_: f32;
+    var phi_3326_: bool;
+    var phi_837_: type_33;
+    var phi_840_: type_50;
+    var phi_842_: u32;
+    var phi_844_: bool;
+    var phi_846_: u32;
+    var phi_857_: bool;
+    var phi_943_: type_50;
+    var phi_944_: bool;
+    var phi_945_: u32;
+    var phi_2573_: u32;
+    var phi_2574_: u32;
+    var phi_2584_: u32;
+    var phi_2586_: u32;
+    var phi_2587_: bool;
+    var phi_2607_: u32;
+    var phi_2608_: u32;
+    var phi_2612_: type_51;
+    var phi_2956_: type_50;
+    var phi_3033_: type_50;
+    var phi_3034_: type_50;
+    var phi_3035_: u32;
+    var phi_3037_: type_50;
+    var phi_3038_: u32;
+    var phi_3039_: bool;
+    var phi_3048_: type_50;
+    var phi_3053_: type_50;
+    var phi_3054_: bool;
+    var phi_963_: type_33;
+    var phi_966_: type_4;
+    var phi_967_: type_4;
+    var phi_989_: type_4;
+    var phi_1010_: u32;
+    var phi_1099_: array<array<f32, 3>, 3>;
+    var phi_1570_: vec3<f32>;
+    var phi_1571_: vec3<f32>;
+    var phi_1602_: bool;
+    var phi_1611_: vec3<f32>;
+    var phi_1651_: type_21;
+    var phi_1653_: type_21;
+    var phi_1654_: bool;
+    var phi_1658_: type_21;
+    var phi_1659_: type_21;
+    var phi_1660_: type_21;
+    var phi_1661_: bool;
+    var phi_1665_: type_21;
+    var phi_1666_: bool;
+    var phi_1670_: type_21;
+    var phi_1671_: bool;
+    var phi_1675_: type_21;
+    var phi_1700_: bool;
+    var phi_1701_: bool;
+    var phi_1707_: type_33;
+    var phi_1708_: type_33;
+    var phi_1709_: type_33;
+    var phi_964_: type_33;
+    var phi_3320_: bool;
+    var phi_3438_: bool;
+    var phi_3056_: type_33;
+    var phi_3057_: type_50;
+    var phi_3058_: bool;
+    var phi_3059_: u32;
+    var phi_3437_: bool;
+    var phi_3060_: type_33;
+    var phi_3061_: type_50;
+    var phi_3062_: u32;
+    var phi_3063_: bool;
+    var phi_3064_: u32;
+    var phi_3436_: bool;
+    var phi_3065_: type_33;
+    var phi_3066_: type_50;
+    var phi_3067_: u32;
+    var phi_3068_: bool;
+    var phi_3069_: u32;
+    var phi_3435_: bool;
+    var phi_838_: type_33;
+    var phi_841_: type_50;
+    var phi_843_: u32;
+    var phi_845_: bool;
+    var phi_847_: u32;
+    var phi_3070_: bool;
+    var phi_3434_: bool;
+    var local_10: type_33;
+    var phi_3122_: type_21;
+    var local_11: type_33;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e77 = global;
-            let _e79 = arrayLength((&global_5.member));
-            let _e81 = arrayLength((&global_2.member));
-            let _e89 = global_3.member[0u][0u];
-            let _e93 = global_3.member[0u][1u];
-            let _e97 = global_3.member[0u][2u];
-            let _e101 = global_3.member[0u][3u];
-            let _e105 = global_3.member[1u][0u];
-            let _e109 = global_3.member[1u][1u];
-            let _e113 = global_3.member[1u][2u];
-            let _e116 = global_1.member[0u];
-            let _e117 = bitcast<i32>(_e116);
-            let _e129 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e101) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e89), bitcast<i32>(_e93), bitcast<i32>(_e97));
-            local = array<i32, 3>(bitcast<i32>(_e105), bitcast<i32>(_e109), bitcast<i32>(_e113));
-            let _e135 = (_e77.x + (_e77.y * 2097152u));
-            let _e136 = (_e135 < arrayLength((&global_4.member)));
-            if _e136 {
-                let _e137 = (_e135 < arrayLength((&global_6.member)));
-                if _e137 {
-                    if _e136 {
+            let _e81 = global;
+            let _e83 = arrayLength((&global_5.member));
+            let _e85 = arrayLength((&global_2.member));
+            let _e93 = global_3.member[0u][0u];
+            let _e97 = global_3.member[0u][1u];
+            let _e101 = global_3.member[0u][2u];
+            let _e105 = global_3.member[0u][3u];
+            let _e109 = global_3.member[1u][0u];
+            let _e113 = global_3.member[1u][1u];
+            let _e117 = global_3.member[1u][2u];
+            let _e120 = global_1.member[0u];
+            let _e121 = bitcast<i32>(_e120);
+            let _e133 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e105) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e93), bitcast<i32>(_e97), bitcast<i32>(_e101));
+            local = array<i32, 3>(bitcast<i32>(_e109), bitcast<i32>(_e113), bitcast<i32>(_e117));
+            let _e139 = (_e81.x + (_e81.y * 2097152u));
+            let _e140 = (_e139 < arrayLength((&global_4.member)));
+            if _e140 {
+                let _e141 = (_e139 < arrayLength((&global_6.member)));
+                if _e141 {
+                    if _e140 {
                     } else {
                         break;
                     }
-                    let _e145 = global_4.member[_e135].member_2[0u];
-                    let _e147 = (bitcast<u32>(_e145) & 2147483647u);
-                    let _e152 = global_4.member[_e135].member_2[1u];
-                    let _e154 = (bitcast<u32>(_e152) & 2147483647u);
-                    let _e159 = global_4.member[_e135].member_2[2u];
-                    let _e161 = (bitcast<u32>(_e159) & 2147483647u);
-                    let _e166 = global_4.member[_e135].member[0u];
-                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
-                    let _e173 = global_4.member[_e135].member[1u];
-                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
-                    let _e180 = global_4.member[_e135].member[2u];
-                    let _e182 = (bitcast<u32>(_e180) & 2147483647u);
-                    let _e184 = select(_e154, _e147, (_e154 < _e147));
-                    let _e186 = select(_e161, _e184, (_e161 < _e184));
-                    let _e188 = select(_e168, _e186, (_e168 < _e186));
-                    let _e190 = select(_e175, _e188, (_e175 < _e188));
-                    let _e192 = select(_e182, _e190, (_e182 < _e190));
-                    let _e196 = global_4.member[_e135].member_1;
-                    let _e198 = (bitcast<u32>(_e196) & 2147483647u);
-                    let _e205 = global_4.member[_e135].member_3;
-                    let _e211 = (((select(_e198, _e192, (_e198 < _e192)) < 2139095040u) && ((bitcast<u32>(_e205) & 2147483647u) <= 2139095040u)) && (_e186 > 0u));
-                    if _e211 {
-                        let _e214 = (bitcast<u32>(bitcast<f32>(_e186)) & 2147483647u);
-                        if (_e214 >= 8388608u) {
-                            phi_377_ = (bitcast<i32>((_e214 >> bitcast<u32>(23i))) - 127i);
+                    let _e149 = global_4.member[_e139].member_2[0u];
+                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
+                    let _e156 = global_4.member[_e139].member_2[1u];
+                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
+                    let _e163 = global_4.member[_e139].member_2[2u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_4.member[_e139].member[0u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_4.member[_e139].member[1u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e184 = global_4.member[_e139].member[2u];
+                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                    let _e188 = select(_e158, _e151, (_e158 < _e151));
+                    let _e190 = select(_e165, _e188, (_e165 < _e188));
+                    let _e192 = select(_e172, _e190, (_e172 < _e190));
+                    let _e194 = select(_e179, _e192, (_e179 < _e192));
+                    let _e196 = select(_e186, _e194, (_e186 < _e194));
+                    let _e200 = global_4.member[_e139].member_1;
+                    let _e202 = (bitcast<u32>(_e200) & 2147483647u);
+                    let _e209 = global_4.member[_e139].member_3;
+                    let _e215 = (((select(_e202, _e196, (_e202 < _e196)) < 2139095040u) && ((bitcast<u32>(_e209) & 2147483647u) <= 2139095040u)) && (_e190 > 0u));
+                    if _e215 {
+                        let _e218 = (bitcast<u32>(bitcast<f32>(_e190)) & 2147483647u);
+                        if (_e218 >= 8388608u) {
+                            phi_378_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_377_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e214)), 32u, (_e214 == 0u))));
+                            phi_378_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
                         }
-                        let _e228 = phi_377_;
-                        phi_378_ = _e228;
+                        let _e232 = phi_378_;
+                        phi_379_ = _e232;
                     } else {
-                        phi_378_ = 0i;
+                        phi_379_ = 0i;
                     }
-                    let _e230 = phi_378_;
-                    let _e231 = (_e147 == _e186);
-                    if _e231 {
-                        phi_388_ = true;
+                    let _e234 = phi_379_;
+                    let _e235 = (_e151 == _e190);
+                    if _e235 {
+                        phi_389_ = true;
                     } else {
-                        phi_388_ = (_e154 == _e186);
+                        phi_389_ = (_e158 == _e190);
                     }
-                    let _e234 = phi_388_;
-                    let _e235 = select(1u, 0u, _e231);
-                    if _e234 {
-                        let _e236 = (_e235 + 1u);
-                        phi_398_ = _e236;
-                        phi_399_ = _e236;
-                        phi_401_ = select(true, false, (_e236 == 2u));
+                    let _e238 = phi_389_;
+                    let _e239 = select(1u, 0u, _e235);
+                    if _e238 {
+                        let _e240 = (_e239 + 1u);
+                        phi_399_ = _e240;
+                        phi_400_ = _e240;
+                        phi_402_ = select(true, false, (_e240 == 2u));
                     } else {
-                        phi_398_ = u32();
-                        phi_399_ = 0u;
-                        phi_401_ = true;
+                        phi_399_ = u32();
+                        phi_400_ = 0u;
+                        phi_402_ = true;
                     }
-                    let _e240 = phi_398_;
-                    let _e242 = phi_399_;
-                    let _e244 = phi_401_;
-                    if _e244 {
-                        phi_406_ = (_e242 + 1u);
+                    let _e244 = phi_399_;
+                    let _e246 = phi_400_;
+                    let _e248 = phi_402_;
+                    if _e248 {
+                        phi_407_ = (_e246 + 1u);
                     } else {
-                        phi_406_ = 0u;
+                        phi_407_ = 0u;
                     }
-                    let _e248 = phi_406_;
-                    let _e249 = select(_e240, _e242, _e244);
-                    let _e250 = select(_e235, select(2u, _e235, _e234), _e244);
-                    if (_e117 < -126i) {
-                        phi_419_ = -126i;
+                    let _e252 = phi_407_;
+                    let _e253 = select(_e244, _e246, _e248);
+                    let _e254 = select(_e239, select(2u, _e239, _e238), _e248);
+                    if (_e121 < -126i) {
+                        phi_420_ = -126i;
                     } else {
-                        phi_419_ = select(_e117, 127i, (_e117 > 127i));
+                        phi_420_ = select(_e121, 127i, (_e121 > 127i));
                     }
-                    let _e255 = phi_419_;
-                    let _e260 = bitcast<f32>((bitcast<u32>((_e255 + 127i)) << bitcast<u32>(23i)));
-                    let _e266 = bitcast<f32>((bitcast<u32>(((_e117 - _e255) + 127i)) << bitcast<u32>(23i)));
-                    let _e267 = -(_e230);
-                    if (_e267 < -126i) {
-                        phi_439_ = -126i;
+                    let _e259 = phi_420_;
+                    let _e264 = bitcast<f32>((bitcast<u32>((_e259 + 127i)) << bitcast<u32>(23i)));
+                    let _e270 = bitcast<f32>((bitcast<u32>(((_e121 - _e259) + 127i)) << bitcast<u32>(23i)));
+                    let _e271 = -(_e234);
+                    if (_e271 < -126i) {
+                        phi_440_ = -126i;
                     } else {
-                        phi_439_ = select(_e267, 127i, (_e267 > 127i));
+                        phi_440_ = select(_e271, 127i, (_e271 > 127i));
                     }
-                    let _e272 = phi_439_;
-                    let _e277 = bitcast<f32>((bitcast<u32>((_e272 + 127i)) << bitcast<u32>(23i)));
-                    let _e283 = bitcast<f32>((bitcast<u32>(((_e267 - _e272) + 127i)) << bitcast<u32>(23i)));
-                    let _e287 = global_4.member[_e135].member;
-                    let _e288 = (_e249 == 0u);
-                    if _e288 {
-                        phi_457_ = _e287[0];
+                    let _e276 = phi_440_;
+                    let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
+                    let _e287 = bitcast<f32>((bitcast<u32>(((_e271 - _e276) + 127i)) << bitcast<u32>(23i)));
+                    let _e291 = global_4.member[_e139].member;
+                    let _e292 = (_e253 == 0u);
+                    if _e292 {
+                        phi_458_ = _e291[0];
                     } else {
-                        phi_457_ = _e287[1];
+                        phi_458_ = _e291[1];
                     }
-                    let _e292 = phi_457_;
-                    let _e293 = (_e249 == 2u);
-                    if _e293 {
-                        phi_463_ = _e287[2];
+                    let _e296 = phi_458_;
+                    let _e297 = (_e253 == 2u);
+                    if _e297 {
+                        phi_464_ = _e291[2];
                     } else {
-                        phi_463_ = _e292;
+                        phi_464_ = _e296;
                     }
-                    let _e296 = phi_463_;
-                    let _e298 = ((_e296 * _e260) * _e266);
-                    let _e299 = global_4.member[_e135].member_2;
-                    if _e288 {
-                        phi_474_ = _e299[0];
+                    let _e300 = phi_464_;
+                    let _e302 = ((_e300 * _e264) * _e270);
+                    let _e303 = global_4.member[_e139].member_2;
+                    if _e292 {
+                        phi_475_ = _e303[0];
                     } else {
-                        phi_474_ = _e299[1];
+                        phi_475_ = _e303[1];
                     }
-                    let _e303 = phi_474_;
-                    if _e293 {
-                        phi_480_ = _e299[2];
+                    let _e307 = phi_475_;
+                    if _e297 {
+                        phi_481_ = _e303[2];
                     } else {
-                        phi_480_ = _e303;
+                        phi_481_ = _e307;
                     }
-                    let _e306 = phi_480_;
-                    let _e308 = ((_e306 * _e277) * _e283);
-                    let _e312 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e312 {
-                        let _e316 = (bitcast<f32>((bitcast<u32>(_e298) & 2147483647u)) * 0.00000011920929f);
-                        phi_503_ = select(0.00000000000011368684f, _e316, (_e316 > 0.00000000000011368684f));
+                    let _e310 = phi_481_;
+                    let _e312 = ((_e310 * _e281) * _e287);
+                    let _e316 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e316 {
+                        let _e320 = (bitcast<f32>((bitcast<u32>(_e302) & 2147483647u)) * 0.00000011920929f);
+                        phi_504_ = select(0.00000000000011368684f, _e320, (_e320 > 0.00000000000011368684f));
                     } else {
-                        phi_503_ = 0f;
+                        phi_504_ = 0f;
                     }
-                    let _e320 = phi_503_;
-                    let _e321 = (_e298 + _e320);
-                    let _e322 = (_e298 - _e320);
-                    let _e323 = select(_e308, 0f, _e312);
-                    if _e312 {
-                        phi_514_ = 38685626000000000000000000f;
+                    let _e324 = phi_504_;
+                    let _e325 = (_e302 + _e324);
+                    let _e326 = (_e302 - _e324);
+                    let _e327 = select(_e312, 0f, _e316);
+                    if _e316 {
+                        phi_515_ = 38685626000000000000000000f;
                     } else {
-                        phi_514_ = (1f / _e308);
+                        phi_515_ = (1f / _e312);
                     }
-                    let _e326 = phi_514_;
-                    let _e327 = (_e248 == 0u);
-                    if _e327 {
-                        phi_523_ = _e287[0];
+                    let _e330 = phi_515_;
+                    let _e331 = (_e252 == 0u);
+                    if _e331 {
+                        phi_524_ = _e291[0];
                     } else {
-                        phi_523_ = _e287[1];
+                        phi_524_ = _e291[1];
                     }
-                    let _e331 = phi_523_;
-                    let _e332 = (_e248 == 2u);
-                    if _e332 {
-                        phi_529_ = _e287[2];
+                    let _e335 = phi_524_;
+                    let _e336 = (_e252 == 2u);
+                    if _e336 {
+                        phi_530_ = _e291[2];
                     } else {
-                        phi_529_ = _e331;
+                        phi_530_ = _e335;
                     }
-                    let _e335 = phi_529_;
-                    let _e337 = ((_e335 * _e260) * _e266);
-                    if _e327 {
-                        phi_540_ = _e299[0];
+                    let _e339 = phi_530_;
+                    let _e341 = ((_e339 * _e264) * _e270);
+                    if _e331 {
+                        phi_541_ = _e303[0];
                     } else {
-                        phi_540_ = _e299[1];
+                        phi_541_ = _e303[1];
                     }
-                    let _e341 = phi_540_;
-                    if _e332 {
-                        phi_546_ = _e299[2];
+                    let _e345 = phi_541_;
+                    if _e336 {
+                        phi_547_ = _e303[2];
                     } else {
-                        phi_546_ = _e341;
+                        phi_547_ = _e345;
                     }
-                    let _e344 = phi_546_;
-                    let _e346 = ((_e344 * _e277) * _e283);
-                    let _e350 = (bitcast<f32>((bitcast<u32>(_e346) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e350 {
-                        let _e354 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) * 0.00000011920929f);
-                        phi_569_ = select(0.00000000000011368684f, _e354, (_e354 > 0.00000000000011368684f));
+                    let _e348 = phi_547_;
+                    let _e350 = ((_e348 * _e281) * _e287);
+                    let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e354 {
+                        let _e358 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) * 0.00000011920929f);
+                        phi_570_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
                     } else {
-                        phi_569_ = 0f;
+                        phi_570_ = 0f;
                     }
-                    let _e358 = phi_569_;
-                    let _e359 = (_e337 + _e358);
-                    let _e360 = (_e337 - _e358);
-                    let _e361 = select(_e346, 0f, _e350);
-                    if _e350 {
-                        phi_580_ = 38685626000000000000000000f;
+                    let _e362 = phi_570_;
+                    let _e363 = (_e341 + _e362);
+                    let _e364 = (_e341 - _e362);
+                    let _e365 = select(_e350, 0f, _e354);
+                    if _e354 {
+                        phi_581_ = 38685626000000000000000000f;
                     } else {
-                        phi_580_ = (1f / _e346);
+                        phi_581_ = (1f / _e350);
                     }
-                    let _e364 = phi_580_;
-                    let _e365 = (_e250 == 0u);
-                    if _e365 {
-                        phi_589_ = _e287[0];
+                    let _e368 = phi_581_;
+                    let _e369 = (_e254 == 0u);
+                    if _e369 {
+                        phi_590_ = _e291[0];
                     } else {
-                        phi_589_ = _e287[1];
+                        phi_590_ = _e291[1];
                     }
-                    let _e369 = phi_589_;
-                    let _e370 = (_e250 == 2u);
-                    if _e370 {
-                        phi_595_ = _e287[2];
+                    let _e373 = phi_590_;
+                    let _e374 = (_e254 == 2u);
+                    if _e374 {
+                        phi_596_ = _e291[2];
                     } else {
-                        phi_595_ = _e369;
+                        phi_596_ = _e373;
                     }
-                    let _e373 = phi_595_;
-                    let _e375 = ((_e373 * _e260) * _e266);
-                    if _e365 {
-                        phi_606_ = _e299[0];
+                    let _e377 = phi_596_;
+                    let _e379 = ((_e377 * _e264) * _e270);
+                    if _e369 {
+                        phi_607_ = _e303[0];
                     } else {
-                        phi_606_ = _e299[1];
+                        phi_607_ = _e303[1];
                     }
-                    let _e379 = phi_606_;
-                    if _e370 {
-                        phi_612_ = _e299[2];
+                    let _e383 = phi_607_;
+                    if _e374 {
+                        phi_613_ = _e303[2];
                     } else {
-                        phi_612_ = _e379;
+                        phi_613_ = _e383;
                     }
-                    let _e382 = phi_612_;
-                    let _e384 = ((_e382 * _e277) * _e283);
-                    let _e388 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e388 {
-                        let _e392 = (bitcast<f32>((bitcast<u32>(_e375) & 2147483647u)) * 0.00000011920929f);
-                        phi_635_ = select(0.00000000000011368684f, _e392, (_e392 > 0.00000000000011368684f));
+                    let _e386 = phi_613_;
+                    let _e388 = ((_e386 * _e281) * _e287);
+                    let _e392 = (bitcast<f32>((bitcast<u32>(_e388) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e392 {
+                        let _e396 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
+                        phi_636_ = select(0.00000000000011368684f, _e396, (_e396 > 0.00000000000011368684f));
                     } else {
-                        phi_635_ = 0f;
+                        phi_636_ = 0f;
                     }
-                    let _e396 = phi_635_;
-                    let _e397 = (_e375 + _e396);
-                    let _e398 = (_e375 - _e396);
-                    let _e399 = select(_e384, 0f, _e388);
-                    if _e388 {
-                        phi_646_ = 38685626000000000000000000f;
+                    let _e400 = phi_636_;
+                    let _e401 = (_e379 + _e400);
+                    let _e402 = (_e379 - _e400);
+                    let _e403 = select(_e388, 0f, _e392);
+                    if _e392 {
+                        phi_647_ = 38685626000000000000000000f;
                     } else {
-                        phi_646_ = (1f / _e384);
+                        phi_647_ = (1f / _e388);
                     }
-                    let _e402 = phi_646_;
-                    let _e405 = bitcast<f32>((bitcast<u32>(_e298) & 2147483647u));
-                    let _e408 = bitcast<f32>((bitcast<u32>(_e337) & 2147483647u));
-                    let _e410 = select(_e408, _e405, (_e405 > _e408));
-                    let _e413 = bitcast<f32>((bitcast<u32>(_e375) & 2147483647u));
-                    let _e416 = (_e117 + _e230);
-                    if (_e211 && (select(_e413, _e410, (_e410 > _e413)) <= 1099511600000f)) {
-                        let _e419 = (_e416 / 3i);
-                        let _e426 = bitcast<f32>((bitcast<u32>((_e419 + 127i)) << bitcast<u32>(23i)));
-                        let _e433 = bitcast<f32>((bitcast<u32>(((_e416 - (2i * _e419)) + 127i)) << bitcast<u32>(23i)));
-                        let _e434 = (((_e196 * _e426) * _e426) * _e433);
-                        let _e436 = select(340282350000000000000000000000000000000f, _e434, (_e434 < 340282350000000000000000000000000000000f));
-                        let _e441 = (((_e205 * _e426) * _e426) * _e433);
-                        let _e443 = select(340282350000000000000000000000000000000f, _e441, (_e441 < 340282350000000000000000000000000000000f));
-                        phi_746_ = select(-340282350000000000000000000000000000000f, _e443, (_e443 > -340282350000000000000000000000000000000f));
-                        phi_747_ = select(-340282350000000000000000000000000000000f, _e436, (_e436 > -340282350000000000000000000000000000000f));
+                    let _e406 = phi_647_;
+                    let _e409 = bitcast<f32>((bitcast<u32>(_e302) & 2147483647u));
+                    let _e412 = bitcast<f32>((bitcast<u32>(_e341) & 2147483647u));
+                    let _e414 = select(_e412, _e409, (_e409 > _e412));
+                    let _e417 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
+                    let _e420 = (_e121 + _e234);
+                    if (_e215 && (select(_e417, _e414, (_e414 > _e417)) <= 1099511600000f)) {
+                        let _e423 = (_e420 / 3i);
+                        let _e430 = bitcast<f32>((bitcast<u32>((_e423 + 127i)) << bitcast<u32>(23i)));
+                        let _e437 = bitcast<f32>((bitcast<u32>(((_e420 - (2i * _e423)) + 127i)) << bitcast<u32>(23i)));
+                        let _e438 = (((_e200 * _e430) * _e430) * _e437);
+                        let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
+                        let _e445 = (((_e209 * _e430) * _e430) * _e437);
+                        let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
+                        phi_747_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
+                        phi_748_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_746_ = 0f;
-                        phi_747_ = 1f;
+                        phi_747_ = 0f;
+                        phi_748_ = 1f;
                     }
-                    let _e447 = phi_746_;
-                    let _e449 = phi_747_;
-                    local_3 = array<type_48, 128>(type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u));
+                    let _e451 = phi_747_;
+                    let _e453 = phi_748_;
+                    local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e453 = (_e249 % 3u);
-                    let _e454 = (_e453 < 3u);
-                    if _e454 {
+                    local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    let _e457 = (_e253 % 3u);
+                    let _e458 = (_e457 < 3u);
+                    if _e458 {
                     } else {
                         break;
                     }
-                    let _e456 = local_1[_e453];
-                    let _e459 = (_e248 % 3u);
-                    let _e460 = (_e459 < 3u);
-                    if _e460 {
+                    let _e460 = local_1[_e457];
+                    let _e463 = (_e252 % 3u);
+                    let _e464 = (_e463 < 3u);
+                    if _e464 {
                     } else {
                         break;
                     }
-                    let _e462 = local_1[_e459];
-                    let _e465 = (_e250 % 3u);
-                    let _e466 = (_e465 < 3u);
-                    if _e466 {
+                    let _e466 = local_1[_e463];
+                    let _e469 = (_e254 % 3u);
+                    let _e470 = (_e469 < 3u);
+                    if _e470 {
                     } else {
                         break;
                     }
-                    let _e468 = local_1[_e465];
-                    if _e454 {
+                    let _e472 = local_1[_e469];
+                    if _e458 {
                     } else {
                         break;
                     }
-                    let _e473 = local[_e453];
-                    if _e460 {
+                    let _e477 = local[_e457];
+                    if _e464 {
                     } else {
                         break;
                     }
-                    let _e477 = local[_e459];
-                    if _e466 {
+                    let _e481 = local[_e463];
+                    if _e470 {
                     } else {
                         break;
                     }
-                    let _e481 = local[_e465];
-                    phi_4249_ = false;
-                    phi_1867_ = type_31(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e447);
-                    phi_1870_ = type_48(type_28(vec4<f32>((f32(_e456) * _e129), (f32(_e462) * _e129), (f32(_e468) * _e129), 0f), vec4<f32>((f32(_e473) * _e129), (f32(_e477) * _e129), (f32(_e481) * _e129), 0f)), select(0u, 2147483648u, (_e79 == 0u)));
-                    phi_1872_ = ((3u * _e79) + 1u);
-                    phi_1874_ = (_e449 <= _e447);
-                    phi_1876_ = 0u;
+                    let _e485 = local[_e469];
+                    phi_3326_ = false;
+                    phi_837_ = type_33(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e451);
+                    phi_840_ = type_50(type_29(vec4<f32>((f32(_e460) * _e133), (f32(_e466) * _e133), (f32(_e472) * _e133), 0f), vec4<f32>((f32(_e477) * _e133), (f32(_e481) * _e133), (f32(_e485) * _e133), 0f)), select(0u, 2147483648u, (_e83 == 0u)));
+                    phi_842_ = ((3u * _e83) + 1u);
+                    phi_844_ = (_e453 <= _e451);
+                    phi_846_ = 0u;
                     loop {
-                        let _e491 = phi_4249_;
-                        let _e493 = phi_1867_;
-                        let _e495 = phi_1870_;
-                        let _e497 = phi_1872_;
-                        let _e499 = phi_1874_;
-                        let _e501 = phi_1876_;
-                        local_4 = _e493;
-                        if _e499 {
-                            phi_1887_ = true;
+                        let _e495 = phi_3326_;
+                        let _e497 = phi_837_;
+                        let _e499 = phi_840_;
+                        let _e501 = phi_842_;
+                        let _e503 = phi_844_;
+                        let _e505 = phi_846_;
+                        local_10 = _e497;
+                        if _e503 {
+                            phi_857_ = true;
                         } else {
-                            phi_1887_ = (_e501 > 0u);
+                            phi_857_ = (_e505 > 0u);
                         }
-                        let _e504 = phi_1887_;
-                        if _e504 {
-                            let _e505 = (_e497 > 0u);
-                            if _e505 {
-                                if _e499 {
-                                    phi_1924_ = _e495;
-                                    phi_1925_ = _e499;
-                                    phi_1926_ = _e501;
+                        let _e508 = phi_857_;
+                        if _e508 {
+                            let _e509 = (_e501 > 0u);
+                            if _e509 {
+                                if _e503 {
+                                    phi_943_ = _e499;
+                                    phi_944_ = _e503;
+                                    phi_945_ = _e505;
                                 } else {
-                                    let _e506 = (_e501 - 1u);
-                                    let _e507 = (_e506 % 128u);
-                                    let _e508 = (_e507 < 128u);
-                                    if _e508 {
+                                    let _e510 = (_e505 - 1u);
+                                    let _e511 = (_e510 % 128u);
+                                    let _e512 = (_e511 < 128u);
+                                    if _e512 {
                                     } else {
-                                        phi_4357_ = true;
+                                        phi_3434_ = true;
                                         break;
                                     }
-                                    let _e510 = local_3[_e507];
-                                    if _e508 {
+                                    let _e514 = local_7[_e511];
+                                    if _e512 {
                                     } else {
-                                        phi_4357_ = true;
+                                        phi_3434_ = true;
                                         break;
                                     }
-                                    let _e518 = local_2[_e507];
-                                    phi_1924_ = type_48(type_28(_e510.member.member, _e510.member.member_1), _e510.member_1);
-                                    phi_1925_ = (_e518 <= _e493.member_1);
-                                    phi_1926_ = _e506;
+                                    let _e516 = local_6[_e511];
+                                    if _e512 {
+                                    } else {
+                                        phi_3434_ = true;
+                                        break;
+                                    }
+                                    let _e518 = local_5[_e511];
+                                    if _e512 {
+                                    } else {
+                                        phi_3434_ = true;
+                                        break;
+                                    }
+                                    let _e520 = local_4[_e511];
+                                    if _e512 {
+                                    } else {
+                                        phi_3434_ = true;
+                                        break;
+                                    }
+                                    let _e522 = local_3[_e511];
+                                    if _e512 {
+                                    } else {
+                                        phi_3434_ = true;
+                                        break;
+                                    }
+                                    let _e524 = local_2[_e511];
+                                    if _e512 {
+                                    } else {
+                                        phi_3434_ = true;
+                                        break;
+                                    }
+                                    let _e529 = local_8[_e511];
+                                    if _e512 {
+                                    } else {
+                                        phi_3434_ = true;
+                                        break;
+                                    }
+                                    let _e532 = local_9[_e511];
+                                    phi_943_ = type_50(type_29(vec4<f32>(_e514, _e516, _e518, 0f), vec4<f32>(_e520, _e522, _e524, 0f)), _e529);
+                                    phi_944_ = (_e532 <= _e497.member_1);
+                                    phi_945_ = _e510;
                                 }
-                                let _e522 = phi_1924_;
-                                let _e524 = phi_1925_;
-                                let _e526 = phi_1926_;
-                                if _e524 {
-                                    if ((_e522.member_1 & 2147483648u) != 0u) {
-                                        phi_1944_ = _e493;
-                                        phi_1947_ = type_4(0u, ((_e522.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e536 = phi_943_;
+                                let _e538 = phi_944_;
+                                let _e540 = phi_945_;
+                                if _e538 {
+                                    if ((_e536.member_1 & 2147483648u) != 0u) {
+                                        phi_963_ = _e497;
+                                        phi_966_ = type_4(0u, ((_e536.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e972 = phi_1944_;
-                                            let _e974 = phi_1947_;
-                                            local_5 = _e972;
-                                            if (_e974.member < _e974.member_1) {
-                                                phi_1948_ = type_4((_e974.member + 1u), _e974.member_1);
-                                                phi_1970_ = type_4(1u, _e974.member);
+                                            let _e1005 = phi_963_;
+                                            let _e1007 = phi_966_;
+                                            local_11 = _e1005;
+                                            if (_e1007.member < _e1007.member_1) {
+                                                phi_967_ = type_4((_e1007.member + 1u), _e1007.member_1);
+                                                phi_989_ = type_4(1u, _e1007.member);
                                             } else {
-                                                phi_1948_ = _e974;
-                                                phi_1970_ = type_4(0u, type_4().member_1);
+                                                phi_967_ = _e1007;
+                                                phi_989_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e987 = phi_1948_;
-                                            let _e989 = phi_1970_;
-                                            let _e993 = (bitcast<i32>(_e989.member) != 0i);
-                                            if _e993 {
-                                                let _e994 = ((_e522.member_1 & 268435455u) + _e989.member_1);
-                                                let _e995 = (_e994 < _e81);
-                                                if _e995 {
-                                                    if _e995 {
+                                            let _e1020 = phi_967_;
+                                            let _e1022 = phi_989_;
+                                            let _e1026 = (bitcast<i32>(_e1022.member) != 0i);
+                                            if _e1026 {
+                                                let _e1027 = ((_e536.member_1 & 268435455u) + _e1022.member_1);
+                                                let _e1028 = (_e1027 < _e85);
+                                                if _e1028 {
+                                                    if _e1028 {
                                                     } else {
-                                                        phi_4243_ = true;
+                                                        phi_3320_ = true;
                                                         break;
                                                     }
-                                                    let _e999 = global_2.member[_e994].member_1;
-                                                    phi_1991_ = _e999;
+                                                    let _e1032 = global_2.member[_e1027].member_1;
+                                                    phi_1010_ = _e1032;
                                                 } else {
-                                                    phi_1991_ = 4294967295u;
+                                                    phi_1010_ = 4294967295u;
                                                 }
-                                                let _e1001 = phi_1991_;
-                                                if (_e994 >= _e81) {
-                                                    phi_2080_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1034 = phi_1010_;
+                                                if (_e1027 >= _e85) {
+                                                    phi_1099_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e995 {
+                                                    if _e1028 {
                                                     } else {
-                                                        phi_4243_ = true;
+                                                        phi_3320_ = true;
                                                         break;
                                                     }
-                                                    if (_e453 < 9u) {
+                                                    if (_e457 < 9u) {
                                                     } else {
-                                                        phi_4243_ = true;
+                                                        phi_3320_ = true;
                                                         break;
                                                     }
-                                                    let _e1008 = global_2.member[_e994].member[_e453];
-                                                    if (_e459 < 9u) {
+                                                    let _e1041 = global_2.member[_e1027].member[_e457];
+                                                    if (_e463 < 9u) {
                                                     } else {
-                                                        phi_4243_ = true;
+                                                        phi_3320_ = true;
                                                         break;
                                                     }
-                                                    let _e1014 = global_2.member[_e994].member[_e459];
-                                                    if (_e465 < 9u) {
+                                                    let _e1047 = global_2.member[_e1027].member[_e463];
+                                                    if (_e469 < 9u) {
                                                     } else {
-                                                        phi_4243_ = true;
+                                                        phi_3320_ = true;
                                                         break;
                                                     }
-                                                    let _e1020 = global_2.member[_e994].member[_e465];
-                                                    let _e1022 = (3u + _e453);
-                                                    if (_e1022 < 9u) {
+                                                    let _e1053 = global_2.member[_e1027].member[_e469];
+                                                    let _e1055 = (3u + _e457);
+                                                    if (_e1055 < 9u) {
                                                     } else {
-                                                        phi_4243_ = true;
+                                                        phi_3320_ = true;
                                                         break;
                                                     }
-                                                    let _e1028 = global_2.member[_e994].member[_e1022];
-                                                    let _e1029 = (3u + _e459);
-                                                    if (_e1029 < 9u) {
+                                                    let _e1061 = global_2.member[_e1027].member[_e1055];
+                                                    let _e1062 = (3u + _e463);
+                                                    if (_e1062 < 9u) {
                                                     } else {
-                                                        phi_4243_ = true;
+                                                        phi_3320_ = true;
                                                         break;
                                                     }
-                                                    let _e1035 = global_2.member[_e994].member[_e1029];
-                                                    let _e1036 = (3u + _e465);
-                                                    if (_e1036 < 9u) {
+                                                    let _e1068 = global_2.member[_e1027].member[_e1062];
+                                                    let _e1069 = (3u + _e469);
+                                                    if (_e1069 < 9u) {
                                                     } else {
-                                                        phi_4243_ = true;
+                                                        phi_3320_ = true;
                                                         break;
                                                     }
-                                                    let _e1042 = global_2.member[_e994].member[_e1036];
-                                                    let _e1044 = (6u + _e453);
-                                                    if (_e1044 < 9u) {
+                                                    let _e1075 = global_2.member[_e1027].member[_e1069];
+                                                    let _e1077 = (6u + _e457);
+                                                    if (_e1077 < 9u) {
                                                     } else {
-                                                        phi_4243_ = true;
+                                                        phi_3320_ = true;
                                                         break;
                                                     }
-                                                    let _e1050 = global_2.member[_e994].member[_e1044];
-                                                    let _e1051 = (6u + _e459);
-                                                    if (_e1051 < 9u) {
+                                                    let _e1083 = global_2.member[_e1027].member[_e1077];
+                                                    let _e1084 = (6u + _e463);
+                                                    if (_e1084 < 9u) {
                                                     } else {
-                                                        phi_4243_ = true;
+                                                        phi_3320_ = true;
                                                         break;
                                                     }
-                                                    let _e1057 = global_2.member[_e994].member[_e1051];
-                                                    let _e1058 = (6u + _e465);
-                                                    if (_e1058 < 9u) {
+                                                    let _e1090 = global_2.member[_e1027].member[_e1084];
+                                                    let _e1091 = (6u + _e469);
+                                                    if (_e1091 < 9u) {
                                                     } else {
-                                                        phi_4243_ = true;
+                                                        phi_3320_ = true;
                                                         break;
                                                     }
-                                                    let _e1064 = global_2.member[_e994].member[_e1058];
-                                                    phi_2080_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1008, _e1014, _e1020), array<f32, 3>(_e1028, _e1035, _e1042), array<f32, 3>(_e1050, _e1057, _e1064));
+                                                    let _e1097 = global_2.member[_e1027].member[_e1091];
+                                                    phi_1099_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1041, _e1047, _e1053), array<f32, 3>(_e1061, _e1068, _e1075), array<f32, 3>(_e1083, _e1090, _e1097));
                                                 }
-                                                let _e1068 = phi_2080_;
-                                                let _e1076 = (_e1068[0][2] - _e375);
-                                                let _e1079 = (((_e1068[0][0] - _e298) * _e399) - (_e1076 * _e323));
-                                                let _e1082 = (((_e1068[0][1] - _e337) * _e399) - (_e1076 * _e361));
-                                                let _e1089 = (_e1068[1][2] - _e375);
-                                                let _e1092 = (((_e1068[1][0] - _e298) * _e399) - (_e1089 * _e323));
-                                                let _e1095 = (((_e1068[1][1] - _e337) * _e399) - (_e1089 * _e361));
-                                                let _e1102 = (_e1068[2][2] - _e375);
-                                                let _e1105 = (((_e1068[2][0] - _e298) * _e399) - (_e1102 * _e323));
-                                                let _e1108 = (((_e1068[2][1] - _e337) * _e399) - (_e1102 * _e361));
-                                                let _e1109 = (_e1105 * _e1095);
-                                                let _e1110 = (_e1108 * _e1092);
-                                                let _e1111 = (_e1079 * _e1108);
-                                                let _e1112 = (_e1082 * _e1105);
-                                                let _e1113 = (_e1092 * _e1082);
-                                                let _e1114 = (_e1095 * _e1079);
-                                                let _e1119 = (((_e1109 >= _e1110) && (_e1111 >= _e1112)) && (_e1113 >= _e1114));
-                                                if (_e1119 || (((_e1109 <= _e1110) && (_e1111 <= _e1112)) && (_e1113 <= _e1114))) {
-                                                    let _e1126 = select(-1f, 1f, _e1119);
-                                                    let _e1128 = ((_e1109 - _e1110) * _e1126);
-                                                    let _e1130 = select(0f, _e1128, (_e1128 > 0f));
-                                                    let _e1132 = ((_e1111 - _e1112) * _e1126);
-                                                    let _e1134 = select(0f, _e1132, (_e1132 > 0f));
-                                                    let _e1136 = ((_e1113 - _e1114) * _e1126);
-                                                    let _e1138 = select(0f, _e1136, (_e1136 > 0f));
-                                                    let _e1140 = ((_e1130 + _e1134) + _e1138);
-                                                    if (_e1140 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2646_ = type_20();
-                                                        phi_2647_ = true;
+                                                let _e1101 = phi_1099_;
+                                                let _e1109 = (_e1101[0][2] - _e379);
+                                                let _e1112 = (((_e1101[0][0] - _e302) * _e403) - (_e1109 * _e327));
+                                                let _e1115 = (((_e1101[0][1] - _e341) * _e403) - (_e1109 * _e365));
+                                                let _e1122 = (_e1101[1][2] - _e379);
+                                                let _e1125 = (((_e1101[1][0] - _e302) * _e403) - (_e1122 * _e327));
+                                                let _e1128 = (((_e1101[1][1] - _e341) * _e403) - (_e1122 * _e365));
+                                                let _e1135 = (_e1101[2][2] - _e379);
+                                                let _e1138 = (((_e1101[2][0] - _e302) * _e403) - (_e1135 * _e327));
+                                                let _e1141 = (((_e1101[2][1] - _e341) * _e403) - (_e1135 * _e365));
+                                                let _e1142 = (_e1138 * _e1128);
+                                                let _e1143 = (_e1141 * _e1125);
+                                                let _e1144 = (_e1112 * _e1141);
+                                                let _e1145 = (_e1115 * _e1138);
+                                                let _e1146 = (_e1125 * _e1115);
+                                                let _e1147 = (_e1128 * _e1112);
+                                                let _e1152 = (((_e1142 >= _e1143) && (_e1144 >= _e1145)) && (_e1146 >= _e1147));
+                                                if (_e1152 || (((_e1142 <= _e1143) && (_e1144 <= _e1145)) && (_e1146 <= _e1147))) {
+                                                    let _e1159 = select(-1f, 1f, _e1152);
+                                                    let _e1161 = ((_e1142 - _e1143) * _e1159);
+                                                    let _e1163 = select(0f, _e1161, (_e1161 > 0f));
+                                                    let _e1165 = ((_e1144 - _e1145) * _e1159);
+                                                    let _e1167 = select(0f, _e1165, (_e1165 > 0f));
+                                                    let _e1169 = ((_e1146 - _e1147) * _e1159);
+                                                    let _e1171 = select(0f, _e1169, (_e1169 > 0f));
+                                                    let _e1173 = ((_e1163 + _e1167) + _e1171);
+                                                    if (_e1173 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1665_ = type_21();
+                                                        phi_1666_ = true;
                                                     } else {
-                                                        let _e1143 = select(_e1068[1][0], _e1068[0][0], (_e1068[0][0] < _e1068[1][0]));
-                                                        let _e1147 = select(_e1068[1][0], _e1068[0][0], (_e1068[0][0] > _e1068[1][0]));
-                                                        let _e1151 = select(_e1068[1][1], _e1068[0][1], (_e1068[0][1] < _e1068[1][1]));
-                                                        let _e1155 = select(_e1068[1][1], _e1068[0][1], (_e1068[0][1] > _e1068[1][1]));
-                                                        let _e1159 = select(_e1068[1][2], _e1068[0][2], (_e1068[0][2] < _e1068[1][2]));
-                                                        let _e1163 = select(_e1068[1][2], _e1068[0][2], (_e1068[0][2] > _e1068[1][2]));
-                                                        let _e1168 = ((select(_e1068[2][0], _e1143, (_e1143 < _e1068[2][0])) - _e321) * _e326);
-                                                        let _e1169 = ((select(_e1068[2][0], _e1147, (_e1147 > _e1068[2][0])) - _e322) * _e326);
-                                                        let _e1172 = ((select(_e1068[2][1], _e1151, (_e1151 < _e1068[2][1])) - _e359) * _e364);
-                                                        let _e1173 = ((select(_e1068[2][1], _e1155, (_e1155 > _e1068[2][1])) - _e360) * _e364);
-                                                        let _e1176 = ((select(_e1068[2][2], _e1159, (_e1159 < _e1068[2][2])) - _e397) * _e402);
-                                                        let _e1177 = ((select(_e1068[2][2], _e1163, (_e1163 > _e1068[2][2])) - _e398) * _e402);
-                                                        let _e1179 = select(_e1177, _e1176, (_e1176 < _e1177));
-                                                        let _e1181 = select(_e1177, _e1176, (_e1176 > _e1177));
-                                                        let _e1183 = select(_e1169, _e1168, (_e1168 < _e1169));
-                                                        let _e1185 = select(_e1173, _e1172, (_e1172 < _e1173));
-                                                        let _e1187 = select(_e1185, _e1183, (_e1183 > _e1185));
-                                                        let _e1189 = select(_e1179, _e1187, (_e1187 > _e1179));
-                                                        let _e1191 = select(_e1169, _e1168, (_e1168 > _e1169));
-                                                        let _e1193 = select(_e1173, _e1172, (_e1172 > _e1173));
-                                                        let _e1195 = select(_e1193, _e1191, (_e1191 < _e1193));
-                                                        let _e1197 = select(_e1181, _e1195, (_e1195 < _e1181));
-                                                        let _e1198 = -(_e1179);
-                                                        let _e1204 = select(_e449, _e1189, (_e1189 > _e449));
-                                                        if (_e1204 > (_e1197 + (select(_e1198, _e1181, (_e1181 > _e1198)) * 0.0000019073523f))) {
-                                                            phi_2641_ = type_20();
-                                                            phi_2642_ = true;
+                                                        let _e1176 = select(_e1101[1][0], _e1101[0][0], (_e1101[0][0] < _e1101[1][0]));
+                                                        let _e1180 = select(_e1101[1][0], _e1101[0][0], (_e1101[0][0] > _e1101[1][0]));
+                                                        let _e1184 = select(_e1101[1][1], _e1101[0][1], (_e1101[0][1] < _e1101[1][1]));
+                                                        let _e1188 = select(_e1101[1][1], _e1101[0][1], (_e1101[0][1] > _e1101[1][1]));
+                                                        let _e1192 = select(_e1101[1][2], _e1101[0][2], (_e1101[0][2] < _e1101[1][2]));
+                                                        let _e1196 = select(_e1101[1][2], _e1101[0][2], (_e1101[0][2] > _e1101[1][2]));
+                                                        let _e1201 = ((select(_e1101[2][0], _e1176, (_e1176 < _e1101[2][0])) - _e325) * _e330);
+                                                        let _e1202 = ((select(_e1101[2][0], _e1180, (_e1180 > _e1101[2][0])) - _e326) * _e330);
+                                                        let _e1205 = ((select(_e1101[2][1], _e1184, (_e1184 < _e1101[2][1])) - _e363) * _e368);
+                                                        let _e1206 = ((select(_e1101[2][1], _e1188, (_e1188 > _e1101[2][1])) - _e364) * _e368);
+                                                        let _e1209 = ((select(_e1101[2][2], _e1192, (_e1192 < _e1101[2][2])) - _e401) * _e406);
+                                                        let _e1210 = ((select(_e1101[2][2], _e1196, (_e1196 > _e1101[2][2])) - _e402) * _e406);
+                                                        let _e1212 = select(_e1210, _e1209, (_e1209 < _e1210));
+                                                        let _e1214 = select(_e1210, _e1209, (_e1209 > _e1210));
+                                                        let _e1216 = select(_e1202, _e1201, (_e1201 < _e1202));
+                                                        let _e1218 = select(_e1206, _e1205, (_e1205 < _e1206));
+                                                        let _e1220 = select(_e1218, _e1216, (_e1216 > _e1218));
+                                                        let _e1222 = select(_e1212, _e1220, (_e1220 > _e1212));
+                                                        let _e1224 = select(_e1202, _e1201, (_e1201 > _e1202));
+                                                        let _e1226 = select(_e1206, _e1205, (_e1205 > _e1206));
+                                                        let _e1228 = select(_e1226, _e1224, (_e1224 < _e1226));
+                                                        let _e1230 = select(_e1214, _e1228, (_e1228 < _e1214));
+                                                        let _e1231 = -(_e1212);
+                                                        let _e1237 = select(_e453, _e1222, (_e1222 > _e453));
+                                                        if (_e1237 > (_e1230 + (select(_e1231, _e1214, (_e1214 > _e1231)) * 0.0000019073523f))) {
+                                                            phi_1660_ = type_21();
+                                                            phi_1661_ = true;
                                                         } else {
-                                                            let _e1206 = (_e1204 > _e972.member_1);
-                                                            if _e1206 {
-                                                                phi_2640_ = type_20();
+                                                            let _e1239 = (_e1237 > _e1005.member_1);
+                                                            if _e1239 {
+                                                                phi_1659_ = type_21();
                                                             } else {
-                                                                let _e1210 = (_e1068[1][0] - _e1068[0][0]);
-                                                                let _e1211 = (_e1068[1][1] - _e1068[0][1]);
-                                                                let _e1212 = (_e1068[1][2] - _e1068[0][2]);
-                                                                let _e1213 = vec3<f32>(_e1210, _e1211, _e1212);
-                                                                let _e1214 = (_e1068[2][0] - _e1068[1][0]);
-                                                                let _e1215 = (_e1068[2][1] - _e1068[1][1]);
-                                                                let _e1216 = (_e1068[2][2] - _e1068[1][2]);
-                                                                let _e1217 = vec3<f32>(_e1214, _e1215, _e1216);
-                                                                let _e1218 = (_e1068[0][0] - _e1068[2][0]);
-                                                                let _e1219 = (_e1068[0][1] - _e1068[2][1]);
-                                                                let _e1220 = (_e1068[0][2] - _e1068[2][2]);
-                                                                let _e1221 = vec3<f32>(_e1218, _e1219, _e1220);
-                                                                let _e1224 = bitcast<f32>((bitcast<u32>(_e1210) & 2147483647u));
-                                                                let _e1227 = bitcast<f32>((bitcast<u32>(_e1211) & 2147483647u));
-                                                                let _e1229 = select(_e1227, _e1224, (_e1224 > _e1227));
-                                                                let _e1232 = bitcast<f32>((bitcast<u32>(_e1212) & 2147483647u));
-                                                                let _e1234 = select(_e1232, _e1229, (_e1229 > _e1232));
-                                                                let _e1237 = bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u));
-                                                                let _e1240 = bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u));
-                                                                let _e1242 = select(_e1240, _e1237, (_e1237 > _e1240));
-                                                                let _e1245 = bitcast<f32>((bitcast<u32>(_e1216) & 2147483647u));
-                                                                let _e1247 = select(_e1245, _e1242, (_e1242 > _e1245));
-                                                                let _e1250 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
-                                                                let _e1253 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
-                                                                let _e1255 = select(_e1253, _e1250, (_e1250 > _e1253));
-                                                                let _e1258 = bitcast<f32>((bitcast<u32>(_e1220) & 2147483647u));
-                                                                let _e1260 = select(_e1258, _e1255, (_e1255 > _e1258));
-                                                                let _e1262 = select(_e1247, _e1234, (_e1234 > _e1247));
-                                                                let _e1264 = select(_e1260, _e1262, (_e1262 > _e1260));
-                                                                if (_e1234 == _e1264) {
-                                                                    phi_2551_ = _e1217;
-                                                                    phi_2552_ = _e1221;
+                                                                let _e1243 = (_e1101[1][0] - _e1101[0][0]);
+                                                                let _e1244 = (_e1101[1][1] - _e1101[0][1]);
+                                                                let _e1245 = (_e1101[1][2] - _e1101[0][2]);
+                                                                let _e1246 = vec3<f32>(_e1243, _e1244, _e1245);
+                                                                let _e1247 = (_e1101[2][0] - _e1101[1][0]);
+                                                                let _e1248 = (_e1101[2][1] - _e1101[1][1]);
+                                                                let _e1249 = (_e1101[2][2] - _e1101[1][2]);
+                                                                let _e1250 = vec3<f32>(_e1247, _e1248, _e1249);
+                                                                let _e1251 = (_e1101[0][0] - _e1101[2][0]);
+                                                                let _e1252 = (_e1101[0][1] - _e1101[2][1]);
+                                                                let _e1253 = (_e1101[0][2] - _e1101[2][2]);
+                                                                let _e1254 = vec3<f32>(_e1251, _e1252, _e1253);
+                                                                let _e1257 = bitcast<f32>((bitcast<u32>(_e1243) & 2147483647u));
+                                                                let _e1260 = bitcast<f32>((bitcast<u32>(_e1244) & 2147483647u));
+                                                                let _e1262 = select(_e1260, _e1257, (_e1257 > _e1260));
+                                                                let _e1265 = bitcast<f32>((bitcast<u32>(_e1245) & 2147483647u));
+                                                                let _e1267 = select(_e1265, _e1262, (_e1262 > _e1265));
+                                                                let _e1270 = bitcast<f32>((bitcast<u32>(_e1247) & 2147483647u));
+                                                                let _e1273 = bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u));
+                                                                let _e1275 = select(_e1273, _e1270, (_e1270 > _e1273));
+                                                                let _e1278 = bitcast<f32>((bitcast<u32>(_e1249) & 2147483647u));
+                                                                let _e1280 = select(_e1278, _e1275, (_e1275 > _e1278));
+                                                                let _e1283 = bitcast<f32>((bitcast<u32>(_e1251) & 2147483647u));
+                                                                let _e1286 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
+                                                                let _e1288 = select(_e1286, _e1283, (_e1283 > _e1286));
+                                                                let _e1291 = bitcast<f32>((bitcast<u32>(_e1253) & 2147483647u));
+                                                                let _e1293 = select(_e1291, _e1288, (_e1288 > _e1291));
+                                                                let _e1295 = select(_e1280, _e1267, (_e1267 > _e1280));
+                                                                let _e1297 = select(_e1293, _e1295, (_e1295 > _e1293));
+                                                                if (_e1267 == _e1297) {
+                                                                    phi_1570_ = _e1250;
+                                                                    phi_1571_ = _e1254;
                                                                 } else {
-                                                                    let _e1267 = vec3((_e1247 == _e1264));
-                                                                    phi_2551_ = select(_e1213, _e1221, _e1267);
-                                                                    phi_2552_ = select(_e1217, _e1213, _e1267);
+                                                                    let _e1300 = vec3((_e1280 == _e1297));
+                                                                    phi_1570_ = select(_e1246, _e1254, _e1300);
+                                                                    phi_1571_ = select(_e1250, _e1246, _e1300);
                                                                 }
-                                                                let _e1271 = phi_2551_;
-                                                                let _e1273 = phi_2552_;
-                                                                let _e1280 = ((_e1271.y * _e1273.z) - (_e1273.y * _e1271.z));
-                                                                let _e1285 = ((_e1271.z * _e1273.x) - (_e1273.z * _e1271.x));
-                                                                let _e1288 = ((_e1271.x * _e1273.y) - (_e1273.x * _e1271.y));
-                                                                if (_e1130 >= _e1134) {
-                                                                    phi_2583_ = select(true, false, (_e1130 >= _e1138));
+                                                                let _e1304 = phi_1570_;
+                                                                let _e1306 = phi_1571_;
+                                                                let _e1313 = ((_e1304.y * _e1306.z) - (_e1306.y * _e1304.z));
+                                                                let _e1318 = ((_e1304.z * _e1306.x) - (_e1306.z * _e1304.x));
+                                                                let _e1321 = ((_e1304.x * _e1306.y) - (_e1306.x * _e1304.y));
+                                                                if (_e1163 >= _e1167) {
+                                                                    phi_1602_ = select(true, false, (_e1163 >= _e1171));
                                                                 } else {
-                                                                    phi_2583_ = true;
+                                                                    phi_1602_ = true;
                                                                 }
-                                                                let _e1293 = phi_2583_;
-                                                                if _e1293 {
-                                                                    phi_2592_ = select(vec3<f32>(_e1068[2][0], _e1068[2][1], _e1068[2][2]), vec3<f32>(_e1068[1][0], _e1068[1][1], _e1068[1][2]), vec3((_e1134 >= _e1138)));
+                                                                let _e1326 = phi_1602_;
+                                                                if _e1326 {
+                                                                    phi_1611_ = select(vec3<f32>(_e1101[2][0], _e1101[2][1], _e1101[2][2]), vec3<f32>(_e1101[1][0], _e1101[1][1], _e1101[1][2]), vec3((_e1167 >= _e1171)));
                                                                 } else {
-                                                                    phi_2592_ = vec3<f32>(_e1068[0][0], _e1068[0][1], _e1068[0][2]);
+                                                                    phi_1611_ = vec3<f32>(_e1101[0][0], _e1101[0][1], _e1101[0][2]);
                                                                 }
-                                                                let _e1298 = phi_2592_;
-                                                                let _e1315 = ((((_e1280 * (_e1298.x - _e298)) + (_e1285 * (_e1298.y - _e337))) + (_e1288 * (_e1298.z - _e375))) / (((_e1280 * _e323) + (_e1285 * _e361)) + (_e1288 * _e399)));
-                                                                let _e1317 = select(_e1197, _e1315, (_e1315 < _e1197));
-                                                                let _e1319 = select(_e1189, _e1317, (_e1317 > _e1189));
-                                                                if (_e1319 >= _e449) {
-                                                                    let _e1321 = (_e1319 <= _e972.member_1);
-                                                                    if _e1321 {
-                                                                        let _e1322 = (1f / _e1140);
-                                                                        phi_2632_ = type_20(_e1319, (_e1134 * _e1322), (_e1138 * _e1322), _e1001);
+                                                                let _e1331 = phi_1611_;
+                                                                let _e1348 = ((((_e1313 * (_e1331.x - _e302)) + (_e1318 * (_e1331.y - _e341))) + (_e1321 * (_e1331.z - _e379))) / (((_e1313 * _e327) + (_e1318 * _e365)) + (_e1321 * _e403)));
+                                                                let _e1350 = select(_e1230, _e1348, (_e1348 < _e1230));
+                                                                let _e1352 = select(_e1222, _e1350, (_e1350 > _e1222));
+                                                                if (_e1352 >= _e453) {
+                                                                    let _e1354 = (_e1352 <= _e1005.member_1);
+                                                                    if _e1354 {
+                                                                        let _e1355 = (1f / _e1173);
+                                                                        phi_1651_ = type_21(_e1352, (_e1167 * _e1355), (_e1171 * _e1355), _e1034);
                                                                     } else {
-                                                                        phi_2632_ = type_20();
+                                                                        phi_1651_ = type_21();
                                                                     }
-                                                                    let _e1327 = phi_2632_;
-                                                                    phi_2634_ = _e1327;
-                                                                    phi_2635_ = select(true, false, _e1321);
+                                                                    let _e1360 = phi_1651_;
+                                                                    phi_1653_ = _e1360;
+                                                                    phi_1654_ = select(true, false, _e1354);
                                                                 } else {
-                                                                    phi_2634_ = type_20();
-                                                                    phi_2635_ = true;
+                                                                    phi_1653_ = type_21();
+                                                                    phi_1654_ = true;
                                                                 }
-                                                                let _e1330 = phi_2634_;
-                                                                let _e1332 = phi_2635_;
-                                                                if _e1332 {
-                                                                    phi_2639_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1363 = phi_1653_;
+                                                                let _e1365 = phi_1654_;
+                                                                if _e1365 {
+                                                                    phi_1658_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_2639_ = _e1330;
+                                                                    phi_1658_ = _e1363;
                                                                 }
-                                                                let _e1334 = phi_2639_;
-                                                                phi_2640_ = _e1334;
+                                                                let _e1367 = phi_1658_;
+                                                                phi_1659_ = _e1367;
                                                             }
-                                                            let _e1336 = phi_2640_;
-                                                            phi_2641_ = _e1336;
-                                                            phi_2642_ = _e1206;
+                                                            let _e1369 = phi_1659_;
+                                                            phi_1660_ = _e1369;
+                                                            phi_1661_ = _e1239;
                                                         }
-                                                        let _e1338 = phi_2641_;
-                                                        let _e1340 = phi_2642_;
-                                                        phi_2646_ = _e1338;
-                                                        phi_2647_ = _e1340;
+                                                        let _e1371 = phi_1660_;
+                                                        let _e1373 = phi_1661_;
+                                                        phi_1665_ = _e1371;
+                                                        phi_1666_ = _e1373;
                                                     }
-                                                    let _e1342 = phi_2646_;
-                                                    let _e1344 = phi_2647_;
-                                                    phi_2651_ = _e1342;
-                                                    phi_2652_ = _e1344;
+                                                    let _e1375 = phi_1665_;
+                                                    let _e1377 = phi_1666_;
+                                                    phi_1670_ = _e1375;
+                                                    phi_1671_ = _e1377;
                                                 } else {
-                                                    phi_2651_ = type_20();
-                                                    phi_2652_ = true;
+                                                    phi_1670_ = type_21();
+                                                    phi_1671_ = true;
                                                 }
-                                                let _e1346 = phi_2651_;
-                                                let _e1348 = phi_2652_;
-                                                if _e1348 {
-                                                    phi_2656_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1379 = phi_1670_;
+                                                let _e1381 = phi_1671_;
+                                                if _e1381 {
+                                                    phi_1675_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2656_ = _e1346;
+                                                    phi_1675_ = _e1379;
                                                 }
-                                                let _e1350 = phi_2656_;
-                                                if (_e1350.member_3 != 4294967295u) {
-                                                    if (_e1001 != 4294967295u) {
-                                                        if (_e1350.member < _e972.member.member) {
-                                                            phi_2682_ = true;
+                                                let _e1383 = phi_1675_;
+                                                if (_e1383.member_3 != 4294967295u) {
+                                                    if (_e1034 != 4294967295u) {
+                                                        if (_e1383.member < _e1005.member.member) {
+                                                            phi_1701_ = true;
                                                         } else {
-                                                            if (_e1350.member == _e972.member.member) {
-                                                                phi_2681_ = (_e1350.member_3 < _e972.member.member_3);
+                                                            if (_e1383.member == _e1005.member.member) {
+                                                                phi_1700_ = (_e1383.member_3 < _e1005.member.member_3);
                                                             } else {
-                                                                phi_2681_ = false;
+                                                                phi_1700_ = false;
                                                             }
-                                                            let _e1363 = phi_2681_;
-                                                            phi_2682_ = _e1363;
+                                                            let _e1396 = phi_1700_;
+                                                            phi_1701_ = _e1396;
                                                         }
-                                                        let _e1365 = phi_2682_;
-                                                        if _e1365 {
-                                                            phi_2688_ = type_31(_e1350, _e1350.member);
+                                                        let _e1398 = phi_1701_;
+                                                        if _e1398 {
+                                                            phi_1707_ = type_33(_e1383, _e1383.member);
                                                         } else {
-                                                            phi_2688_ = _e972;
+                                                            phi_1707_ = _e1005;
                                                         }
-                                                        let _e1368 = phi_2688_;
-                                                        phi_2689_ = _e1368;
+                                                        let _e1401 = phi_1707_;
+                                                        phi_1708_ = _e1401;
                                                     } else {
-                                                        phi_2689_ = _e972;
+                                                        phi_1708_ = _e1005;
                                                     }
-                                                    let _e1370 = phi_2689_;
-                                                    phi_2690_ = _e1370;
+                                                    let _e1403 = phi_1708_;
+                                                    phi_1709_ = _e1403;
                                                 } else {
-                                                    phi_2690_ = _e972;
+                                                    phi_1709_ = _e1005;
                                                 }
-                                                let _e1372 = phi_2690_;
-                                                phi_1945_ = _e1372;
+                                                let _e1405 = phi_1709_;
+                                                phi_964_ = _e1405;
                                             } else {
-                                                phi_1945_ = type_31();
+                                                phi_964_ = type_33();
                                             }
-                                            let _e1374 = phi_1945_;
+                                            let _e1407 = phi_964_;
                                             continue;
                                             continuing {
-                                                phi_1944_ = _e1374;
-                                                phi_1947_ = _e987;
-                                                phi_4243_ = _e491;
-                                                break if !(_e993);
+                                                phi_963_ = _e1407;
+                                                phi_966_ = _e1020;
+                                                phi_3320_ = _e495;
+                                                break if !(_e1026);
                                             }
                                         }
-                                        let _e1377 = phi_4243_;
-                                        phi_4357_ = _e1377;
-                                        if _e1377 {
+                                        let _e1410 = phi_3320_;
+                                        phi_3434_ = _e1410;
+                                        if _e1410 {
                                             break;
                                         }
-                                        phi_4361_ = _e1377;
-                                        let _e1552 = local_5;
-                                        phi_3993_ = _e1552;
-                                        phi_3994_ = _e522;
-                                        phi_3995_ = false;
-                                        phi_3996_ = _e526;
+                                        phi_3438_ = _e1410;
+                                        let _e1585 = local_11;
+                                        phi_3056_ = _e1585;
+                                        phi_3057_ = _e536;
+                                        phi_3058_ = false;
+                                        phi_3059_ = _e540;
                                     } else {
-                                        if (_e522.member_1 >= _e79) {
-                                            phi_3593_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_48(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e536.member_1 >= _e83) {
+                                            phi_2612_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e522.member_1 < _e79) {
+                                            if (_e536.member_1 < _e83) {
                                             } else {
-                                                phi_4357_ = true;
+                                                phi_3434_ = true;
                                                 break;
                                             }
-                                            let _e539 = ((1u + (_e249 * 2u)) % 7u);
-                                            if (_e539 < 7u) {
+                                            let _e553 = ((1u + (_e253 * 2u)) % 7u);
+                                            if (_e553 < 7u) {
                                             } else {
-                                                phi_4357_ = true;
+                                                phi_3434_ = true;
                                                 break;
                                             }
-                                            let _e544 = global_5.member[_e522.member_1][_e539];
-                                            let _e547 = ((1u + (_e248 * 2u)) % 7u);
-                                            if (_e547 < 7u) {
+                                            let _e558 = global_5.member[_e536.member_1][_e553];
+                                            let _e561 = ((1u + (_e252 * 2u)) % 7u);
+                                            if (_e561 < 7u) {
                                             } else {
-                                                phi_4357_ = true;
+                                                phi_3434_ = true;
                                                 break;
                                             }
-                                            let _e552 = global_5.member[_e522.member_1][_e547];
-                                            let _e555 = ((1u + (_e250 * 2u)) % 7u);
-                                            if (_e555 < 7u) {
+                                            let _e566 = global_5.member[_e536.member_1][_e561];
+                                            let _e569 = ((1u + (_e254 * 2u)) % 7u);
+                                            if (_e569 < 7u) {
                                             } else {
-                                                phi_4357_ = true;
+                                                phi_3434_ = true;
                                                 break;
                                             }
-                                            let _e560 = global_5.member[_e522.member_1][_e555];
-                                            let _e563 = (((_e249 + 1u) * 2u) % 7u);
-                                            if (_e563 < 7u) {
+                                            let _e574 = global_5.member[_e536.member_1][_e569];
+                                            let _e577 = (((_e253 + 1u) * 2u) % 7u);
+                                            if (_e577 < 7u) {
                                             } else {
-                                                phi_4357_ = true;
+                                                phi_3434_ = true;
                                                 break;
                                             }
-                                            let _e568 = global_5.member[_e522.member_1][_e563];
-                                            let _e571 = (((_e248 + 1u) * 2u) % 7u);
-                                            if (_e571 < 7u) {
+                                            let _e582 = global_5.member[_e536.member_1][_e577];
+                                            let _e585 = (((_e252 + 1u) * 2u) % 7u);
+                                            if (_e585 < 7u) {
                                             } else {
-                                                phi_4357_ = true;
+                                                phi_3434_ = true;
                                                 break;
                                             }
-                                            let _e576 = global_5.member[_e522.member_1][_e571];
-                                            let _e579 = (((_e250 + 1u) * 2u) % 7u);
-                                            if (_e579 < 7u) {
+                                            let _e590 = global_5.member[_e536.member_1][_e585];
+                                            let _e593 = (((_e254 + 1u) * 2u) % 7u);
+                                            if (_e593 < 7u) {
                                             } else {
-                                                phi_4357_ = true;
+                                                phi_3434_ = true;
                                                 break;
                                             }
-                                            let _e584 = global_5.member[_e522.member_1][_e579];
-                                            let _e607 = (bitcast<f32>((bitcast<u32>((_e522.member.member_1.x - _e522.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e608 = (bitcast<f32>((bitcast<u32>((_e522.member.member_1.y - _e522.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e609 = (bitcast<f32>((bitcast<u32>((_e522.member.member_1.z - _e522.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e611 = select(_e129, _e607, (_e607 > _e129));
-                                            let _e613 = select(_e129, _e608, (_e608 > _e129));
-                                            let _e615 = select(_e129, _e609, (_e609 > _e129));
-                                            let _e640 = bitcast<u32>((f32(bitcast<i32>((_e544 & 2097151u))) * _e611));
-                                            let _e645 = (bitcast<i32>((_e544 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e648 = bitcast<f32>((_e640 & bitcast<u32>(_e645)));
-                                            let _e649 = bitcast<u32>((f32(bitcast<i32>((_e552 & 2097151u))) * _e613));
-                                            let _e654 = (bitcast<i32>((_e552 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e657 = bitcast<f32>((_e649 & bitcast<u32>(_e654)));
-                                            let _e658 = bitcast<u32>((f32(bitcast<i32>((_e560 & 2097151u))) * _e615));
-                                            let _e663 = (bitcast<i32>((_e560 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e666 = bitcast<f32>((_e658 & bitcast<u32>(_e663)));
-                                            let _e670 = bitcast<f32>((_e640 & bitcast<u32>(~(_e645))));
-                                            let _e674 = bitcast<f32>((_e649 & bitcast<u32>(~(_e654))));
-                                            let _e678 = bitcast<f32>((_e658 & bitcast<u32>(~(_e663))));
-                                            let _e679 = bitcast<u32>((f32(bitcast<i32>((_e568 & 2097151u))) * _e611));
-                                            let _e684 = (bitcast<i32>((_e568 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e687 = bitcast<f32>((_e679 & bitcast<u32>(_e684)));
-                                            let _e688 = bitcast<u32>((f32(bitcast<i32>((_e576 & 2097151u))) * _e613));
-                                            let _e693 = (bitcast<i32>((_e576 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e696 = bitcast<f32>((_e688 & bitcast<u32>(_e693)));
-                                            let _e697 = bitcast<u32>((f32(bitcast<i32>((_e584 & 2097151u))) * _e615));
-                                            let _e702 = (bitcast<i32>((_e584 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e705 = bitcast<f32>((_e697 & bitcast<u32>(_e702)));
-                                            let _e709 = bitcast<f32>((_e679 & bitcast<u32>(~(_e684))));
-                                            let _e713 = bitcast<f32>((_e688 & bitcast<u32>(~(_e693))));
-                                            let _e717 = bitcast<f32>((_e697 & bitcast<u32>(~(_e702))));
-                                            let _e747 = global_5.member[_e522.member_1][0u];
-                                            let _e751 = global_5.member[_e522.member_1][2u];
-                                            let _e755 = global_5.member[_e522.member_1][4u];
-                                            let _e759 = global_5.member[_e522.member_1][6u];
-                                            let _e771 = (((_e751 >> bitcast<u32>(22i)) | ((_e755 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e759 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e772 = (_e747 & 268435455u);
-                                            let _e773 = (_e771 & 268435455u);
-                                            let _e776 = ((_e747 >> bitcast<u32>(28u)) & 7u);
-                                            let _e784 = ((_e747 >> bitcast<u32>(31i)) | (((_e771 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e785 = (_e776 != 0u);
-                                            if (_e776 == 0u) {
-                                                phi_3555_ = _e772;
+                                            let _e598 = global_5.member[_e536.member_1][_e593];
+                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.x - _e536.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.y - _e536.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e623 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.z - _e536.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e625 = select(_e133, _e621, (_e621 > _e133));
+                                            let _e627 = select(_e133, _e622, (_e622 > _e133));
+                                            let _e629 = select(_e133, _e623, (_e623 > _e133));
+                                            let _e654 = bitcast<u32>((f32(bitcast<i32>((_e558 & 2097151u))) * _e625));
+                                            let _e659 = (bitcast<i32>((_e558 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e662 = bitcast<f32>((_e654 & bitcast<u32>(_e659)));
+                                            let _e663 = bitcast<u32>((f32(bitcast<i32>((_e566 & 2097151u))) * _e627));
+                                            let _e668 = (bitcast<i32>((_e566 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e671 = bitcast<f32>((_e663 & bitcast<u32>(_e668)));
+                                            let _e672 = bitcast<u32>((f32(bitcast<i32>((_e574 & 2097151u))) * _e629));
+                                            let _e677 = (bitcast<i32>((_e574 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e680 = bitcast<f32>((_e672 & bitcast<u32>(_e677)));
+                                            let _e684 = bitcast<f32>((_e654 & bitcast<u32>(~(_e659))));
+                                            let _e688 = bitcast<f32>((_e663 & bitcast<u32>(~(_e668))));
+                                            let _e692 = bitcast<f32>((_e672 & bitcast<u32>(~(_e677))));
+                                            let _e693 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e625));
+                                            let _e698 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e701 = bitcast<f32>((_e693 & bitcast<u32>(_e698)));
+                                            let _e702 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e627));
+                                            let _e707 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e710 = bitcast<f32>((_e702 & bitcast<u32>(_e707)));
+                                            let _e711 = bitcast<u32>((f32(bitcast<i32>((_e598 & 2097151u))) * _e629));
+                                            let _e716 = (bitcast<i32>((_e598 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e719 = bitcast<f32>((_e711 & bitcast<u32>(_e716)));
+                                            let _e723 = bitcast<f32>((_e693 & bitcast<u32>(~(_e698))));
+                                            let _e727 = bitcast<f32>((_e702 & bitcast<u32>(~(_e707))));
+                                            let _e731 = bitcast<f32>((_e711 & bitcast<u32>(~(_e716))));
+                                            let _e761 = global_5.member[_e536.member_1][0u];
+                                            let _e765 = global_5.member[_e536.member_1][2u];
+                                            let _e769 = global_5.member[_e536.member_1][4u];
+                                            let _e773 = global_5.member[_e536.member_1][6u];
+                                            let _e785 = (((_e765 >> bitcast<u32>(22i)) | ((_e769 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e773 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e786 = (_e761 & 268435455u);
+                                            let _e787 = (_e785 & 268435455u);
+                                            let _e790 = ((_e761 >> bitcast<u32>(28u)) & 7u);
+                                            let _e798 = ((_e761 >> bitcast<u32>(31i)) | (((_e785 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e799 = (_e790 != 0u);
+                                            if (_e790 == 0u) {
+                                                phi_2574_ = _e786;
                                             } else {
-                                                if (_e776 == 7u) {
-                                                    phi_3554_ = 2147483648u;
+                                                if (_e790 == 7u) {
+                                                    phi_2573_ = 2147483648u;
                                                 } else {
-                                                    phi_3554_ = ((2147483648u | (_e776 << bitcast<u32>(28u))) | (_e773 & 268435455u));
+                                                    phi_2573_ = ((2147483648u | (_e790 << bitcast<u32>(28u))) | (_e787 & 268435455u));
                                                 }
-                                                let _e794 = phi_3554_;
-                                                phi_3555_ = _e794;
+                                                let _e808 = phi_2573_;
+                                                phi_2574_ = _e808;
                                             }
-                                            let _e796 = phi_3555_;
-                                            if _e785 {
-                                                let _e797 = (_e776 != 7u);
-                                                if _e797 {
-                                                    phi_3565_ = (_e773 + _e776);
+                                            let _e810 = phi_2574_;
+                                            if _e799 {
+                                                let _e811 = (_e790 != 7u);
+                                                if _e811 {
+                                                    phi_2584_ = (_e787 + _e790);
                                                 } else {
-                                                    phi_3565_ = u32();
+                                                    phi_2584_ = u32();
                                                 }
-                                                let _e800 = phi_3565_;
-                                                phi_3567_ = _e800;
-                                                phi_3568_ = select(true, false, _e797);
+                                                let _e814 = phi_2584_;
+                                                phi_2586_ = _e814;
+                                                phi_2587_ = select(true, false, _e811);
                                             } else {
-                                                phi_3567_ = u32();
-                                                phi_3568_ = true;
+                                                phi_2586_ = u32();
+                                                phi_2587_ = true;
                                             }
-                                            let _e803 = phi_3567_;
-                                            let _e805 = phi_3568_;
-                                            if (_e784 == 0u) {
-                                                phi_3589_ = (_e772 + select(0u, 1u, !(_e785)));
+                                            let _e817 = phi_2586_;
+                                            let _e819 = phi_2587_;
+                                            if (_e798 == 0u) {
+                                                phi_2608_ = (_e786 + select(0u, 1u, !(_e799)));
                                             } else {
-                                                if (_e784 == 7u) {
-                                                    phi_3588_ = 2147483648u;
+                                                if (_e798 == 7u) {
+                                                    phi_2607_ = 2147483648u;
                                                 } else {
-                                                    phi_3588_ = ((2147483648u | (_e784 << bitcast<u32>(28u))) | (select(_e803, _e773, _e805) & 268435455u));
+                                                    phi_2607_ = ((2147483648u | (_e798 << bitcast<u32>(28u))) | (select(_e817, _e787, _e819) & 268435455u));
                                                 }
-                                                let _e818 = phi_3588_;
-                                                phi_3589_ = _e818;
+                                                let _e832 = phi_2607_;
+                                                phi_2608_ = _e832;
                                             }
-                                            let _e820 = phi_3589_;
-                                            phi_3593_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e522.member.member.x + _e648), (_e522.member.member.x + _e670), (_e522.member.member_1.x - _e687), (_e522.member.member_1.x - _e709)), vec4<f32>((_e522.member.member.y + _e657), (_e522.member.member.y + _e674), (_e522.member.member_1.y - _e696), (_e522.member.member_1.y - _e713)), vec4<f32>((_e522.member.member.z + _e666), (_e522.member.member.z + _e678), (_e522.member.member_1.z - _e705), (_e522.member.member_1.z - _e717))), type_48(type_28((_e522.member.member + vec4<f32>(_e648, _e657, _e666, 0f)), (_e522.member.member_1 - vec4<f32>(_e687, _e696, _e705, 0f))), _e796), type_48(type_28((_e522.member.member + vec4<f32>(_e670, _e674, _e678, 0f)), (_e522.member.member_1 - vec4<f32>(_e709, _e713, _e717, 0f))), _e820));
+                                            let _e834 = phi_2608_;
+                                            phi_2612_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e536.member.member.x + _e662), (_e536.member.member.x + _e684), (_e536.member.member_1.x - _e701), (_e536.member.member_1.x - _e723)), vec4<f32>((_e536.member.member.y + _e671), (_e536.member.member.y + _e688), (_e536.member.member_1.y - _e710), (_e536.member.member_1.y - _e727)), vec4<f32>((_e536.member.member.z + _e680), (_e536.member.member.z + _e692), (_e536.member.member_1.z - _e719), (_e536.member.member_1.z - _e731))), type_50(type_29((_e536.member.member + vec4<f32>(_e662, _e671, _e680, 0f)), (_e536.member.member_1 - vec4<f32>(_e701, _e710, _e719, 0f))), _e810), type_50(type_29((_e536.member.member + vec4<f32>(_e684, _e688, _e692, 0f)), (_e536.member.member_1 - vec4<f32>(_e723, _e727, _e731, 0f))), _e834));
                                         }
-                                        let _e825 = phi_3593_;
-                                        let _e837 = ((_e825.member[0].x - _e321) * _e326);
-                                        let _e838 = ((_e825.member[0].y - _e321) * _e326);
-                                        let _e839 = ((_e825.member[0].z - _e322) * _e326);
-                                        let _e840 = ((_e825.member[0].w - _e322) * _e326);
-                                        let _e850 = ((_e825.member[1].x - _e359) * _e364);
-                                        let _e851 = ((_e825.member[1].y - _e359) * _e364);
-                                        let _e852 = ((_e825.member[1].z - _e360) * _e364);
-                                        let _e853 = ((_e825.member[1].w - _e360) * _e364);
-                                        let _e863 = ((_e825.member[2].x - _e397) * _e402);
-                                        let _e864 = ((_e825.member[2].y - _e397) * _e402);
-                                        let _e865 = ((_e825.member[2].z - _e398) * _e402);
-                                        let _e866 = ((_e825.member[2].w - _e398) * _e402);
-                                        let _e868 = select(_e865, _e863, (_e863 < _e865));
-                                        let _e870 = select(_e866, _e864, (_e864 < _e866));
-                                        let _e872 = select(_e865, _e863, (_e863 > _e865));
-                                        let _e874 = select(_e866, _e864, (_e864 > _e866));
-                                        let _e876 = select(_e839, _e837, (_e837 < _e839));
-                                        let _e878 = select(_e840, _e838, (_e838 < _e840));
-                                        let _e880 = select(_e852, _e850, (_e850 < _e852));
-                                        let _e882 = select(_e853, _e851, (_e851 < _e853));
-                                        let _e884 = select(_e880, _e876, (_e876 > _e880));
-                                        let _e886 = select(_e882, _e878, (_e878 > _e882));
-                                        let _e888 = select(_e868, _e884, (_e884 > _e868));
-                                        let _e890 = select(_e870, _e886, (_e886 > _e870));
-                                        let _e892 = select(_e839, _e837, (_e837 > _e839));
-                                        let _e894 = select(_e840, _e838, (_e838 > _e840));
-                                        let _e896 = select(_e852, _e850, (_e850 > _e852));
-                                        let _e898 = select(_e853, _e851, (_e851 > _e853));
-                                        let _e900 = select(_e896, _e892, (_e892 < _e896));
-                                        let _e902 = select(_e898, _e894, (_e894 < _e898));
-                                        let _e907 = -(_e868);
-                                        let _e908 = -(_e870);
-                                        let _e915 = (select(_e872, _e900, (_e900 < _e872)) + (select(_e907, _e872, (_e872 > _e907)) * 0.0000019073523f));
-                                        let _e916 = (select(_e874, _e902, (_e902 < _e874)) + (select(_e908, _e874, (_e874 > _e908)) * 0.0000019073523f));
-                                        let _e918 = select(_e449, _e888, (_e888 > _e449));
-                                        let _e920 = select(_e449, _e890, (_e890 > _e449));
-                                        let _e925 = (_e918 <= select(_e493.member_1, _e915, (_e915 < _e493.member_1)));
-                                        let _e926 = (_e920 <= select(_e493.member_1, _e916, (_e916 < _e493.member_1)));
-                                        let _e927 = (_e918 <= _e920);
-                                        if _e925 {
-                                            if _e926 {
-                                                if _e927 {
-                                                    phi_3937_ = _e825.member_2;
+                                        let _e839 = phi_2612_;
+                                        let _e851 = ((_e839.member[0].x - _e325) * _e330);
+                                        let _e852 = ((_e839.member[0].y - _e325) * _e330);
+                                        let _e853 = ((_e839.member[0].z - _e326) * _e330);
+                                        let _e854 = ((_e839.member[0].w - _e326) * _e330);
+                                        let _e864 = ((_e839.member[1].x - _e363) * _e368);
+                                        let _e865 = ((_e839.member[1].y - _e363) * _e368);
+                                        let _e866 = ((_e839.member[1].z - _e364) * _e368);
+                                        let _e867 = ((_e839.member[1].w - _e364) * _e368);
+                                        let _e877 = ((_e839.member[2].x - _e401) * _e406);
+                                        let _e878 = ((_e839.member[2].y - _e401) * _e406);
+                                        let _e879 = ((_e839.member[2].z - _e402) * _e406);
+                                        let _e880 = ((_e839.member[2].w - _e402) * _e406);
+                                        let _e882 = select(_e879, _e877, (_e877 < _e879));
+                                        let _e884 = select(_e880, _e878, (_e878 < _e880));
+                                        let _e886 = select(_e879, _e877, (_e877 > _e879));
+                                        let _e888 = select(_e880, _e878, (_e878 > _e880));
+                                        let _e890 = select(_e853, _e851, (_e851 < _e853));
+                                        let _e892 = select(_e854, _e852, (_e852 < _e854));
+                                        let _e894 = select(_e866, _e864, (_e864 < _e866));
+                                        let _e896 = select(_e867, _e865, (_e865 < _e867));
+                                        let _e898 = select(_e894, _e890, (_e890 > _e894));
+                                        let _e900 = select(_e896, _e892, (_e892 > _e896));
+                                        let _e902 = select(_e882, _e898, (_e898 > _e882));
+                                        let _e904 = select(_e884, _e900, (_e900 > _e884));
+                                        let _e906 = select(_e853, _e851, (_e851 > _e853));
+                                        let _e908 = select(_e854, _e852, (_e852 > _e854));
+                                        let _e910 = select(_e866, _e864, (_e864 > _e866));
+                                        let _e912 = select(_e867, _e865, (_e865 > _e867));
+                                        let _e914 = select(_e910, _e906, (_e906 < _e910));
+                                        let _e916 = select(_e912, _e908, (_e908 < _e912));
+                                        let _e921 = -(_e882);
+                                        let _e922 = -(_e884);
+                                        let _e929 = (select(_e886, _e914, (_e914 < _e886)) + (select(_e921, _e886, (_e886 > _e921)) * 0.0000019073523f));
+                                        let _e930 = (select(_e888, _e916, (_e916 < _e888)) + (select(_e922, _e888, (_e888 > _e922)) * 0.0000019073523f));
+                                        let _e932 = select(_e453, _e902, (_e902 > _e453));
+                                        let _e934 = select(_e453, _e904, (_e904 > _e453));
+                                        let _e939 = (_e932 <= select(_e497.member_1, _e929, (_e929 < _e497.member_1)));
+                                        let _e940 = (_e934 <= select(_e497.member_1, _e930, (_e930 < _e497.member_1)));
+                                        let _e941 = (_e932 <= _e934);
+                                        if _e939 {
+                                            if _e940 {
+                                                if _e941 {
+                                                    phi_2956_ = _e839.member_2;
                                                 } else {
-                                                    phi_3937_ = _e825.member_1;
+                                                    phi_2956_ = _e839.member_1;
                                                 }
-                                                let _e931 = phi_3937_;
-                                                let _e932 = (_e526 % 128u);
-                                                let _e933 = (_e932 < 128u);
-                                                if _e933 {
+                                                let _e945 = phi_2956_;
+                                                let _e967 = (_e540 % 128u);
+                                                let _e968 = (_e967 < 128u);
+                                                if _e968 {
                                                 } else {
-                                                    phi_4357_ = true;
+                                                    phi_3434_ = true;
                                                     break;
                                                 }
-                                                local_3[_e932] = type_48(type_28(_e931.member.member, _e931.member.member_1), _e931.member_1);
-                                                if _e933 {
+                                                local_8[_e967] = _e945.member_1;
+                                                if _e968 {
                                                 } else {
-                                                    phi_4357_ = true;
+                                                    phi_3434_ = true;
                                                     break;
                                                 }
-                                                local_2[_e932] = select(_e920, _e918, (_e918 > _e920));
-                                                if _e927 {
-                                                    phi_3970_ = _e825.member_1;
+                                                local_7[_e967] = _e945.member.member.x;
+                                                if _e968 {
                                                 } else {
-                                                    phi_3970_ = _e825.member_2;
+                                                    phi_3434_ = true;
+                                                    break;
                                                 }
-                                                let _e948 = phi_3970_;
-                                                phi_3971_ = _e948;
-                                                phi_3972_ = (_e526 + 1u);
+                                                local_6[_e967] = _e945.member.member.y;
+                                                if _e968 {
+                                                } else {
+                                                    phi_3434_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e967] = _e945.member.member.z;
+                                                if _e968 {
+                                                } else {
+                                                    phi_3434_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e967] = _e945.member.member_1.x;
+                                                if _e968 {
+                                                } else {
+                                                    phi_3434_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e967] = _e945.member.member_1.y;
+                                                if _e968 {
+                                                } else {
+                                                    phi_3434_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e967] = _e945.member.member_1.z;
+                                                if _e968 {
+                                                } else {
+                                                    phi_3434_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e967] = select(_e934, _e932, (_e932 > _e934));
+                                                if _e941 {
+                                                    phi_3033_ = _e839.member_1;
+                                                } else {
+                                                    phi_3033_ = _e839.member_2;
+                                                }
+                                                let _e981 = phi_3033_;
+                                                phi_3034_ = _e981;
+                                                phi_3035_ = (_e540 + 1u);
                                             } else {
-                                                phi_3971_ = type_48();
-                                                phi_3972_ = u32();
+                                                phi_3034_ = type_50();
+                                                phi_3035_ = u32();
                                             }
-                                            let _e950 = phi_3971_;
-                                            let _e952 = phi_3972_;
-                                            phi_3974_ = _e950;
-                                            phi_3975_ = _e952;
-                                            phi_3976_ = select(true, false, _e926);
+                                            let _e983 = phi_3034_;
+                                            let _e985 = phi_3035_;
+                                            phi_3037_ = _e983;
+                                            phi_3038_ = _e985;
+                                            phi_3039_ = select(true, false, _e940);
                                         } else {
-                                            phi_3974_ = type_48();
-                                            phi_3975_ = u32();
-                                            phi_3976_ = true;
+                                            phi_3037_ = type_50();
+                                            phi_3038_ = u32();
+                                            phi_3039_ = true;
                                         }
-                                        let _e955 = phi_3974_;
-                                        let _e957 = phi_3975_;
-                                        let _e959 = phi_3976_;
-                                        if _e959 {
-                                            if _e925 {
-                                                phi_3985_ = _e825.member_1;
+                                        let _e988 = phi_3037_;
+                                        let _e990 = phi_3038_;
+                                        let _e992 = phi_3039_;
+                                        if _e992 {
+                                            if _e939 {
+                                                phi_3048_ = _e839.member_1;
                                             } else {
-                                                phi_3985_ = _e825.member_2;
+                                                phi_3048_ = _e839.member_2;
                                             }
-                                            let _e963 = phi_3985_;
-                                            phi_3990_ = _e963;
-                                            phi_3991_ = select(_e926, true, _e925);
+                                            let _e996 = phi_3048_;
+                                            phi_3053_ = _e996;
+                                            phi_3054_ = select(_e940, true, _e939);
                                         } else {
-                                            phi_3990_ = _e955;
-                                            phi_3991_ = _e524;
+                                            phi_3053_ = _e988;
+                                            phi_3054_ = _e538;
                                         }
-                                        let _e966 = phi_3990_;
-                                        let _e968 = phi_3991_;
-                                        phi_4361_ = _e491;
-                                        phi_3993_ = _e493;
-                                        phi_3994_ = _e966;
-                                        phi_3995_ = _e968;
-                                        phi_3996_ = select(_e957, _e526, _e959);
+                                        let _e999 = phi_3053_;
+                                        let _e1001 = phi_3054_;
+                                        phi_3438_ = _e495;
+                                        phi_3056_ = _e497;
+                                        phi_3057_ = _e999;
+                                        phi_3058_ = _e1001;
+                                        phi_3059_ = select(_e990, _e540, _e992);
                                     }
-                                    let _e1379 = phi_4361_;
-                                    let _e1381 = phi_3993_;
-                                    let _e1383 = phi_3994_;
-                                    let _e1385 = phi_3995_;
-                                    let _e1387 = phi_3996_;
-                                    phi_4360_ = _e1379;
-                                    phi_3997_ = _e1381;
-                                    phi_3998_ = _e1383;
-                                    phi_3999_ = (_e497 - 1u);
-                                    phi_4000_ = _e1385;
-                                    phi_4001_ = _e1387;
+                                    let _e1412 = phi_3438_;
+                                    let _e1414 = phi_3056_;
+                                    let _e1416 = phi_3057_;
+                                    let _e1418 = phi_3058_;
+                                    let _e1420 = phi_3059_;
+                                    phi_3437_ = _e1412;
+                                    phi_3060_ = _e1414;
+                                    phi_3061_ = _e1416;
+                                    phi_3062_ = (_e501 - 1u);
+                                    phi_3063_ = _e1418;
+                                    phi_3064_ = _e1420;
                                 } else {
-                                    phi_4360_ = _e491;
-                                    phi_3997_ = _e493;
-                                    phi_3998_ = _e522;
-                                    phi_3999_ = _e497;
-                                    phi_4000_ = _e524;
-                                    phi_4001_ = _e526;
+                                    phi_3437_ = _e495;
+                                    phi_3060_ = _e497;
+                                    phi_3061_ = _e536;
+                                    phi_3062_ = _e501;
+                                    phi_3063_ = _e538;
+                                    phi_3064_ = _e540;
                                 }
-                                let _e1389 = phi_4360_;
-                                let _e1391 = phi_3997_;
-                                let _e1393 = phi_3998_;
-                                let _e1395 = phi_3999_;
-                                let _e1397 = phi_4000_;
-                                let _e1399 = phi_4001_;
-                                phi_4359_ = _e1389;
-                                phi_4002_ = _e1391;
-                                phi_4003_ = _e1393;
-                                phi_4004_ = _e1395;
-                                phi_4005_ = _e1397;
-                                phi_4006_ = _e1399;
+                                let _e1422 = phi_3437_;
+                                let _e1424 = phi_3060_;
+                                let _e1426 = phi_3061_;
+                                let _e1428 = phi_3062_;
+                                let _e1430 = phi_3063_;
+                                let _e1432 = phi_3064_;
+                                phi_3436_ = _e1422;
+                                phi_3065_ = _e1424;
+                                phi_3066_ = _e1426;
+                                phi_3067_ = _e1428;
+                                phi_3068_ = _e1430;
+                                phi_3069_ = _e1432;
                             } else {
-                                phi_4359_ = _e491;
-                                phi_4002_ = type_31();
-                                phi_4003_ = type_48();
-                                phi_4004_ = u32();
-                                phi_4005_ = bool();
-                                phi_4006_ = u32();
+                                phi_3436_ = _e495;
+                                phi_3065_ = type_33();
+                                phi_3066_ = type_50();
+                                phi_3067_ = u32();
+                                phi_3068_ = bool();
+                                phi_3069_ = u32();
                             }
-                            let _e1401 = phi_4359_;
-                            let _e1403 = phi_4002_;
-                            let _e1405 = phi_4003_;
-                            let _e1407 = phi_4004_;
-                            let _e1409 = phi_4005_;
-                            let _e1411 = phi_4006_;
-                            phi_4358_ = _e1401;
-                            phi_1868_ = _e1403;
-                            phi_1871_ = _e1405;
-                            phi_1873_ = _e1407;
-                            phi_1875_ = _e1409;
-                            phi_1877_ = _e1411;
-                            phi_4007_ = _e505;
+                            let _e1434 = phi_3436_;
+                            let _e1436 = phi_3065_;
+                            let _e1438 = phi_3066_;
+                            let _e1440 = phi_3067_;
+                            let _e1442 = phi_3068_;
+                            let _e1444 = phi_3069_;
+                            phi_3435_ = _e1434;
+                            phi_838_ = _e1436;
+                            phi_841_ = _e1438;
+                            phi_843_ = _e1440;
+                            phi_845_ = _e1442;
+                            phi_847_ = _e1444;
+                            phi_3070_ = _e509;
                         } else {
-                            phi_4358_ = _e491;
-                            phi_1868_ = type_31();
-                            phi_1871_ = type_48();
-                            phi_1873_ = u32();
-                            phi_1875_ = bool();
-                            phi_1877_ = u32();
-                            phi_4007_ = false;
+                            phi_3435_ = _e495;
+                            phi_838_ = type_33();
+                            phi_841_ = type_50();
+                            phi_843_ = u32();
+                            phi_845_ = bool();
+                            phi_847_ = u32();
+                            phi_3070_ = false;
                         }
-                        let _e1413 = phi_4358_;
-                        let _e1415 = phi_1868_;
-                        let _e1417 = phi_1871_;
-                        let _e1419 = phi_1873_;
-                        let _e1421 = phi_1875_;
-                        let _e1423 = phi_1877_;
-                        let _e1425 = phi_4007_;
+                        let _e1446 = phi_3435_;
+                        let _e1448 = phi_838_;
+                        let _e1450 = phi_841_;
+                        let _e1452 = phi_843_;
+                        let _e1454 = phi_845_;
+                        let _e1456 = phi_847_;
+                        let _e1458 = phi_3070_;
                         continue;
                         continuing {
-                            phi_4249_ = _e1413;
-                            phi_1867_ = _e1415;
-                            phi_1870_ = _e1417;
-                            phi_1872_ = _e1419;
-                            phi_1874_ = _e1421;
-                            phi_1876_ = _e1423;
-                            phi_4357_ = _e1413;
-                            break if !(_e1425);
+                            phi_3326_ = _e1446;
+                            phi_837_ = _e1448;
+                            phi_840_ = _e1450;
+                            phi_842_ = _e1452;
+                            phi_844_ = _e1454;
+                            phi_846_ = _e1456;
+                            phi_3434_ = _e1446;
+                            break if !(_e1458);
                         }
                     }
-                    let _e1428 = phi_4357_;
-                    if _e1428 {
+                    let _e1461 = phi_3434_;
+                    if _e1461 {
                         break;
                     }
-                    let _e1430 = local_4;
-                    if (_e1430.member.member_3 != 4294967295u) {
-                        let _e1435 = -(_e416);
-                        let _e1436 = (_e1435 / 3i);
-                        let _e1443 = bitcast<f32>((bitcast<u32>((_e1436 + 127i)) << bitcast<u32>(23i)));
-                        let _e1451 = (((_e1430.member.member * _e1443) * _e1443) * bitcast<f32>((bitcast<u32>(((_e1435 - (2i * _e1436)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1453 = select(340282350000000000000000000000000000000f, _e1451, (_e1451 < 340282350000000000000000000000000000000f));
-                        phi_4059_ = type_20(select(-340282350000000000000000000000000000000f, _e1453, (_e1453 > -340282350000000000000000000000000000000f)), _e1430.member.member_1, _e1430.member.member_2, _e1430.member.member_3);
+                    let _e1463 = local_10;
+                    if (_e1463.member.member_3 != 4294967295u) {
+                        let _e1468 = -(_e420);
+                        let _e1469 = (_e1468 / 3i);
+                        let _e1476 = bitcast<f32>((bitcast<u32>((_e1469 + 127i)) << bitcast<u32>(23i)));
+                        let _e1484 = (((_e1463.member.member * _e1476) * _e1476) * bitcast<f32>((bitcast<u32>(((_e1468 - (2i * _e1469)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1486 = select(340282350000000000000000000000000000000f, _e1484, (_e1484 < 340282350000000000000000000000000000000f));
+                        phi_3122_ = type_21(select(-340282350000000000000000000000000000000f, _e1486, (_e1486 > -340282350000000000000000000000000000000f)), _e1463.member.member_1, _e1463.member.member_2, _e1463.member.member_3);
                     } else {
-                        phi_4059_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3122_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1460 = phi_4059_;
-                    if _e137 {
+                    let _e1493 = phi_3122_;
+                    if _e141 {
                     } else {
                         break;
                     }
-                    global_6.member[_e135] = _e1460;
+                    global_6.member[_e139] = _e1493;
                 }
             }
             break;

@@ -51,17 +51,17 @@ struct type_39 {
     member_1: f32,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_45 {
+struct type_46 {
     member: array<type_28>,
 }
 
-struct type_47 {
+struct type_48 {
     member: type_39,
     member_1: u32,
     member_2: u32,
@@ -75,120 +75,120 @@ var<storage> global_2: type_33;
 @group(0) @binding(2) 
 var<storage> global_3: type_15;
 @group(0) @binding(3) 
-var<storage> global_4: type_45;
+var<storage> global_4: type_46;
 @group(0) @binding(4) 
 var<storage, read_write> global_5: type_21;
 
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_268_: i32;
     var phi_269_: i32;
-    var phi_279_: bool;
-    var phi_289_: u32;
+    var phi_270_: i32;
+    var phi_280_: bool;
     var phi_290_: u32;
-    var phi_292_: bool;
-    var phi_297_: u32;
-    var phi_309_: i32;
-    var phi_329_: i32;
-    var phi_347_: f32;
-    var phi_353_: f32;
-    var phi_364_: f32;
-    var phi_370_: f32;
-    var phi_393_: f32;
-    var phi_404_: f32;
-    var phi_413_: f32;
-    var phi_419_: f32;
-    var phi_430_: f32;
-    var phi_436_: f32;
-    var phi_459_: f32;
-    var phi_470_: f32;
-    var phi_479_: f32;
-    var phi_485_: f32;
-    var phi_496_: f32;
-    var phi_502_: f32;
-    var phi_525_: f32;
-    var phi_536_: f32;
-    var phi_636_: f32;
+    var phi_291_: u32;
+    var phi_293_: bool;
+    var phi_298_: u32;
+    var phi_310_: i32;
+    var phi_330_: i32;
+    var phi_348_: f32;
+    var phi_354_: f32;
+    var phi_365_: f32;
+    var phi_371_: f32;
+    var phi_394_: f32;
+    var phi_405_: f32;
+    var phi_414_: f32;
+    var phi_420_: f32;
+    var phi_431_: f32;
+    var phi_437_: f32;
+    var phi_460_: f32;
+    var phi_471_: f32;
+    var phi_480_: f32;
+    var phi_486_: f32;
+    var phi_497_: f32;
+    var phi_503_: f32;
+    var phi_526_: f32;
+    var phi_537_: f32;
     var phi_637_: f32;
-    var phi_2239_: bool;
-    var phi_912_: type_47;
-    var phi_915_: u32;
-    var phi_917_: u32;
-    var phi_919_: bool;
-    var phi_921_: u32;
-    var phi_932_: bool;
-    var phi_963_: u32;
-    var phi_964_: bool;
-    var phi_965_: u32;
-    var phi_1793_: type_43;
-    var phi_2137_: u32;
-    var phi_2164_: u32;
-    var phi_2165_: u32;
-    var phi_2166_: u32;
-    var phi_2168_: u32;
-    var phi_2169_: u32;
-    var phi_2170_: bool;
-    var phi_2179_: u32;
-    var phi_2184_: u32;
-    var phi_2185_: bool;
-    var phi_980_: type_47;
-    var phi_983_: type_4;
-    var phi_984_: type_4;
-    var phi_1006_: type_4;
-    var phi_1030_: u32;
-    var phi_1119_: array<array<f32, 3>, 3>;
-    var phi_1590_: vec3<f32>;
-    var phi_1591_: vec3<f32>;
-    var phi_1622_: bool;
-    var phi_1631_: vec3<f32>;
-    var phi_1671_: type_27;
-    var phi_1673_: type_27;
-    var phi_1674_: bool;
-    var phi_1678_: type_27;
-    var phi_1679_: type_27;
-    var phi_1680_: type_27;
-    var phi_1681_: bool;
-    var phi_1685_: type_27;
-    var phi_1686_: bool;
-    var phi_1690_: type_27;
-    var phi_1691_: bool;
-    var phi_1695_: type_27;
-    var phi_1720_: bool;
-    var phi_1721_: bool;
-    var phi_1728_: type_47;
-    var phi_1729_: type_47;
-    var phi_1730_: type_47;
-    var phi_981_: type_47;
-    var phi_2233_: bool;
-    var phi_2351_: bool;
-    var phi_2187_: type_47;
-    var phi_2188_: u32;
-    var phi_2189_: bool;
-    var phi_2190_: u32;
-    var phi_2350_: bool;
-    var phi_2191_: type_47;
-    var phi_2192_: u32;
-    var phi_2193_: u32;
-    var phi_2194_: bool;
-    var phi_2195_: u32;
-    var phi_2349_: bool;
-    var phi_2196_: type_47;
-    var phi_2197_: u32;
-    var phi_2198_: u32;
-    var phi_2199_: bool;
-    var phi_2200_: u32;
-    var phi_2348_: bool;
-    var phi_913_: type_47;
-    var phi_916_: u32;
-    var phi_918_: u32;
-    var phi_920_: bool;
-    var phi_922_: u32;
-    var phi_2201_: bool;
-    var phi_2347_: bool;
-    var local_2: type_47;
-    var local_3: type_47;
-    var local_4: type_47;
+    var phi_638_: f32;
+    var phi_1976_: bool;
+    var phi_650_: type_48;
+    var phi_653_: u32;
+    var phi_655_: u32;
+    var phi_657_: bool;
+    var phi_659_: u32;
+    var phi_670_: bool;
+    var phi_702_: u32;
+    var phi_703_: bool;
+    var phi_704_: u32;
+    var phi_1532_: type_44;
+    var phi_1876_: u32;
+    var phi_1904_: u32;
+    var phi_1905_: u32;
+    var phi_1906_: u32;
+    var phi_1908_: u32;
+    var phi_1909_: u32;
+    var phi_1910_: bool;
+    var phi_1919_: u32;
+    var phi_1924_: u32;
+    var phi_1925_: bool;
+    var phi_719_: type_48;
+    var phi_722_: type_4;
+    var phi_723_: type_4;
+    var phi_745_: type_4;
+    var phi_769_: u32;
+    var phi_858_: array<array<f32, 3>, 3>;
+    var phi_1329_: vec3<f32>;
+    var phi_1330_: vec3<f32>;
+    var phi_1361_: bool;
+    var phi_1370_: vec3<f32>;
+    var phi_1410_: type_27;
+    var phi_1412_: type_27;
+    var phi_1413_: bool;
+    var phi_1417_: type_27;
+    var phi_1418_: type_27;
+    var phi_1419_: type_27;
+    var phi_1420_: bool;
+    var phi_1424_: type_27;
+    var phi_1425_: bool;
+    var phi_1429_: type_27;
+    var phi_1430_: bool;
+    var phi_1434_: type_27;
+    var phi_1459_: bool;
+    var phi_1460_: bool;
+    var phi_1467_: type_48;
+    var phi_1468_: type_48;
+    var phi_1469_: type_48;
+    var phi_720_: type_48;
+    var phi_1970_: bool;
+    var phi_2088_: bool;
+    var phi_1927_: type_48;
+    var phi_1928_: u32;
+    var phi_1929_: bool;
+    var phi_1930_: u32;
+    var phi_2087_: bool;
+    var phi_1931_: type_48;
+    var phi_1932_: u32;
+    var phi_1933_: u32;
+    var phi_1934_: bool;
+    var phi_1935_: u32;
+    var phi_2086_: bool;
+    var phi_1936_: type_48;
+    var phi_1937_: u32;
+    var phi_1938_: u32;
+    var phi_1939_: bool;
+    var phi_1940_: u32;
+    var phi_2085_: bool;
+    var phi_651_: type_48;
+    var phi_654_: u32;
+    var phi_656_: u32;
+    var phi_658_: bool;
+    var phi_660_: u32;
+    var phi_1941_: bool;
+    var phi_2084_: bool;
+    var local_2: type_48;
+    var local_3: type_48;
+    var local_4: type_48;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -230,199 +230,199 @@ fn function_() {
                     if _e154 {
                         let _e157 = (bitcast<u32>(bitcast<f32>(_e129)) & 2147483647u);
                         if (_e157 >= 8388608u) {
-                            phi_268_ = (bitcast<i32>((_e157 >> bitcast<u32>(23i))) - 127i);
+                            phi_269_ = (bitcast<i32>((_e157 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_268_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e157)), 32u, (_e157 == 0u))));
+                            phi_269_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e157)), 32u, (_e157 == 0u))));
                         }
-                        let _e171 = phi_268_;
-                        phi_269_ = _e171;
+                        let _e171 = phi_269_;
+                        phi_270_ = _e171;
                     } else {
-                        phi_269_ = 0i;
+                        phi_270_ = 0i;
                     }
-                    let _e173 = phi_269_;
+                    let _e173 = phi_270_;
                     let _e174 = (_e90 == _e129);
                     if _e174 {
-                        phi_279_ = true;
+                        phi_280_ = true;
                     } else {
-                        phi_279_ = (_e97 == _e129);
+                        phi_280_ = (_e97 == _e129);
                     }
-                    let _e177 = phi_279_;
+                    let _e177 = phi_280_;
                     let _e178 = select(1u, 0u, _e174);
                     if _e177 {
                         let _e179 = (_e178 + 1u);
-                        phi_289_ = _e179;
                         phi_290_ = _e179;
-                        phi_292_ = select(true, false, (_e179 == 2u));
+                        phi_291_ = _e179;
+                        phi_293_ = select(true, false, (_e179 == 2u));
                     } else {
-                        phi_289_ = u32();
-                        phi_290_ = 0u;
-                        phi_292_ = true;
+                        phi_290_ = u32();
+                        phi_291_ = 0u;
+                        phi_293_ = true;
                     }
-                    let _e183 = phi_289_;
-                    let _e185 = phi_290_;
-                    let _e187 = phi_292_;
+                    let _e183 = phi_290_;
+                    let _e185 = phi_291_;
+                    let _e187 = phi_293_;
                     if _e187 {
-                        phi_297_ = (_e185 + 1u);
+                        phi_298_ = (_e185 + 1u);
                     } else {
-                        phi_297_ = 0u;
+                        phi_298_ = 0u;
                     }
-                    let _e191 = phi_297_;
+                    let _e191 = phi_298_;
                     let _e192 = select(_e183, _e185, _e187);
                     let _e193 = select(_e178, select(2u, _e178, _e177), _e187);
                     if (_e78 < -126i) {
-                        phi_309_ = -126i;
+                        phi_310_ = -126i;
                     } else {
-                        phi_309_ = select(_e78, 127i, (_e78 > 127i));
+                        phi_310_ = select(_e78, 127i, (_e78 > 127i));
                     }
-                    let _e198 = phi_309_;
+                    let _e198 = phi_310_;
                     let _e203 = bitcast<f32>((bitcast<u32>((_e198 + 127i)) << bitcast<u32>(23i)));
                     let _e209 = bitcast<f32>((bitcast<u32>(((_e78 - _e198) + 127i)) << bitcast<u32>(23i)));
                     let _e210 = -(_e173);
                     if (_e210 < -126i) {
-                        phi_329_ = -126i;
+                        phi_330_ = -126i;
                     } else {
-                        phi_329_ = select(_e210, 127i, (_e210 > 127i));
+                        phi_330_ = select(_e210, 127i, (_e210 > 127i));
                     }
-                    let _e215 = phi_329_;
+                    let _e215 = phi_330_;
                     let _e220 = bitcast<f32>((bitcast<u32>((_e215 + 127i)) << bitcast<u32>(23i)));
                     let _e226 = bitcast<f32>((bitcast<u32>(((_e210 - _e215) + 127i)) << bitcast<u32>(23i)));
                     let _e230 = global_4.member[_e74].member;
                     let _e231 = (_e192 == 0u);
                     if _e231 {
-                        phi_347_ = _e230[0];
+                        phi_348_ = _e230[0];
                     } else {
-                        phi_347_ = _e230[1];
+                        phi_348_ = _e230[1];
                     }
-                    let _e235 = phi_347_;
+                    let _e235 = phi_348_;
                     let _e236 = (_e192 == 2u);
                     if _e236 {
-                        phi_353_ = _e230[2];
+                        phi_354_ = _e230[2];
                     } else {
-                        phi_353_ = _e235;
+                        phi_354_ = _e235;
                     }
-                    let _e239 = phi_353_;
+                    let _e239 = phi_354_;
                     let _e241 = ((_e239 * _e203) * _e209);
                     let _e242 = global_4.member[_e74].member_2;
                     if _e231 {
-                        phi_364_ = _e242[0];
+                        phi_365_ = _e242[0];
                     } else {
-                        phi_364_ = _e242[1];
+                        phi_365_ = _e242[1];
                     }
-                    let _e246 = phi_364_;
+                    let _e246 = phi_365_;
                     if _e236 {
-                        phi_370_ = _e242[2];
+                        phi_371_ = _e242[2];
                     } else {
-                        phi_370_ = _e246;
+                        phi_371_ = _e246;
                     }
-                    let _e249 = phi_370_;
+                    let _e249 = phi_371_;
                     let _e251 = ((_e249 * _e220) * _e226);
                     let _e255 = (bitcast<f32>((bitcast<u32>(_e251) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e255 {
                         let _e259 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) * 0.00000011920929f);
-                        phi_393_ = select(0.00000000000011368684f, _e259, (_e259 > 0.00000000000011368684f));
+                        phi_394_ = select(0.00000000000011368684f, _e259, (_e259 > 0.00000000000011368684f));
                     } else {
-                        phi_393_ = 0f;
+                        phi_394_ = 0f;
                     }
-                    let _e263 = phi_393_;
+                    let _e263 = phi_394_;
                     let _e264 = (_e241 + _e263);
                     let _e265 = (_e241 - _e263);
                     let _e266 = select(_e251, 0f, _e255);
                     if _e255 {
-                        phi_404_ = 38685626000000000000000000f;
+                        phi_405_ = 38685626000000000000000000f;
                     } else {
-                        phi_404_ = (1f / _e251);
+                        phi_405_ = (1f / _e251);
                     }
-                    let _e269 = phi_404_;
+                    let _e269 = phi_405_;
                     let _e270 = (_e191 == 0u);
                     if _e270 {
-                        phi_413_ = _e230[0];
+                        phi_414_ = _e230[0];
                     } else {
-                        phi_413_ = _e230[1];
+                        phi_414_ = _e230[1];
                     }
-                    let _e274 = phi_413_;
+                    let _e274 = phi_414_;
                     let _e275 = (_e191 == 2u);
                     if _e275 {
-                        phi_419_ = _e230[2];
+                        phi_420_ = _e230[2];
                     } else {
-                        phi_419_ = _e274;
+                        phi_420_ = _e274;
                     }
-                    let _e278 = phi_419_;
+                    let _e278 = phi_420_;
                     let _e280 = ((_e278 * _e203) * _e209);
                     if _e270 {
-                        phi_430_ = _e242[0];
+                        phi_431_ = _e242[0];
                     } else {
-                        phi_430_ = _e242[1];
+                        phi_431_ = _e242[1];
                     }
-                    let _e284 = phi_430_;
+                    let _e284 = phi_431_;
                     if _e275 {
-                        phi_436_ = _e242[2];
+                        phi_437_ = _e242[2];
                     } else {
-                        phi_436_ = _e284;
+                        phi_437_ = _e284;
                     }
-                    let _e287 = phi_436_;
+                    let _e287 = phi_437_;
                     let _e289 = ((_e287 * _e220) * _e226);
                     let _e293 = (bitcast<f32>((bitcast<u32>(_e289) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e293 {
                         let _e297 = (bitcast<f32>((bitcast<u32>(_e280) & 2147483647u)) * 0.00000011920929f);
-                        phi_459_ = select(0.00000000000011368684f, _e297, (_e297 > 0.00000000000011368684f));
+                        phi_460_ = select(0.00000000000011368684f, _e297, (_e297 > 0.00000000000011368684f));
                     } else {
-                        phi_459_ = 0f;
+                        phi_460_ = 0f;
                     }
-                    let _e301 = phi_459_;
+                    let _e301 = phi_460_;
                     let _e302 = (_e280 + _e301);
                     let _e303 = (_e280 - _e301);
                     let _e304 = select(_e289, 0f, _e293);
                     if _e293 {
-                        phi_470_ = 38685626000000000000000000f;
+                        phi_471_ = 38685626000000000000000000f;
                     } else {
-                        phi_470_ = (1f / _e289);
+                        phi_471_ = (1f / _e289);
                     }
-                    let _e307 = phi_470_;
+                    let _e307 = phi_471_;
                     let _e308 = (_e193 == 0u);
                     if _e308 {
-                        phi_479_ = _e230[0];
+                        phi_480_ = _e230[0];
                     } else {
-                        phi_479_ = _e230[1];
+                        phi_480_ = _e230[1];
                     }
-                    let _e312 = phi_479_;
+                    let _e312 = phi_480_;
                     let _e313 = (_e193 == 2u);
                     if _e313 {
-                        phi_485_ = _e230[2];
+                        phi_486_ = _e230[2];
                     } else {
-                        phi_485_ = _e312;
+                        phi_486_ = _e312;
                     }
-                    let _e316 = phi_485_;
+                    let _e316 = phi_486_;
                     let _e318 = ((_e316 * _e203) * _e209);
                     if _e308 {
-                        phi_496_ = _e242[0];
+                        phi_497_ = _e242[0];
                     } else {
-                        phi_496_ = _e242[1];
+                        phi_497_ = _e242[1];
                     }
-                    let _e322 = phi_496_;
+                    let _e322 = phi_497_;
                     if _e313 {
-                        phi_502_ = _e242[2];
+                        phi_503_ = _e242[2];
                     } else {
-                        phi_502_ = _e322;
+                        phi_503_ = _e322;
                     }
-                    let _e325 = phi_502_;
+                    let _e325 = phi_503_;
                     let _e327 = ((_e325 * _e220) * _e226);
                     let _e331 = (bitcast<f32>((bitcast<u32>(_e327) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e331 {
                         let _e335 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) * 0.00000011920929f);
-                        phi_525_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
+                        phi_526_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
                     } else {
-                        phi_525_ = 0f;
+                        phi_526_ = 0f;
                     }
-                    let _e339 = phi_525_;
+                    let _e339 = phi_526_;
                     let _e340 = (_e318 + _e339);
                     let _e341 = (_e318 - _e339);
                     let _e342 = select(_e327, 0f, _e331);
                     if _e331 {
-                        phi_536_ = 38685626000000000000000000f;
+                        phi_537_ = 38685626000000000000000000f;
                     } else {
-                        phi_536_ = (1f / _e327);
+                        phi_537_ = (1f / _e327);
                     }
-                    let _e345 = phi_536_;
+                    let _e345 = phi_537_;
                     let _e348 = bitcast<f32>((bitcast<u32>(_e241) & 2147483647u));
                     let _e351 = bitcast<f32>((bitcast<u32>(_e280) & 2147483647u));
                     let _e353 = select(_e351, _e348, (_e348 > _e351));
@@ -436,107 +436,107 @@ fn function_() {
                         let _e379 = select(340282350000000000000000000000000000000f, _e377, (_e377 < 340282350000000000000000000000000000000f));
                         let _e384 = (((_e148 * _e369) * _e369) * _e376);
                         let _e386 = select(340282350000000000000000000000000000000f, _e384, (_e384 < 340282350000000000000000000000000000000f));
-                        phi_636_ = select(-340282350000000000000000000000000000000f, _e386, (_e386 > -340282350000000000000000000000000000000f));
-                        phi_637_ = select(-340282350000000000000000000000000000000f, _e379, (_e379 > -340282350000000000000000000000000000000f));
+                        phi_637_ = select(-340282350000000000000000000000000000000f, _e386, (_e386 > -340282350000000000000000000000000000000f));
+                        phi_638_ = select(-340282350000000000000000000000000000000f, _e379, (_e379 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_636_ = 0f;
-                        phi_637_ = 1f;
+                        phi_637_ = 0f;
+                        phi_638_ = 1f;
                     }
-                    let _e390 = phi_636_;
-                    let _e392 = phi_637_;
+                    let _e390 = phi_637_;
+                    let _e392 = phi_638_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2239_ = false;
-                    phi_912_ = type_47(type_39(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e390), 0u, 0u);
-                    phi_915_ = select(0u, 2147483648u, (_e64 == 0u));
-                    phi_917_ = ((3u * _e64) + 1u);
-                    phi_919_ = (_e392 <= _e390);
-                    phi_921_ = 0u;
+                    phi_1976_ = false;
+                    phi_650_ = type_48(type_39(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e390), 0u, 0u);
+                    phi_653_ = select(0u, 2147483648u, (_e64 == 0u));
+                    phi_655_ = ((3u * _e64) + 1u);
+                    phi_657_ = (_e392 <= _e390);
+                    phi_659_ = 0u;
                     loop {
-                        let _e401 = phi_2239_;
-                        let _e403 = phi_912_;
-                        let _e405 = phi_915_;
-                        let _e407 = phi_917_;
-                        let _e409 = phi_919_;
-                        let _e411 = phi_921_;
+                        let _e401 = phi_1976_;
+                        let _e403 = phi_650_;
+                        let _e405 = phi_653_;
+                        let _e407 = phi_655_;
+                        let _e409 = phi_657_;
+                        let _e411 = phi_659_;
                         local_2 = _e403;
                         local_3 = _e403;
                         if _e409 {
-                            phi_932_ = true;
+                            phi_670_ = true;
                         } else {
-                            phi_932_ = (_e411 > 0u);
+                            phi_670_ = (_e411 > 0u);
                         }
-                        let _e414 = phi_932_;
+                        let _e414 = phi_670_;
                         if _e414 {
                             let _e415 = (_e407 > 0u);
                             if _e415 {
                                 if _e409 {
-                                    phi_963_ = _e405;
-                                    phi_964_ = _e409;
-                                    phi_965_ = _e411;
+                                    phi_702_ = _e405;
+                                    phi_703_ = _e409;
+                                    phi_704_ = _e411;
                                 } else {
                                     let _e416 = (_e411 - 1u);
                                     let _e417 = (_e416 % 128u);
                                     let _e418 = (_e417 < 128u);
                                     if _e418 {
                                     } else {
-                                        phi_2347_ = true;
+                                        phi_2084_ = true;
                                         break;
                                     }
                                     let _e420 = local_1[_e417];
                                     if _e418 {
                                     } else {
-                                        phi_2347_ = true;
+                                        phi_2084_ = true;
                                         break;
                                     }
                                     let _e422 = local[_e417];
-                                    phi_963_ = _e420;
-                                    phi_964_ = (_e422 <= _e403.member.member_1);
-                                    phi_965_ = _e416;
+                                    phi_702_ = _e420;
+                                    phi_703_ = (_e422 <= _e403.member.member_1);
+                                    phi_704_ = _e416;
                                 }
-                                let _e427 = phi_963_;
-                                let _e429 = phi_964_;
-                                let _e431 = phi_965_;
+                                let _e427 = phi_702_;
+                                let _e429 = phi_703_;
+                                let _e431 = phi_704_;
                                 if _e429 {
                                     if ((_e427 & 2147483648u) != 0u) {
-                                        phi_980_ = _e403;
-                                        phi_983_ = type_4(0u, ((_e427 >> bitcast<u32>(28u)) & 7u));
+                                        phi_719_ = _e403;
+                                        phi_722_ = type_4(0u, ((_e427 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e636 = phi_980_;
-                                            let _e638 = phi_983_;
+                                            let _e636 = phi_719_;
+                                            let _e638 = phi_722_;
                                             local_4 = _e636;
                                             if (_e638.member < _e638.member_1) {
-                                                phi_984_ = type_4((_e638.member + 1u), _e638.member_1);
-                                                phi_1006_ = type_4(1u, _e638.member);
+                                                phi_723_ = type_4((_e638.member + 1u), _e638.member_1);
+                                                phi_745_ = type_4(1u, _e638.member);
                                             } else {
-                                                phi_984_ = _e638;
-                                                phi_1006_ = type_4(0u, type_4().member_1);
+                                                phi_723_ = _e638;
+                                                phi_745_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e651 = phi_984_;
-                                            let _e653 = phi_1006_;
+                                            let _e651 = phi_723_;
+                                            let _e653 = phi_745_;
                                             let _e657 = (bitcast<i32>(_e653.member) != 0i);
                                             if _e657 {
-                                                let _e663 = type_47(_e636.member, _e636.member_1, (_e636.member_2 + 1u));
+                                                let _e663 = type_48(_e636.member, _e636.member_1, (_e636.member_2 + 1u));
                                                 let _e664 = ((_e427 & 268435455u) + _e653.member_1);
                                                 let _e665 = (_e664 < _e66);
                                                 if _e665 {
                                                     if _e665 {
                                                     } else {
-                                                        phi_2233_ = true;
+                                                        phi_1970_ = true;
                                                         break;
                                                     }
                                                     let _e669 = global_3.member[_e664].member_1;
-                                                    phi_1030_ = _e669;
+                                                    phi_769_ = _e669;
                                                 } else {
-                                                    phi_1030_ = 4294967295u;
+                                                    phi_769_ = 4294967295u;
                                                 }
-                                                let _e671 = phi_1030_;
+                                                let _e671 = phi_769_;
                                                 if (_e664 >= _e66) {
-                                                    phi_1119_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_858_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e665 {
                                                     } else {
-                                                        phi_2233_ = true;
+                                                        phi_1970_ = true;
                                                         break;
                                                     }
                                                     let _e673 = (_e192 % 3u);
@@ -544,67 +544,67 @@ fn function_() {
                                                     let _e675 = (_e193 % 3u);
                                                     if (_e673 < 9u) {
                                                     } else {
-                                                        phi_2233_ = true;
+                                                        phi_1970_ = true;
                                                         break;
                                                     }
                                                     let _e681 = global_3.member[_e664].member[_e673];
                                                     if (_e674 < 9u) {
                                                     } else {
-                                                        phi_2233_ = true;
+                                                        phi_1970_ = true;
                                                         break;
                                                     }
                                                     let _e687 = global_3.member[_e664].member[_e674];
                                                     if (_e675 < 9u) {
                                                     } else {
-                                                        phi_2233_ = true;
+                                                        phi_1970_ = true;
                                                         break;
                                                     }
                                                     let _e693 = global_3.member[_e664].member[_e675];
                                                     let _e695 = (3u + _e673);
                                                     if (_e695 < 9u) {
                                                     } else {
-                                                        phi_2233_ = true;
+                                                        phi_1970_ = true;
                                                         break;
                                                     }
                                                     let _e701 = global_3.member[_e664].member[_e695];
                                                     let _e702 = (3u + _e674);
                                                     if (_e702 < 9u) {
                                                     } else {
-                                                        phi_2233_ = true;
+                                                        phi_1970_ = true;
                                                         break;
                                                     }
                                                     let _e708 = global_3.member[_e664].member[_e702];
                                                     let _e709 = (3u + _e675);
                                                     if (_e709 < 9u) {
                                                     } else {
-                                                        phi_2233_ = true;
+                                                        phi_1970_ = true;
                                                         break;
                                                     }
                                                     let _e715 = global_3.member[_e664].member[_e709];
                                                     let _e717 = (6u + _e673);
                                                     if (_e717 < 9u) {
                                                     } else {
-                                                        phi_2233_ = true;
+                                                        phi_1970_ = true;
                                                         break;
                                                     }
                                                     let _e723 = global_3.member[_e664].member[_e717];
                                                     let _e724 = (6u + _e674);
                                                     if (_e724 < 9u) {
                                                     } else {
-                                                        phi_2233_ = true;
+                                                        phi_1970_ = true;
                                                         break;
                                                     }
                                                     let _e730 = global_3.member[_e664].member[_e724];
                                                     let _e731 = (6u + _e675);
                                                     if (_e731 < 9u) {
                                                     } else {
-                                                        phi_2233_ = true;
+                                                        phi_1970_ = true;
                                                         break;
                                                     }
                                                     let _e737 = global_3.member[_e664].member[_e731];
-                                                    phi_1119_ = array<array<f32, 3>, 3>(array<f32, 3>(_e681, _e687, _e693), array<f32, 3>(_e701, _e708, _e715), array<f32, 3>(_e723, _e730, _e737));
+                                                    phi_858_ = array<array<f32, 3>, 3>(array<f32, 3>(_e681, _e687, _e693), array<f32, 3>(_e701, _e708, _e715), array<f32, 3>(_e723, _e730, _e737));
                                                 }
-                                                let _e741 = phi_1119_;
+                                                let _e741 = phi_858_;
                                                 let _e750 = (_e741[0][2] - _e318);
                                                 let _e753 = (((_e741[0][0] - _e241) * _e342) - (_e750 * _e266));
                                                 let _e756 = (((_e741[0][1] - _e280) * _e342) - (_e750 * _e304));
@@ -631,8 +631,8 @@ fn function_() {
                                                     let _e812 = select(0f, _e810, (_e810 > 0f));
                                                     let _e814 = ((_e804 + _e808) + _e812);
                                                     if (_e814 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1685_ = type_27();
-                                                        phi_1686_ = true;
+                                                        phi_1424_ = type_27();
+                                                        phi_1425_ = true;
                                                     } else {
                                                         let _e817 = select(_e741[1][0], _e741[0][0], (_e741[0][0] < _e741[1][0]));
                                                         let _e821 = select(_e741[1][0], _e741[0][0], (_e741[0][0] > _e741[1][0]));
@@ -659,12 +659,12 @@ fn function_() {
                                                         let _e872 = -(_e853);
                                                         let _e878 = select(_e392, _e863, (_e863 > _e392));
                                                         if (_e878 > (_e871 + (select(_e872, _e855, (_e855 > _e872)) * 0.0000019073523f))) {
-                                                            phi_1680_ = type_27();
-                                                            phi_1681_ = true;
+                                                            phi_1419_ = type_27();
+                                                            phi_1420_ = true;
                                                         } else {
                                                             let _e880 = (_e878 > _e636.member.member_1);
                                                             if _e880 {
-                                                                phi_1679_ = type_27();
+                                                                phi_1418_ = type_27();
                                                             } else {
                                                                 let _e884 = (_e741[1][0] - _e741[0][0]);
                                                                 let _e885 = (_e741[1][1] - _e741[0][1]);
@@ -696,30 +696,30 @@ fn function_() {
                                                                 let _e936 = select(_e921, _e908, (_e908 > _e921));
                                                                 let _e938 = select(_e934, _e936, (_e936 > _e934));
                                                                 if (_e908 == _e938) {
-                                                                    phi_1590_ = _e891;
-                                                                    phi_1591_ = _e895;
+                                                                    phi_1329_ = _e891;
+                                                                    phi_1330_ = _e895;
                                                                 } else {
                                                                     let _e941 = vec3((_e921 == _e938));
-                                                                    phi_1590_ = select(_e887, _e895, _e941);
-                                                                    phi_1591_ = select(_e891, _e887, _e941);
+                                                                    phi_1329_ = select(_e887, _e895, _e941);
+                                                                    phi_1330_ = select(_e891, _e887, _e941);
                                                                 }
-                                                                let _e945 = phi_1590_;
-                                                                let _e947 = phi_1591_;
+                                                                let _e945 = phi_1329_;
+                                                                let _e947 = phi_1330_;
                                                                 let _e954 = ((_e945.y * _e947.z) - (_e947.y * _e945.z));
                                                                 let _e959 = ((_e945.z * _e947.x) - (_e947.z * _e945.x));
                                                                 let _e962 = ((_e945.x * _e947.y) - (_e947.x * _e945.y));
                                                                 if (_e804 >= _e808) {
-                                                                    phi_1622_ = select(true, false, (_e804 >= _e812));
+                                                                    phi_1361_ = select(true, false, (_e804 >= _e812));
                                                                 } else {
-                                                                    phi_1622_ = true;
+                                                                    phi_1361_ = true;
                                                                 }
-                                                                let _e967 = phi_1622_;
+                                                                let _e967 = phi_1361_;
                                                                 if _e967 {
-                                                                    phi_1631_ = select(vec3<f32>(_e741[2][0], _e741[2][1], _e741[2][2]), vec3<f32>(_e741[1][0], _e741[1][1], _e741[1][2]), vec3((_e808 >= _e812)));
+                                                                    phi_1370_ = select(vec3<f32>(_e741[2][0], _e741[2][1], _e741[2][2]), vec3<f32>(_e741[1][0], _e741[1][1], _e741[1][2]), vec3((_e808 >= _e812)));
                                                                 } else {
-                                                                    phi_1631_ = vec3<f32>(_e741[0][0], _e741[0][1], _e741[0][2]);
+                                                                    phi_1370_ = vec3<f32>(_e741[0][0], _e741[0][1], _e741[0][2]);
                                                                 }
-                                                                let _e972 = phi_1631_;
+                                                                let _e972 = phi_1370_;
                                                                 let _e989 = ((((_e954 * (_e972.x - _e241)) + (_e959 * (_e972.y - _e280))) + (_e962 * (_e972.z - _e318))) / (((_e954 * _e266) + (_e959 * _e304)) + (_e962 * _e342)));
                                                                 let _e991 = select(_e871, _e989, (_e989 < _e871));
                                                                 let _e993 = select(_e863, _e991, (_e991 > _e863));
@@ -727,141 +727,141 @@ fn function_() {
                                                                     let _e995 = (_e993 <= _e636.member.member_1);
                                                                     if _e995 {
                                                                         let _e996 = (1f / _e814);
-                                                                        phi_1671_ = type_27(_e993, (_e808 * _e996), (_e812 * _e996), _e671);
+                                                                        phi_1410_ = type_27(_e993, (_e808 * _e996), (_e812 * _e996), _e671);
                                                                     } else {
-                                                                        phi_1671_ = type_27();
+                                                                        phi_1410_ = type_27();
                                                                     }
-                                                                    let _e1001 = phi_1671_;
-                                                                    phi_1673_ = _e1001;
-                                                                    phi_1674_ = select(true, false, _e995);
+                                                                    let _e1001 = phi_1410_;
+                                                                    phi_1412_ = _e1001;
+                                                                    phi_1413_ = select(true, false, _e995);
                                                                 } else {
-                                                                    phi_1673_ = type_27();
-                                                                    phi_1674_ = true;
+                                                                    phi_1412_ = type_27();
+                                                                    phi_1413_ = true;
                                                                 }
-                                                                let _e1004 = phi_1673_;
-                                                                let _e1006 = phi_1674_;
+                                                                let _e1004 = phi_1412_;
+                                                                let _e1006 = phi_1413_;
                                                                 if _e1006 {
-                                                                    phi_1678_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1417_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1678_ = _e1004;
+                                                                    phi_1417_ = _e1004;
                                                                 }
-                                                                let _e1008 = phi_1678_;
-                                                                phi_1679_ = _e1008;
+                                                                let _e1008 = phi_1417_;
+                                                                phi_1418_ = _e1008;
                                                             }
-                                                            let _e1010 = phi_1679_;
-                                                            phi_1680_ = _e1010;
-                                                            phi_1681_ = _e880;
+                                                            let _e1010 = phi_1418_;
+                                                            phi_1419_ = _e1010;
+                                                            phi_1420_ = _e880;
                                                         }
-                                                        let _e1012 = phi_1680_;
-                                                        let _e1014 = phi_1681_;
-                                                        phi_1685_ = _e1012;
-                                                        phi_1686_ = _e1014;
+                                                        let _e1012 = phi_1419_;
+                                                        let _e1014 = phi_1420_;
+                                                        phi_1424_ = _e1012;
+                                                        phi_1425_ = _e1014;
                                                     }
-                                                    let _e1016 = phi_1685_;
-                                                    let _e1018 = phi_1686_;
-                                                    phi_1690_ = _e1016;
-                                                    phi_1691_ = _e1018;
+                                                    let _e1016 = phi_1424_;
+                                                    let _e1018 = phi_1425_;
+                                                    phi_1429_ = _e1016;
+                                                    phi_1430_ = _e1018;
                                                 } else {
-                                                    phi_1690_ = type_27();
-                                                    phi_1691_ = true;
+                                                    phi_1429_ = type_27();
+                                                    phi_1430_ = true;
                                                 }
-                                                let _e1020 = phi_1690_;
-                                                let _e1022 = phi_1691_;
+                                                let _e1020 = phi_1429_;
+                                                let _e1022 = phi_1430_;
                                                 if _e1022 {
-                                                    phi_1695_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1434_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1695_ = _e1020;
+                                                    phi_1434_ = _e1020;
                                                 }
-                                                let _e1024 = phi_1695_;
+                                                let _e1024 = phi_1434_;
                                                 if (_e1024.member_3 != 4294967295u) {
                                                     if (_e671 != 4294967295u) {
                                                         if (_e1024.member < _e636.member.member.member) {
-                                                            phi_1721_ = true;
+                                                            phi_1460_ = true;
                                                         } else {
                                                             if (_e1024.member == _e636.member.member.member) {
-                                                                phi_1720_ = (_e1024.member_3 < _e636.member.member.member_3);
+                                                                phi_1459_ = (_e1024.member_3 < _e636.member.member.member_3);
                                                             } else {
-                                                                phi_1720_ = false;
+                                                                phi_1459_ = false;
                                                             }
-                                                            let _e1039 = phi_1720_;
-                                                            phi_1721_ = _e1039;
+                                                            let _e1039 = phi_1459_;
+                                                            phi_1460_ = _e1039;
                                                         }
-                                                        let _e1041 = phi_1721_;
+                                                        let _e1041 = phi_1460_;
                                                         if _e1041 {
-                                                            phi_1728_ = type_47(type_39(_e1024, _e1024.member), _e663.member_1, _e663.member_2);
+                                                            phi_1467_ = type_48(type_39(_e1024, _e1024.member), _e663.member_1, _e663.member_2);
                                                         } else {
-                                                            phi_1728_ = _e663;
+                                                            phi_1467_ = _e663;
                                                         }
-                                                        let _e1048 = phi_1728_;
-                                                        phi_1729_ = _e1048;
+                                                        let _e1048 = phi_1467_;
+                                                        phi_1468_ = _e1048;
                                                     } else {
-                                                        phi_1729_ = _e663;
+                                                        phi_1468_ = _e663;
                                                     }
-                                                    let _e1050 = phi_1729_;
-                                                    phi_1730_ = _e1050;
+                                                    let _e1050 = phi_1468_;
+                                                    phi_1469_ = _e1050;
                                                 } else {
-                                                    phi_1730_ = _e663;
+                                                    phi_1469_ = _e663;
                                                 }
-                                                let _e1052 = phi_1730_;
-                                                phi_981_ = _e1052;
+                                                let _e1052 = phi_1469_;
+                                                phi_720_ = _e1052;
                                             } else {
-                                                phi_981_ = type_47();
+                                                phi_720_ = type_48();
                                             }
-                                            let _e1054 = phi_981_;
+                                            let _e1054 = phi_720_;
                                             continue;
                                             continuing {
-                                                phi_980_ = _e1054;
-                                                phi_983_ = _e651;
-                                                phi_2233_ = _e401;
+                                                phi_719_ = _e1054;
+                                                phi_722_ = _e651;
+                                                phi_1970_ = _e401;
                                                 break if !(_e657);
                                             }
                                         }
-                                        let _e1057 = phi_2233_;
-                                        phi_2347_ = _e1057;
+                                        let _e1057 = phi_1970_;
+                                        phi_2084_ = _e1057;
                                         if _e1057 {
                                             break;
                                         }
-                                        phi_2351_ = _e1057;
+                                        phi_2088_ = _e1057;
                                         let _e1203 = local_4;
-                                        phi_2187_ = _e1203;
-                                        phi_2188_ = _e427;
-                                        phi_2189_ = false;
-                                        phi_2190_ = _e431;
+                                        phi_1927_ = _e1203;
+                                        phi_1928_ = _e427;
+                                        phi_1929_ = false;
+                                        phi_1930_ = _e431;
                                     } else {
                                         if (_e427 >= _e64) {
-                                            phi_1793_ = type_43(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1532_ = type_44(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e427 < _e64) {
                                             } else {
-                                                phi_2347_ = true;
+                                                phi_2084_ = true;
                                                 break;
                                             }
                                             let _e447 = (_e192 % 3u);
                                             if (_e447 < 3u) {
                                             } else {
-                                                phi_2347_ = true;
+                                                phi_2084_ = true;
                                                 break;
                                             }
                                             let _e453 = global_2.member[_e427].member[_e447];
                                             let _e459 = (_e191 % 3u);
                                             if (_e459 < 3u) {
                                             } else {
-                                                phi_2347_ = true;
+                                                phi_2084_ = true;
                                                 break;
                                             }
                                             let _e465 = global_2.member[_e427].member[_e459];
                                             let _e471 = (_e193 % 3u);
                                             if (_e471 < 3u) {
                                             } else {
-                                                phi_2347_ = true;
+                                                phi_2084_ = true;
                                                 break;
                                             }
                                             let _e477 = global_2.member[_e427].member[_e471];
                                             let _e487 = global_2.member[_e427].member_1;
                                             let _e491 = global_2.member[_e427].member_2;
-                                            phi_1793_ = type_43(array<vec4<f32>, 3>(vec4<f32>(_e453[0], _e453[1], _e453[2], _e453[3]), vec4<f32>(_e465[0], _e465[1], _e465[2], _e465[3]), vec4<f32>(_e477[0], _e477[1], _e477[2], _e477[3])), _e487, _e491);
+                                            phi_1532_ = type_44(array<vec4<f32>, 3>(vec4<f32>(_e453[0], _e453[1], _e453[2], _e453[3]), vec4<f32>(_e465[0], _e465[1], _e465[2], _e465[3]), vec4<f32>(_e477[0], _e477[1], _e477[2], _e477[3])), _e487, _e491);
                                         }
-                                        let _e494 = phi_1793_;
+                                        let _e494 = phi_1532_;
                                         let _e507 = ((_e494.member[0].x - _e264) * _e269);
                                         let _e508 = ((_e494.member[0].y - _e264) * _e269);
                                         let _e509 = ((_e494.member[0].z - _e265) * _e269);
@@ -904,152 +904,152 @@ fn function_() {
                                         if _e595 {
                                             if _e596 {
                                                 if _e597 {
-                                                    phi_2137_ = _e494.member_2;
+                                                    phi_1876_ = _e494.member_2;
                                                 } else {
-                                                    phi_2137_ = _e494.member_1;
+                                                    phi_1876_ = _e494.member_1;
                                                 }
-                                                let _e601 = phi_2137_;
-                                                let _e602 = (_e431 % 128u);
-                                                let _e603 = (_e602 < 128u);
-                                                if _e603 {
+                                                let _e601 = phi_1876_;
+                                                let _e604 = (_e431 % 128u);
+                                                let _e605 = (_e604 < 128u);
+                                                if _e605 {
                                                 } else {
-                                                    phi_2347_ = true;
+                                                    phi_2084_ = true;
                                                     break;
                                                 }
-                                                local_1[_e602] = _e601;
-                                                if _e603 {
+                                                local_1[_e604] = _e601;
+                                                if _e605 {
                                                 } else {
-                                                    phi_2347_ = true;
+                                                    phi_2084_ = true;
                                                     break;
                                                 }
-                                                local[_e602] = select(_e590, _e588, (_e588 > _e590));
+                                                local[_e604] = select(_e590, _e588, (_e588 > _e590));
                                                 if _e597 {
-                                                    phi_2164_ = _e494.member_1;
+                                                    phi_1904_ = _e494.member_1;
                                                 } else {
-                                                    phi_2164_ = _e494.member_2;
+                                                    phi_1904_ = _e494.member_2;
                                                 }
-                                                let _e612 = phi_2164_;
-                                                phi_2165_ = _e612;
-                                                phi_2166_ = (_e431 + 1u);
+                                                let _e612 = phi_1904_;
+                                                phi_1905_ = _e612;
+                                                phi_1906_ = (_e431 + 1u);
                                             } else {
-                                                phi_2165_ = u32();
-                                                phi_2166_ = u32();
+                                                phi_1905_ = u32();
+                                                phi_1906_ = u32();
                                             }
-                                            let _e614 = phi_2165_;
-                                            let _e616 = phi_2166_;
-                                            phi_2168_ = _e614;
-                                            phi_2169_ = _e616;
-                                            phi_2170_ = select(true, false, _e596);
+                                            let _e614 = phi_1905_;
+                                            let _e616 = phi_1906_;
+                                            phi_1908_ = _e614;
+                                            phi_1909_ = _e616;
+                                            phi_1910_ = select(true, false, _e596);
                                         } else {
-                                            phi_2168_ = u32();
-                                            phi_2169_ = u32();
-                                            phi_2170_ = true;
+                                            phi_1908_ = u32();
+                                            phi_1909_ = u32();
+                                            phi_1910_ = true;
                                         }
-                                        let _e619 = phi_2168_;
-                                        let _e621 = phi_2169_;
-                                        let _e623 = phi_2170_;
+                                        let _e619 = phi_1908_;
+                                        let _e621 = phi_1909_;
+                                        let _e623 = phi_1910_;
                                         if _e623 {
                                             if _e595 {
-                                                phi_2179_ = _e494.member_1;
+                                                phi_1919_ = _e494.member_1;
                                             } else {
-                                                phi_2179_ = _e494.member_2;
+                                                phi_1919_ = _e494.member_2;
                                             }
-                                            let _e627 = phi_2179_;
-                                            phi_2184_ = _e627;
-                                            phi_2185_ = select(_e596, true, _e595);
+                                            let _e627 = phi_1919_;
+                                            phi_1924_ = _e627;
+                                            phi_1925_ = select(_e596, true, _e595);
                                         } else {
-                                            phi_2184_ = _e619;
-                                            phi_2185_ = _e429;
+                                            phi_1924_ = _e619;
+                                            phi_1925_ = _e429;
                                         }
-                                        let _e630 = phi_2184_;
-                                        let _e632 = phi_2185_;
-                                        phi_2351_ = _e401;
-                                        phi_2187_ = type_47(_e403.member, (_e403.member_1 + 1u), _e403.member_2);
-                                        phi_2188_ = _e630;
-                                        phi_2189_ = _e632;
-                                        phi_2190_ = select(_e621, _e431, _e623);
+                                        let _e630 = phi_1924_;
+                                        let _e632 = phi_1925_;
+                                        phi_2088_ = _e401;
+                                        phi_1927_ = type_48(_e403.member, (_e403.member_1 + 1u), _e403.member_2);
+                                        phi_1928_ = _e630;
+                                        phi_1929_ = _e632;
+                                        phi_1930_ = select(_e621, _e431, _e623);
                                     }
-                                    let _e1059 = phi_2351_;
-                                    let _e1061 = phi_2187_;
-                                    let _e1063 = phi_2188_;
-                                    let _e1065 = phi_2189_;
-                                    let _e1067 = phi_2190_;
-                                    phi_2350_ = _e1059;
-                                    phi_2191_ = _e1061;
-                                    phi_2192_ = _e1063;
-                                    phi_2193_ = (_e407 - 1u);
-                                    phi_2194_ = _e1065;
-                                    phi_2195_ = _e1067;
+                                    let _e1059 = phi_2088_;
+                                    let _e1061 = phi_1927_;
+                                    let _e1063 = phi_1928_;
+                                    let _e1065 = phi_1929_;
+                                    let _e1067 = phi_1930_;
+                                    phi_2087_ = _e1059;
+                                    phi_1931_ = _e1061;
+                                    phi_1932_ = _e1063;
+                                    phi_1933_ = (_e407 - 1u);
+                                    phi_1934_ = _e1065;
+                                    phi_1935_ = _e1067;
                                 } else {
-                                    phi_2350_ = _e401;
-                                    phi_2191_ = _e403;
-                                    phi_2192_ = _e427;
-                                    phi_2193_ = _e407;
-                                    phi_2194_ = _e429;
-                                    phi_2195_ = _e431;
+                                    phi_2087_ = _e401;
+                                    phi_1931_ = _e403;
+                                    phi_1932_ = _e427;
+                                    phi_1933_ = _e407;
+                                    phi_1934_ = _e429;
+                                    phi_1935_ = _e431;
                                 }
-                                let _e1069 = phi_2350_;
-                                let _e1071 = phi_2191_;
-                                let _e1073 = phi_2192_;
-                                let _e1075 = phi_2193_;
-                                let _e1077 = phi_2194_;
-                                let _e1079 = phi_2195_;
-                                phi_2349_ = _e1069;
-                                phi_2196_ = _e1071;
-                                phi_2197_ = _e1073;
-                                phi_2198_ = _e1075;
-                                phi_2199_ = _e1077;
-                                phi_2200_ = _e1079;
+                                let _e1069 = phi_2087_;
+                                let _e1071 = phi_1931_;
+                                let _e1073 = phi_1932_;
+                                let _e1075 = phi_1933_;
+                                let _e1077 = phi_1934_;
+                                let _e1079 = phi_1935_;
+                                phi_2086_ = _e1069;
+                                phi_1936_ = _e1071;
+                                phi_1937_ = _e1073;
+                                phi_1938_ = _e1075;
+                                phi_1939_ = _e1077;
+                                phi_1940_ = _e1079;
                             } else {
-                                phi_2349_ = _e401;
-                                phi_2196_ = type_47();
-                                phi_2197_ = u32();
-                                phi_2198_ = u32();
-                                phi_2199_ = bool();
-                                phi_2200_ = u32();
+                                phi_2086_ = _e401;
+                                phi_1936_ = type_48();
+                                phi_1937_ = u32();
+                                phi_1938_ = u32();
+                                phi_1939_ = bool();
+                                phi_1940_ = u32();
                             }
-                            let _e1081 = phi_2349_;
-                            let _e1083 = phi_2196_;
-                            let _e1085 = phi_2197_;
-                            let _e1087 = phi_2198_;
-                            let _e1089 = phi_2199_;
-                            let _e1091 = phi_2200_;
-                            phi_2348_ = _e1081;
-                            phi_913_ = _e1083;
-                            phi_916_ = _e1085;
-                            phi_918_ = _e1087;
-                            phi_920_ = _e1089;
-                            phi_922_ = _e1091;
-                            phi_2201_ = _e415;
+                            let _e1081 = phi_2086_;
+                            let _e1083 = phi_1936_;
+                            let _e1085 = phi_1937_;
+                            let _e1087 = phi_1938_;
+                            let _e1089 = phi_1939_;
+                            let _e1091 = phi_1940_;
+                            phi_2085_ = _e1081;
+                            phi_651_ = _e1083;
+                            phi_654_ = _e1085;
+                            phi_656_ = _e1087;
+                            phi_658_ = _e1089;
+                            phi_660_ = _e1091;
+                            phi_1941_ = _e415;
                         } else {
-                            phi_2348_ = _e401;
-                            phi_913_ = type_47();
-                            phi_916_ = u32();
-                            phi_918_ = u32();
-                            phi_920_ = bool();
-                            phi_922_ = u32();
-                            phi_2201_ = false;
+                            phi_2085_ = _e401;
+                            phi_651_ = type_48();
+                            phi_654_ = u32();
+                            phi_656_ = u32();
+                            phi_658_ = bool();
+                            phi_660_ = u32();
+                            phi_1941_ = false;
                         }
-                        let _e1093 = phi_2348_;
-                        let _e1095 = phi_913_;
-                        let _e1097 = phi_916_;
-                        let _e1099 = phi_918_;
-                        let _e1101 = phi_920_;
-                        let _e1103 = phi_922_;
-                        let _e1105 = phi_2201_;
+                        let _e1093 = phi_2085_;
+                        let _e1095 = phi_651_;
+                        let _e1097 = phi_654_;
+                        let _e1099 = phi_656_;
+                        let _e1101 = phi_658_;
+                        let _e1103 = phi_660_;
+                        let _e1105 = phi_1941_;
                         continue;
                         continuing {
-                            phi_2239_ = _e1093;
-                            phi_912_ = _e1095;
-                            phi_915_ = _e1097;
-                            phi_917_ = _e1099;
-                            phi_919_ = _e1101;
-                            phi_921_ = _e1103;
-                            phi_2347_ = _e1093;
+                            phi_1976_ = _e1093;
+                            phi_650_ = _e1095;
+                            phi_653_ = _e1097;
+                            phi_655_ = _e1099;
+                            phi_657_ = _e1101;
+                            phi_659_ = _e1103;
+                            phi_2084_ = _e1093;
                             break if !(_e1105);
                         }
                     }
-                    let _e1108 = phi_2347_;
+                    let _e1108 = phi_2084_;
                     if _e1108 {
                         break;
                     }

@@ -38,45 +38,45 @@ struct type_32 {
     member_1: vec4<f32>,
 }
 
-struct type_36 {
+struct type_37 {
     member: type_28,
     member_1: f32,
 }
 
-struct type_40 {
+struct type_41 {
     member: array<type_29>,
 }
 
-struct type_42 {
-    member: type_36,
+struct type_43 {
+    member: type_37,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_53 {
+struct type_54 {
     member: type_32,
     member_1: u32,
 }
 
-struct type_56 {
+struct type_55 {
     member: array<vec4<f32>, 3>,
-    member_1: type_53,
-    member_2: type_53,
+    member_1: type_54,
+    member_2: type_54,
 }
 
 var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_16;
 @group(0) @binding(1) 
-var<uniform> global_2: type_44;
+var<uniform> global_2: type_45;
 @group(0) @binding(2) 
 var<storage> global_3: type_13;
 @group(0) @binding(4) 
-var<storage> global_4: type_40;
+var<storage> global_4: type_41;
 @group(0) @binding(3) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
@@ -86,1396 +86,1480 @@ fn function_() {
     var local: array<i32, 3>;
     var local_1: array<i32, 3>;
     var local_2: array<f32, 128>;
-    var local_3: array<type_53, 128>;
-    var local_4: array<u32, 3>;
-    var local_5: array<array<f32, 3>, 3>;
-    var local_6: array<f32, 4>;
-    var phi_402_: i32;
+    var local_3: array<f32, 128>;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<f32, 128>;
+    var local_7: array<f32, 128>;
+    var local_8: array<u32, 128>;
+    var local_9: array<f32, 128>;
+    var local_10: array<u32, 3>;
+    var local_11: array<array<f32, 3>, 3>;
+    var local_12: array<f32, 4>;
     var phi_403_: i32;
-    var phi_413_: bool;
-    var phi_423_: u32;
+    var phi_404_: i32;
+    var phi_414_: bool;
     var phi_424_: u32;
-    var phi_426_: bool;
-    var phi_431_: u32;
-    var phi_444_: i32;
-    var phi_464_: i32;
-    var phi_482_: f32;
-    var phi_488_: f32;
-    var phi_499_: f32;
-    var phi_505_: f32;
-    var phi_528_: f32;
-    var phi_539_: f32;
-    var phi_548_: f32;
-    var phi_554_: f32;
-    var phi_565_: f32;
-    var phi_571_: f32;
-    var phi_594_: f32;
-    var phi_605_: f32;
-    var phi_614_: f32;
-    var phi_620_: f32;
-    var phi_631_: f32;
-    var phi_637_: f32;
-    var phi_660_: f32;
-    var phi_671_: f32;
-    var phi_771_: f32;
+    var phi_425_: u32;
+    var phi_427_: bool;
+    var phi_432_: u32;
+    var phi_445_: i32;
+    var phi_465_: i32;
+    var phi_483_: f32;
+    var phi_489_: f32;
+    var phi_500_: f32;
+    var phi_506_: f32;
+    var phi_529_: f32;
+    var phi_540_: f32;
+    var phi_549_: f32;
+    var phi_555_: f32;
+    var phi_566_: f32;
+    var phi_572_: f32;
+    var phi_595_: f32;
+    var phi_606_: f32;
+    var phi_615_: f32;
+    var phi_621_: f32;
+    var phi_632_: f32;
+    var phi_638_: f32;
+    var phi_661_: f32;
+    var phi_672_: f32;
     var phi_772_: f32;
-    var phi_4517_: bool;
-    var phi_1893_: type_42;
-    var phi_1896_: type_53;
-    var phi_1898_: u32;
-    var phi_1900_: bool;
-    var phi_1902_: u32;
-    var phi_1913_: bool;
-    var phi_1950_: type_53;
+    var phi_773_: f32;
+    var phi_3594_: bool;
+    var phi_863_: type_43;
+    var phi_866_: type_54;
+    var phi_868_: u32;
+    var phi_870_: bool;
+    var phi_872_: u32;
+    var phi_883_: bool;
+    var phi_969_: type_54;
+    var phi_970_: bool;
+    var phi_971_: u32;
+    var phi_2602_: u32;
+    var phi_2608_: u32;
+    var phi_2862_: u32;
+    var phi_2863_: u32;
+    var phi_2873_: u32;
+    var phi_2875_: u32;
+    var phi_2876_: bool;
+    var phi_2896_: u32;
+    var phi_2897_: u32;
+    var phi_2901_: type_55;
+    var phi_3245_: type_54;
+    var phi_3322_: type_54;
+    var phi_3323_: type_54;
+    var phi_3324_: u32;
+    var phi_3326_: type_54;
+    var phi_3327_: u32;
+    var phi_3328_: bool;
+    var phi_3337_: type_54;
+    var phi_3342_: type_54;
+    var phi_3343_: bool;
+    var phi_3591_: bool;
+    var phi_990_: type_43;
+    var phi_993_: type_8;
+    var phi_994_: type_8;
+    var phi_1016_: type_8;
+    var phi_1060_: u32;
+    var phi_1066_: u32;
+    var phi_1076_: u32;
+    var phi_1092_: u32;
+    var phi_1129_: u32;
+    var phi_1135_: u32;
+    var phi_1145_: u32;
+    var phi_3576_: bool;
+    var phi_1161_: type_8;
+    var phi_1162_: type_8;
+    var phi_1185_: type_8;
+    var phi_1208_: u32;
+    var phi_1223_: u32;
+    var phi_1226_: type_8;
+    var phi_1227_: type_8;
+    var phi_1250_: type_8;
+    var phi_1316_: u32;
+    var phi_1296_: u32;
+    var phi_1297_: u32;
+    var phi_1320_: f32;
+    var phi_3569_: bool;
+    var phi_3648_: bool;
+    var phi_3647_: bool;
+    var phi_1820_: vec3<f32>;
+    var phi_1821_: vec3<f32>;
+    var phi_1852_: bool;
+    var phi_1861_: vec3<f32>;
+    var phi_1901_: type_28;
+    var phi_1903_: type_28;
+    var phi_1904_: bool;
+    var phi_1908_: type_28;
+    var phi_1909_: type_28;
+    var phi_1910_: type_28;
+    var phi_1911_: bool;
+    var phi_1915_: type_28;
+    var phi_1916_: bool;
+    var phi_1920_: type_28;
+    var phi_1921_: bool;
+    var phi_1925_: type_28;
+    var phi_1950_: bool;
     var phi_1951_: bool;
-    var phi_1952_: u32;
-    var phi_3583_: u32;
-    var phi_3589_: u32;
-    var phi_3843_: u32;
-    var phi_3844_: u32;
-    var phi_3854_: u32;
-    var phi_3856_: u32;
-    var phi_3857_: bool;
-    var phi_3877_: u32;
-    var phi_3878_: u32;
-    var phi_3882_: type_56;
-    var phi_4226_: type_53;
-    var phi_4259_: type_53;
-    var phi_4260_: type_53;
-    var phi_4261_: u32;
-    var phi_4263_: type_53;
-    var phi_4264_: u32;
-    var phi_4265_: bool;
-    var phi_4274_: type_53;
-    var phi_4279_: type_53;
-    var phi_4280_: bool;
-    var phi_4514_: bool;
-    var phi_1971_: type_42;
-    var phi_1974_: type_8;
-    var phi_1975_: type_8;
-    var phi_1997_: type_8;
-    var phi_2041_: u32;
-    var phi_2047_: u32;
-    var phi_2057_: u32;
-    var phi_2073_: u32;
-    var phi_2110_: u32;
-    var phi_2116_: u32;
-    var phi_2126_: u32;
-    var phi_4499_: bool;
-    var phi_2142_: type_8;
-    var phi_2143_: type_8;
-    var phi_2166_: type_8;
-    var phi_2189_: u32;
-    var phi_2204_: u32;
-    var phi_2207_: type_8;
-    var phi_2208_: type_8;
-    var phi_2231_: type_8;
-    var phi_2297_: u32;
-    var phi_2277_: u32;
-    var phi_2278_: u32;
-    var phi_2301_: f32;
-    var phi_4492_: bool;
-    var phi_4571_: bool;
-    var phi_4570_: bool;
-    var phi_2801_: vec3<f32>;
-    var phi_2802_: vec3<f32>;
-    var phi_2833_: bool;
-    var phi_2842_: vec3<f32>;
-    var phi_2882_: type_28;
-    var phi_2884_: type_28;
-    var phi_2885_: bool;
-    var phi_2889_: type_28;
-    var phi_2890_: type_28;
-    var phi_2891_: type_28;
-    var phi_2892_: bool;
-    var phi_2896_: type_28;
-    var phi_2897_: bool;
-    var phi_2901_: type_28;
-    var phi_2902_: bool;
-    var phi_2906_: type_28;
-    var phi_2931_: bool;
-    var phi_2932_: bool;
-    var phi_2939_: type_42;
-    var phi_2940_: type_42;
-    var phi_2941_: type_42;
-    var phi_4573_: bool;
-    var phi_1972_: type_42;
-    var phi_4572_: bool;
-    var phi_4635_: bool;
-    var phi_4282_: type_42;
-    var phi_4283_: type_53;
-    var phi_4284_: bool;
-    var phi_4285_: u32;
-    var phi_4634_: bool;
-    var phi_4286_: type_42;
-    var phi_4287_: type_53;
-    var phi_4288_: u32;
-    var phi_4289_: bool;
-    var phi_4290_: u32;
-    var phi_4633_: bool;
-    var phi_4291_: type_42;
-    var phi_4292_: type_53;
-    var phi_4293_: u32;
-    var phi_4294_: bool;
-    var phi_4295_: u32;
-    var phi_4632_: bool;
-    var phi_1894_: type_42;
-    var phi_1897_: type_53;
-    var phi_1899_: u32;
-    var phi_1901_: bool;
-    var phi_1903_: u32;
-    var phi_4296_: bool;
-    var phi_4631_: bool;
-    var local_7: type_42;
-    var local_8: type_42;
-    var local_9: type_42;
+    var phi_1958_: type_43;
+    var phi_1959_: type_43;
+    var phi_1960_: type_43;
+    var phi_3650_: bool;
+    var phi_991_: type_43;
+    var phi_3649_: bool;
+    var phi_3712_: bool;
+    var phi_3345_: type_43;
+    var phi_3346_: type_54;
+    var phi_3347_: bool;
+    var phi_3348_: u32;
+    var phi_3711_: bool;
+    var phi_3349_: type_43;
+    var phi_3350_: type_54;
+    var phi_3351_: u32;
+    var phi_3352_: bool;
+    var phi_3353_: u32;
+    var phi_3710_: bool;
+    var phi_3354_: type_43;
+    var phi_3355_: type_54;
+    var phi_3356_: u32;
+    var phi_3357_: bool;
+    var phi_3358_: u32;
+    var phi_3709_: bool;
+    var phi_864_: type_43;
+    var phi_867_: type_54;
+    var phi_869_: u32;
+    var phi_871_: bool;
+    var phi_873_: u32;
+    var phi_3359_: bool;
+    var phi_3708_: bool;
+    var local_13: type_43;
+    var local_14: type_43;
+    var local_15: type_43;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e87 = global;
-            let _e89 = arrayLength((&global_3.member));
-            let _e92 = arrayLength((&global_5.member));
-            let _e100 = global_2.member[0u][0u];
-            let _e104 = global_2.member[0u][1u];
-            let _e108 = global_2.member[0u][2u];
-            let _e112 = global_2.member[0u][3u];
-            let _e116 = global_2.member[1u][0u];
-            let _e120 = global_2.member[1u][1u];
-            let _e124 = global_2.member[1u][2u];
-            let _e127 = global_1.member[0u];
-            let _e128 = bitcast<i32>(_e127);
-            let _e140 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e112) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e100), bitcast<i32>(_e104), bitcast<i32>(_e108));
-            local = array<i32, 3>(bitcast<i32>(_e116), bitcast<i32>(_e120), bitcast<i32>(_e124));
-            let _e146 = (_e87.x + (_e87.y * 2097152u));
-            let _e147 = (_e146 < arrayLength((&global_4.member)));
-            if _e147 {
-                let _e148 = (_e146 < arrayLength((&global_6.member)));
-                if _e148 {
-                    if _e147 {
+            let _e91 = global;
+            let _e93 = arrayLength((&global_3.member));
+            let _e96 = arrayLength((&global_5.member));
+            let _e104 = global_2.member[0u][0u];
+            let _e108 = global_2.member[0u][1u];
+            let _e112 = global_2.member[0u][2u];
+            let _e116 = global_2.member[0u][3u];
+            let _e120 = global_2.member[1u][0u];
+            let _e124 = global_2.member[1u][1u];
+            let _e128 = global_2.member[1u][2u];
+            let _e131 = global_1.member[0u];
+            let _e132 = bitcast<i32>(_e131);
+            let _e144 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e116) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e104), bitcast<i32>(_e108), bitcast<i32>(_e112));
+            local = array<i32, 3>(bitcast<i32>(_e120), bitcast<i32>(_e124), bitcast<i32>(_e128));
+            let _e150 = (_e91.x + (_e91.y * 2097152u));
+            let _e151 = (_e150 < arrayLength((&global_4.member)));
+            if _e151 {
+                let _e152 = (_e150 < arrayLength((&global_6.member)));
+                if _e152 {
+                    if _e151 {
                     } else {
                         break;
                     }
-                    let _e156 = global_4.member[_e146].member_2[0u];
-                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                    let _e163 = global_4.member[_e146].member_2[1u];
-                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                    let _e170 = global_4.member[_e146].member_2[2u];
-                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
-                    let _e177 = global_4.member[_e146].member[0u];
-                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
-                    let _e184 = global_4.member[_e146].member[1u];
-                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
-                    let _e191 = global_4.member[_e146].member[2u];
-                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
-                    let _e195 = select(_e165, _e158, (_e165 < _e158));
-                    let _e197 = select(_e172, _e195, (_e172 < _e195));
-                    let _e199 = select(_e179, _e197, (_e179 < _e197));
-                    let _e201 = select(_e186, _e199, (_e186 < _e199));
-                    let _e203 = select(_e193, _e201, (_e193 < _e201));
-                    let _e207 = global_4.member[_e146].member_1;
-                    let _e209 = (bitcast<u32>(_e207) & 2147483647u);
-                    let _e216 = global_4.member[_e146].member_3;
-                    let _e222 = (((select(_e209, _e203, (_e209 < _e203)) < 2139095040u) && ((bitcast<u32>(_e216) & 2147483647u) <= 2139095040u)) && (_e197 > 0u));
-                    if _e222 {
-                        let _e225 = (bitcast<u32>(bitcast<f32>(_e197)) & 2147483647u);
-                        if (_e225 >= 8388608u) {
-                            phi_402_ = (bitcast<i32>((_e225 >> bitcast<u32>(23i))) - 127i);
+                    let _e160 = global_4.member[_e150].member_2[0u];
+                    let _e162 = (bitcast<u32>(_e160) & 2147483647u);
+                    let _e167 = global_4.member[_e150].member_2[1u];
+                    let _e169 = (bitcast<u32>(_e167) & 2147483647u);
+                    let _e174 = global_4.member[_e150].member_2[2u];
+                    let _e176 = (bitcast<u32>(_e174) & 2147483647u);
+                    let _e181 = global_4.member[_e150].member[0u];
+                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
+                    let _e188 = global_4.member[_e150].member[1u];
+                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
+                    let _e195 = global_4.member[_e150].member[2u];
+                    let _e197 = (bitcast<u32>(_e195) & 2147483647u);
+                    let _e199 = select(_e169, _e162, (_e169 < _e162));
+                    let _e201 = select(_e176, _e199, (_e176 < _e199));
+                    let _e203 = select(_e183, _e201, (_e183 < _e201));
+                    let _e205 = select(_e190, _e203, (_e190 < _e203));
+                    let _e207 = select(_e197, _e205, (_e197 < _e205));
+                    let _e211 = global_4.member[_e150].member_1;
+                    let _e213 = (bitcast<u32>(_e211) & 2147483647u);
+                    let _e220 = global_4.member[_e150].member_3;
+                    let _e226 = (((select(_e213, _e207, (_e213 < _e207)) < 2139095040u) && ((bitcast<u32>(_e220) & 2147483647u) <= 2139095040u)) && (_e201 > 0u));
+                    if _e226 {
+                        let _e229 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
+                        if (_e229 >= 8388608u) {
+                            phi_403_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_402_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e225)), 32u, (_e225 == 0u))));
+                            phi_403_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
                         }
-                        let _e239 = phi_402_;
-                        phi_403_ = _e239;
+                        let _e243 = phi_403_;
+                        phi_404_ = _e243;
                     } else {
-                        phi_403_ = 0i;
+                        phi_404_ = 0i;
                     }
-                    let _e241 = phi_403_;
-                    let _e242 = (_e158 == _e197);
-                    if _e242 {
-                        phi_413_ = true;
+                    let _e245 = phi_404_;
+                    let _e246 = (_e162 == _e201);
+                    if _e246 {
+                        phi_414_ = true;
                     } else {
-                        phi_413_ = (_e165 == _e197);
+                        phi_414_ = (_e169 == _e201);
                     }
-                    let _e245 = phi_413_;
-                    let _e246 = select(1u, 0u, _e242);
-                    if _e245 {
-                        let _e247 = (_e246 + 1u);
-                        phi_423_ = _e247;
-                        phi_424_ = _e247;
-                        phi_426_ = select(true, false, (_e247 == 2u));
+                    let _e249 = phi_414_;
+                    let _e250 = select(1u, 0u, _e246);
+                    if _e249 {
+                        let _e251 = (_e250 + 1u);
+                        phi_424_ = _e251;
+                        phi_425_ = _e251;
+                        phi_427_ = select(true, false, (_e251 == 2u));
                     } else {
-                        phi_423_ = u32();
-                        phi_424_ = 0u;
-                        phi_426_ = true;
+                        phi_424_ = u32();
+                        phi_425_ = 0u;
+                        phi_427_ = true;
                     }
-                    let _e251 = phi_423_;
-                    let _e253 = phi_424_;
-                    let _e255 = phi_426_;
-                    if _e255 {
-                        phi_431_ = (_e253 + 1u);
+                    let _e255 = phi_424_;
+                    let _e257 = phi_425_;
+                    let _e259 = phi_427_;
+                    if _e259 {
+                        phi_432_ = (_e257 + 1u);
                     } else {
-                        phi_431_ = 0u;
+                        phi_432_ = 0u;
                     }
-                    let _e259 = phi_431_;
-                    let _e260 = select(_e251, _e253, _e255);
-                    let _e261 = select(_e246, select(2u, _e246, _e245), _e255);
-                    if (_e128 < -126i) {
-                        phi_444_ = -126i;
+                    let _e263 = phi_432_;
+                    let _e264 = select(_e255, _e257, _e259);
+                    let _e265 = select(_e250, select(2u, _e250, _e249), _e259);
+                    if (_e132 < -126i) {
+                        phi_445_ = -126i;
                     } else {
-                        phi_444_ = select(_e128, 127i, (_e128 > 127i));
+                        phi_445_ = select(_e132, 127i, (_e132 > 127i));
                     }
-                    let _e266 = phi_444_;
-                    let _e271 = bitcast<f32>((bitcast<u32>((_e266 + 127i)) << bitcast<u32>(23i)));
-                    let _e277 = bitcast<f32>((bitcast<u32>(((_e128 - _e266) + 127i)) << bitcast<u32>(23i)));
-                    let _e278 = -(_e241);
-                    if (_e278 < -126i) {
-                        phi_464_ = -126i;
+                    let _e270 = phi_445_;
+                    let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
+                    let _e281 = bitcast<f32>((bitcast<u32>(((_e132 - _e270) + 127i)) << bitcast<u32>(23i)));
+                    let _e282 = -(_e245);
+                    if (_e282 < -126i) {
+                        phi_465_ = -126i;
                     } else {
-                        phi_464_ = select(_e278, 127i, (_e278 > 127i));
+                        phi_465_ = select(_e282, 127i, (_e282 > 127i));
                     }
-                    let _e283 = phi_464_;
-                    let _e288 = bitcast<f32>((bitcast<u32>((_e283 + 127i)) << bitcast<u32>(23i)));
-                    let _e294 = bitcast<f32>((bitcast<u32>(((_e278 - _e283) + 127i)) << bitcast<u32>(23i)));
-                    let _e298 = global_4.member[_e146].member;
-                    let _e299 = (_e260 == 0u);
-                    if _e299 {
-                        phi_482_ = _e298[0];
+                    let _e287 = phi_465_;
+                    let _e292 = bitcast<f32>((bitcast<u32>((_e287 + 127i)) << bitcast<u32>(23i)));
+                    let _e298 = bitcast<f32>((bitcast<u32>(((_e282 - _e287) + 127i)) << bitcast<u32>(23i)));
+                    let _e302 = global_4.member[_e150].member;
+                    let _e303 = (_e264 == 0u);
+                    if _e303 {
+                        phi_483_ = _e302[0];
                     } else {
-                        phi_482_ = _e298[1];
+                        phi_483_ = _e302[1];
                     }
-                    let _e303 = phi_482_;
-                    let _e304 = (_e260 == 2u);
-                    if _e304 {
-                        phi_488_ = _e298[2];
+                    let _e307 = phi_483_;
+                    let _e308 = (_e264 == 2u);
+                    if _e308 {
+                        phi_489_ = _e302[2];
                     } else {
-                        phi_488_ = _e303;
+                        phi_489_ = _e307;
                     }
-                    let _e307 = phi_488_;
-                    let _e309 = ((_e307 * _e271) * _e277);
-                    let _e310 = global_4.member[_e146].member_2;
-                    if _e299 {
-                        phi_499_ = _e310[0];
+                    let _e311 = phi_489_;
+                    let _e313 = ((_e311 * _e275) * _e281);
+                    let _e314 = global_4.member[_e150].member_2;
+                    if _e303 {
+                        phi_500_ = _e314[0];
                     } else {
-                        phi_499_ = _e310[1];
+                        phi_500_ = _e314[1];
                     }
-                    let _e314 = phi_499_;
-                    if _e304 {
-                        phi_505_ = _e310[2];
+                    let _e318 = phi_500_;
+                    if _e308 {
+                        phi_506_ = _e314[2];
                     } else {
-                        phi_505_ = _e314;
+                        phi_506_ = _e318;
                     }
-                    let _e317 = phi_505_;
-                    let _e319 = ((_e317 * _e288) * _e294);
-                    let _e323 = (bitcast<f32>((bitcast<u32>(_e319) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e323 {
-                        let _e327 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_528_ = select(0.00000000000011368684f, _e327, (_e327 > 0.00000000000011368684f));
+                    let _e321 = phi_506_;
+                    let _e323 = ((_e321 * _e292) * _e298);
+                    let _e327 = (bitcast<f32>((bitcast<u32>(_e323) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e327 {
+                        let _e331 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) * 0.00000011920929f);
+                        phi_529_ = select(0.00000000000011368684f, _e331, (_e331 > 0.00000000000011368684f));
                     } else {
-                        phi_528_ = 0f;
+                        phi_529_ = 0f;
                     }
-                    let _e331 = phi_528_;
-                    let _e332 = (_e309 + _e331);
-                    let _e333 = (_e309 - _e331);
-                    let _e334 = select(_e319, 0f, _e323);
-                    if _e323 {
-                        phi_539_ = 38685626000000000000000000f;
+                    let _e335 = phi_529_;
+                    let _e336 = (_e313 + _e335);
+                    let _e337 = (_e313 - _e335);
+                    let _e338 = select(_e323, 0f, _e327);
+                    if _e327 {
+                        phi_540_ = 38685626000000000000000000f;
                     } else {
-                        phi_539_ = (1f / _e319);
+                        phi_540_ = (1f / _e323);
                     }
-                    let _e337 = phi_539_;
-                    let _e338 = (_e259 == 0u);
-                    if _e338 {
-                        phi_548_ = _e298[0];
+                    let _e341 = phi_540_;
+                    let _e342 = (_e263 == 0u);
+                    if _e342 {
+                        phi_549_ = _e302[0];
                     } else {
-                        phi_548_ = _e298[1];
+                        phi_549_ = _e302[1];
                     }
-                    let _e342 = phi_548_;
-                    let _e343 = (_e259 == 2u);
-                    if _e343 {
-                        phi_554_ = _e298[2];
+                    let _e346 = phi_549_;
+                    let _e347 = (_e263 == 2u);
+                    if _e347 {
+                        phi_555_ = _e302[2];
                     } else {
-                        phi_554_ = _e342;
+                        phi_555_ = _e346;
                     }
-                    let _e346 = phi_554_;
-                    let _e348 = ((_e346 * _e271) * _e277);
-                    if _e338 {
-                        phi_565_ = _e310[0];
+                    let _e350 = phi_555_;
+                    let _e352 = ((_e350 * _e275) * _e281);
+                    if _e342 {
+                        phi_566_ = _e314[0];
                     } else {
-                        phi_565_ = _e310[1];
+                        phi_566_ = _e314[1];
                     }
-                    let _e352 = phi_565_;
-                    if _e343 {
-                        phi_571_ = _e310[2];
+                    let _e356 = phi_566_;
+                    if _e347 {
+                        phi_572_ = _e314[2];
                     } else {
-                        phi_571_ = _e352;
+                        phi_572_ = _e356;
                     }
-                    let _e355 = phi_571_;
-                    let _e357 = ((_e355 * _e288) * _e294);
-                    let _e361 = (bitcast<f32>((bitcast<u32>(_e357) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e361 {
-                        let _e365 = (bitcast<f32>((bitcast<u32>(_e348) & 2147483647u)) * 0.00000011920929f);
-                        phi_594_ = select(0.00000000000011368684f, _e365, (_e365 > 0.00000000000011368684f));
+                    let _e359 = phi_572_;
+                    let _e361 = ((_e359 * _e292) * _e298);
+                    let _e365 = (bitcast<f32>((bitcast<u32>(_e361) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e365 {
+                        let _e369 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) * 0.00000011920929f);
+                        phi_595_ = select(0.00000000000011368684f, _e369, (_e369 > 0.00000000000011368684f));
                     } else {
-                        phi_594_ = 0f;
+                        phi_595_ = 0f;
                     }
-                    let _e369 = phi_594_;
-                    let _e370 = (_e348 + _e369);
-                    let _e371 = (_e348 - _e369);
-                    let _e372 = select(_e357, 0f, _e361);
-                    if _e361 {
-                        phi_605_ = 38685626000000000000000000f;
+                    let _e373 = phi_595_;
+                    let _e374 = (_e352 + _e373);
+                    let _e375 = (_e352 - _e373);
+                    let _e376 = select(_e361, 0f, _e365);
+                    if _e365 {
+                        phi_606_ = 38685626000000000000000000f;
                     } else {
-                        phi_605_ = (1f / _e357);
+                        phi_606_ = (1f / _e361);
                     }
-                    let _e375 = phi_605_;
-                    let _e376 = (_e261 == 0u);
-                    if _e376 {
-                        phi_614_ = _e298[0];
+                    let _e379 = phi_606_;
+                    let _e380 = (_e265 == 0u);
+                    if _e380 {
+                        phi_615_ = _e302[0];
                     } else {
-                        phi_614_ = _e298[1];
+                        phi_615_ = _e302[1];
                     }
-                    let _e380 = phi_614_;
-                    let _e381 = (_e261 == 2u);
-                    if _e381 {
-                        phi_620_ = _e298[2];
+                    let _e384 = phi_615_;
+                    let _e385 = (_e265 == 2u);
+                    if _e385 {
+                        phi_621_ = _e302[2];
                     } else {
-                        phi_620_ = _e380;
+                        phi_621_ = _e384;
                     }
-                    let _e384 = phi_620_;
-                    let _e386 = ((_e384 * _e271) * _e277);
-                    if _e376 {
-                        phi_631_ = _e310[0];
+                    let _e388 = phi_621_;
+                    let _e390 = ((_e388 * _e275) * _e281);
+                    if _e380 {
+                        phi_632_ = _e314[0];
                     } else {
-                        phi_631_ = _e310[1];
+                        phi_632_ = _e314[1];
                     }
-                    let _e390 = phi_631_;
-                    if _e381 {
-                        phi_637_ = _e310[2];
+                    let _e394 = phi_632_;
+                    if _e385 {
+                        phi_638_ = _e314[2];
                     } else {
-                        phi_637_ = _e390;
+                        phi_638_ = _e394;
                     }
-                    let _e393 = phi_637_;
-                    let _e395 = ((_e393 * _e288) * _e294);
-                    let _e399 = (bitcast<f32>((bitcast<u32>(_e395) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e399 {
-                        let _e403 = (bitcast<f32>((bitcast<u32>(_e386) & 2147483647u)) * 0.00000011920929f);
-                        phi_660_ = select(0.00000000000011368684f, _e403, (_e403 > 0.00000000000011368684f));
+                    let _e397 = phi_638_;
+                    let _e399 = ((_e397 * _e292) * _e298);
+                    let _e403 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e403 {
+                        let _e407 = (bitcast<f32>((bitcast<u32>(_e390) & 2147483647u)) * 0.00000011920929f);
+                        phi_661_ = select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f));
                     } else {
-                        phi_660_ = 0f;
+                        phi_661_ = 0f;
                     }
-                    let _e407 = phi_660_;
-                    let _e408 = (_e386 + _e407);
-                    let _e409 = (_e386 - _e407);
-                    let _e410 = select(_e395, 0f, _e399);
-                    if _e399 {
-                        phi_671_ = 38685626000000000000000000f;
+                    let _e411 = phi_661_;
+                    let _e412 = (_e390 + _e411);
+                    let _e413 = (_e390 - _e411);
+                    let _e414 = select(_e399, 0f, _e403);
+                    if _e403 {
+                        phi_672_ = 38685626000000000000000000f;
                     } else {
-                        phi_671_ = (1f / _e395);
+                        phi_672_ = (1f / _e399);
                     }
-                    let _e413 = phi_671_;
-                    let _e416 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
-                    let _e419 = bitcast<f32>((bitcast<u32>(_e348) & 2147483647u));
-                    let _e421 = select(_e419, _e416, (_e416 > _e419));
-                    let _e424 = bitcast<f32>((bitcast<u32>(_e386) & 2147483647u));
-                    let _e427 = (_e128 + _e241);
-                    if (_e222 && (select(_e424, _e421, (_e421 > _e424)) <= 1099511600000f)) {
-                        let _e430 = (_e427 / 3i);
-                        let _e437 = bitcast<f32>((bitcast<u32>((_e430 + 127i)) << bitcast<u32>(23i)));
-                        let _e444 = bitcast<f32>((bitcast<u32>(((_e427 - (2i * _e430)) + 127i)) << bitcast<u32>(23i)));
-                        let _e445 = (((_e207 * _e437) * _e437) * _e444);
-                        let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
-                        let _e452 = (((_e216 * _e437) * _e437) * _e444);
-                        let _e454 = select(340282350000000000000000000000000000000f, _e452, (_e452 < 340282350000000000000000000000000000000f));
-                        phi_771_ = select(-340282350000000000000000000000000000000f, _e454, (_e454 > -340282350000000000000000000000000000000f));
-                        phi_772_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
+                    let _e417 = phi_672_;
+                    let _e420 = bitcast<f32>((bitcast<u32>(_e313) & 2147483647u));
+                    let _e423 = bitcast<f32>((bitcast<u32>(_e352) & 2147483647u));
+                    let _e425 = select(_e423, _e420, (_e420 > _e423));
+                    let _e428 = bitcast<f32>((bitcast<u32>(_e390) & 2147483647u));
+                    let _e431 = (_e132 + _e245);
+                    if (_e226 && (select(_e428, _e425, (_e425 > _e428)) <= 1099511600000f)) {
+                        let _e434 = (_e431 / 3i);
+                        let _e441 = bitcast<f32>((bitcast<u32>((_e434 + 127i)) << bitcast<u32>(23i)));
+                        let _e448 = bitcast<f32>((bitcast<u32>(((_e431 - (2i * _e434)) + 127i)) << bitcast<u32>(23i)));
+                        let _e449 = (((_e211 * _e441) * _e441) * _e448);
+                        let _e451 = select(340282350000000000000000000000000000000f, _e449, (_e449 < 340282350000000000000000000000000000000f));
+                        let _e456 = (((_e220 * _e441) * _e441) * _e448);
+                        let _e458 = select(340282350000000000000000000000000000000f, _e456, (_e456 < 340282350000000000000000000000000000000f));
+                        phi_772_ = select(-340282350000000000000000000000000000000f, _e458, (_e458 > -340282350000000000000000000000000000000f));
+                        phi_773_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_771_ = 0f;
-                        phi_772_ = 1f;
+                        phi_772_ = 0f;
+                        phi_773_ = 1f;
                     }
-                    let _e458 = phi_771_;
-                    let _e460 = phi_772_;
-                    local_3 = array<type_53, 128>(type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u));
+                    let _e462 = phi_772_;
+                    let _e464 = phi_773_;
+                    local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e465 = (_e260 % 3u);
-                    let _e466 = (_e465 < 3u);
-                    if _e466 {
+                    local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    let _e469 = (_e264 % 3u);
+                    let _e470 = (_e469 < 3u);
+                    if _e470 {
                     } else {
                         break;
                     }
-                    let _e468 = local_1[_e465];
-                    let _e471 = (_e259 % 3u);
-                    let _e472 = (_e471 < 3u);
-                    if _e472 {
+                    let _e472 = local_1[_e469];
+                    let _e475 = (_e263 % 3u);
+                    let _e476 = (_e475 < 3u);
+                    if _e476 {
                     } else {
                         break;
                     }
-                    let _e474 = local_1[_e471];
-                    let _e477 = (_e261 % 3u);
-                    let _e478 = (_e477 < 3u);
-                    if _e478 {
+                    let _e478 = local_1[_e475];
+                    let _e481 = (_e265 % 3u);
+                    let _e482 = (_e481 < 3u);
+                    if _e482 {
                     } else {
                         break;
                     }
-                    let _e480 = local_1[_e477];
-                    if _e466 {
+                    let _e484 = local_1[_e481];
+                    if _e470 {
                     } else {
                         break;
                     }
-                    let _e485 = local[_e465];
-                    if _e472 {
+                    let _e489 = local[_e469];
+                    if _e476 {
                     } else {
                         break;
                     }
-                    let _e489 = local[_e471];
-                    if _e478 {
+                    let _e493 = local[_e475];
+                    if _e482 {
                     } else {
                         break;
                     }
-                    let _e493 = local[_e477];
-                    phi_4517_ = false;
-                    phi_1893_ = type_42(type_36(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e458), 0u, 0u);
-                    phi_1896_ = type_53(type_32(vec4<f32>((f32(_e468) * _e140), (f32(_e474) * _e140), (f32(_e480) * _e140), 0f), vec4<f32>((f32(_e485) * _e140), (f32(_e489) * _e140), (f32(_e493) * _e140), 0f)), select(0u, 2147483648u, (_e89 == 0u)));
-                    phi_1898_ = ((3u * _e89) + 1u);
-                    phi_1900_ = (_e460 <= _e458);
-                    phi_1902_ = 0u;
+                    let _e497 = local[_e481];
+                    phi_3594_ = false;
+                    phi_863_ = type_43(type_37(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e462), 0u, 0u);
+                    phi_866_ = type_54(type_32(vec4<f32>((f32(_e472) * _e144), (f32(_e478) * _e144), (f32(_e484) * _e144), 0f), vec4<f32>((f32(_e489) * _e144), (f32(_e493) * _e144), (f32(_e497) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
+                    phi_868_ = ((3u * _e93) + 1u);
+                    phi_870_ = (_e464 <= _e462);
+                    phi_872_ = 0u;
                     loop {
-                        let _e503 = phi_4517_;
-                        let _e505 = phi_1893_;
-                        let _e507 = phi_1896_;
-                        let _e509 = phi_1898_;
-                        let _e511 = phi_1900_;
-                        let _e513 = phi_1902_;
-                        local_7 = _e505;
-                        local_8 = _e505;
-                        if _e511 {
-                            phi_1913_ = true;
+                        let _e507 = phi_3594_;
+                        let _e509 = phi_863_;
+                        let _e511 = phi_866_;
+                        let _e513 = phi_868_;
+                        let _e515 = phi_870_;
+                        let _e517 = phi_872_;
+                        local_13 = _e509;
+                        local_14 = _e509;
+                        if _e515 {
+                            phi_883_ = true;
                         } else {
-                            phi_1913_ = (_e513 > 0u);
+                            phi_883_ = (_e517 > 0u);
                         }
-                        let _e516 = phi_1913_;
-                        if _e516 {
-                            let _e517 = (_e509 > 0u);
-                            if _e517 {
-                                if _e511 {
-                                    phi_1950_ = _e507;
-                                    phi_1951_ = _e511;
-                                    phi_1952_ = _e513;
+                        let _e520 = phi_883_;
+                        if _e520 {
+                            let _e521 = (_e513 > 0u);
+                            if _e521 {
+                                if _e515 {
+                                    phi_969_ = _e511;
+                                    phi_970_ = _e515;
+                                    phi_971_ = _e517;
                                 } else {
-                                    let _e518 = (_e513 - 1u);
-                                    let _e519 = (_e518 % 128u);
-                                    let _e520 = (_e519 < 128u);
-                                    if _e520 {
+                                    let _e522 = (_e517 - 1u);
+                                    let _e523 = (_e522 % 128u);
+                                    let _e524 = (_e523 < 128u);
+                                    if _e524 {
                                     } else {
-                                        phi_4631_ = true;
+                                        phi_3708_ = true;
                                         break;
                                     }
-                                    let _e522 = local_3[_e519];
-                                    if _e520 {
+                                    let _e526 = local_7[_e523];
+                                    if _e524 {
                                     } else {
-                                        phi_4631_ = true;
+                                        phi_3708_ = true;
                                         break;
                                     }
-                                    let _e530 = local_2[_e519];
-                                    phi_1950_ = type_53(type_32(_e522.member.member, _e522.member.member_1), _e522.member_1);
-                                    phi_1951_ = (_e530 <= _e505.member.member_1);
-                                    phi_1952_ = _e518;
+                                    let _e528 = local_6[_e523];
+                                    if _e524 {
+                                    } else {
+                                        phi_3708_ = true;
+                                        break;
+                                    }
+                                    let _e530 = local_5[_e523];
+                                    if _e524 {
+                                    } else {
+                                        phi_3708_ = true;
+                                        break;
+                                    }
+                                    let _e532 = local_4[_e523];
+                                    if _e524 {
+                                    } else {
+                                        phi_3708_ = true;
+                                        break;
+                                    }
+                                    let _e534 = local_3[_e523];
+                                    if _e524 {
+                                    } else {
+                                        phi_3708_ = true;
+                                        break;
+                                    }
+                                    let _e536 = local_2[_e523];
+                                    if _e524 {
+                                    } else {
+                                        phi_3708_ = true;
+                                        break;
+                                    }
+                                    let _e541 = local_8[_e523];
+                                    if _e524 {
+                                    } else {
+                                        phi_3708_ = true;
+                                        break;
+                                    }
+                                    let _e544 = local_9[_e523];
+                                    phi_969_ = type_54(type_32(vec4<f32>(_e526, _e528, _e530, 0f), vec4<f32>(_e532, _e534, _e536, 0f)), _e541);
+                                    phi_970_ = (_e544 <= _e509.member.member_1);
+                                    phi_971_ = _e522;
                                 }
-                                let _e535 = phi_1950_;
-                                let _e537 = phi_1951_;
-                                let _e539 = phi_1952_;
-                                if _e537 {
-                                    let _e544 = (_e535.member_1 & 268435455u);
-                                    if ((_e535.member_1 & 2147483648u) != 0u) {
-                                        phi_4514_ = _e503;
-                                        phi_1971_ = _e505;
-                                        phi_1974_ = type_8(0u, ((_e535.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e549 = phi_969_;
+                                let _e551 = phi_970_;
+                                let _e553 = phi_971_;
+                                if _e551 {
+                                    let _e558 = (_e549.member_1 & 268435455u);
+                                    if ((_e549.member_1 & 2147483648u) != 0u) {
+                                        phi_3591_ = _e507;
+                                        phi_990_ = _e509;
+                                        phi_993_ = type_8(0u, ((_e549.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1013 = phi_4514_;
-                                            let _e1015 = phi_1971_;
-                                            let _e1017 = phi_1974_;
-                                            local_9 = _e1015;
-                                            if (_e1017.member < _e1017.member_1) {
-                                                phi_1975_ = type_8((_e1017.member + 1u), _e1017.member_1);
-                                                phi_1997_ = type_8(1u, _e1017.member);
+                                            let _e1046 = phi_3591_;
+                                            let _e1048 = phi_990_;
+                                            let _e1050 = phi_993_;
+                                            local_15 = _e1048;
+                                            if (_e1050.member < _e1050.member_1) {
+                                                phi_994_ = type_8((_e1050.member + 1u), _e1050.member_1);
+                                                phi_1016_ = type_8(1u, _e1050.member);
                                             } else {
-                                                phi_1975_ = _e1017;
-                                                phi_1997_ = type_8(0u, type_8().member_1);
+                                                phi_994_ = _e1050;
+                                                phi_1016_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1030 = phi_1975_;
-                                            let _e1032 = phi_1997_;
-                                            let _e1036 = (bitcast<i32>(_e1032.member) != 0i);
-                                            if _e1036 {
-                                                let _e1042 = type_42(_e1015.member, _e1015.member_1, (_e1015.member_2 + 1u));
-                                                let _e1047 = (_e535.member.member_1.x - _e535.member.member.x);
-                                                let _e1050 = (_e535.member.member_1.y - _e535.member.member.y);
-                                                let _e1053 = (_e535.member.member_1.z - _e535.member.member.z);
-                                                let _e1055 = select(_e1050, _e1047, (_e1047 > _e1050));
-                                                let _e1057 = select(_e1053, _e1055, (_e1055 > _e1053));
-                                                let _e1059 = (_e1057 < (1024f * _e140));
-                                                if _e1059 {
-                                                    phi_2041_ = 0u;
+                                            let _e1063 = phi_994_;
+                                            let _e1065 = phi_1016_;
+                                            let _e1069 = (bitcast<i32>(_e1065.member) != 0i);
+                                            if _e1069 {
+                                                let _e1075 = type_43(_e1048.member, _e1048.member_1, (_e1048.member_2 + 1u));
+                                                let _e1080 = (_e549.member.member_1.x - _e549.member.member.x);
+                                                let _e1083 = (_e549.member.member_1.y - _e549.member.member.y);
+                                                let _e1086 = (_e549.member.member_1.z - _e549.member.member.z);
+                                                let _e1088 = select(_e1083, _e1080, (_e1080 > _e1083));
+                                                let _e1090 = select(_e1086, _e1088, (_e1088 > _e1086));
+                                                let _e1092 = (_e1090 < (1024f * _e144));
+                                                if _e1092 {
+                                                    phi_1060_ = 0u;
                                                 } else {
-                                                    phi_2041_ = select(2u, 1u, (_e1057 < (2097152f * _e140)));
+                                                    phi_1060_ = select(2u, 1u, (_e1090 < (2097152f * _e144)));
                                                 }
-                                                let _e1064 = phi_2041_;
-                                                switch bitcast<i32>(_e1064) {
+                                                let _e1097 = phi_1060_;
+                                                switch bitcast<i32>(_e1097) {
                                                     case 0: {
-                                                        phi_2047_ = 1u;
+                                                        phi_1066_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_2047_ = 2u;
+                                                        phi_1066_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_2047_ = 3u;
+                                                        phi_1066_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2047_ = u32();
+                                                        phi_1066_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1067 = phi_2047_;
-                                                switch bitcast<i32>(_e1064) {
+                                                let _e1100 = phi_1066_;
+                                                switch bitcast<i32>(_e1097) {
                                                     case 0: {
-                                                        phi_2057_ = 1u;
+                                                        phi_1076_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_2057_ = 2u;
+                                                        phi_1076_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_2057_ = 3u;
+                                                        phi_1076_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2057_ = u32();
+                                                        phi_1076_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1074 = phi_2057_;
-                                                let _e1076 = ((_e544 + (_e1032.member_1 * ((3u * _e1067) + 1u))) + (3u * _e1074));
-                                                let _e1077 = (_e1076 < _e92);
-                                                if _e1077 {
-                                                    if _e1077 {
+                                                let _e1107 = phi_1076_;
+                                                let _e1109 = ((_e558 + (_e1065.member_1 * ((3u * _e1100) + 1u))) + (3u * _e1107));
+                                                let _e1110 = (_e1109 < _e96);
+                                                if _e1110 {
+                                                    if _e1110 {
                                                     } else {
-                                                        phi_4572_ = true;
+                                                        phi_3649_ = true;
                                                         break;
                                                     }
-                                                    let _e1079 = global_5.member[_e1076];
-                                                    phi_2073_ = _e1079;
+                                                    let _e1112 = global_5.member[_e1109];
+                                                    phi_1092_ = _e1112;
                                                 } else {
-                                                    phi_2073_ = 4294967295u;
+                                                    phi_1092_ = 4294967295u;
                                                 }
-                                                let _e1081 = phi_2073_;
-                                                local_4 = array<u32, 3>(_e260, _e259, _e261);
-                                                if _e1059 {
-                                                    phi_2110_ = 0u;
+                                                let _e1114 = phi_1092_;
+                                                local_10 = array<u32, 3>(_e264, _e263, _e265);
+                                                if _e1092 {
+                                                    phi_1129_ = 0u;
                                                 } else {
-                                                    phi_2110_ = select(2u, 1u, (_e1057 < (2097152f * _e140)));
+                                                    phi_1129_ = select(2u, 1u, (_e1090 < (2097152f * _e144)));
                                                 }
-                                                let _e1087 = phi_2110_;
-                                                switch bitcast<i32>(_e1087) {
+                                                let _e1120 = phi_1129_;
+                                                switch bitcast<i32>(_e1120) {
                                                     case 0: {
-                                                        phi_2116_ = 1u;
+                                                        phi_1135_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_2116_ = 2u;
+                                                        phi_1135_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_2116_ = 3u;
+                                                        phi_1135_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2116_ = u32();
+                                                        phi_1135_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1090 = phi_2116_;
-                                                switch bitcast<i32>(_e1087) {
+                                                let _e1123 = phi_1135_;
+                                                switch bitcast<i32>(_e1120) {
                                                     case 0: {
-                                                        phi_2126_ = 1u;
+                                                        phi_1145_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_2126_ = 2u;
+                                                        phi_1145_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_2126_ = 3u;
+                                                        phi_1145_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2126_ = u32();
+                                                        phi_1145_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1097 = phi_2126_;
-                                                local_6 = array<f32, 4>(_e535.member.member.x, _e535.member.member.y, _e535.member.member.z, _e535.member.member.w);
-                                                local_5[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_5[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_5[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_4499_ = _e1013;
-                                                phi_2142_ = type_8(0u, 3u);
+                                                let _e1130 = phi_1145_;
+                                                local_12 = array<f32, 4>(_e549.member.member.x, _e549.member.member.y, _e549.member.member.z, _e549.member.member.w);
+                                                local_11[0u] = array<f32, 3>(0f, 0f, 0f);
+                                                local_11[1u] = array<f32, 3>(0f, 0f, 0f);
+                                                local_11[2u] = array<f32, 3>(0f, 0f, 0f);
+                                                phi_3576_ = _e1046;
+                                                phi_1161_ = type_8(0u, 3u);
                                                 loop {
-                                                    let _e1111 = phi_4499_;
-                                                    let _e1113 = phi_2142_;
-                                                    if (_e1113.member < _e1113.member_1) {
-                                                        phi_2143_ = type_8((_e1113.member + 1u), _e1113.member_1);
-                                                        phi_2166_ = type_8(1u, _e1113.member);
+                                                    let _e1144 = phi_3576_;
+                                                    let _e1146 = phi_1161_;
+                                                    if (_e1146.member < _e1146.member_1) {
+                                                        phi_1162_ = type_8((_e1146.member + 1u), _e1146.member_1);
+                                                        phi_1185_ = type_8(1u, _e1146.member);
                                                     } else {
-                                                        phi_2143_ = _e1113;
-                                                        phi_2166_ = type_8(0u, type_8().member_1);
+                                                        phi_1162_ = _e1146;
+                                                        phi_1185_ = type_8(0u, type_8().member_1);
                                                     }
-                                                    let _e1126 = phi_2143_;
-                                                    let _e1128 = phi_2166_;
-                                                    let _e1132 = (bitcast<i32>(_e1128.member) != 0i);
-                                                    if _e1132 {
-                                                        let _e1134 = ((_e544 + (_e1032.member_1 * ((3u * _e1090) + 1u))) + (_e1128.member_1 * _e1097));
-                                                        let _e1135 = (_e1134 < _e92);
-                                                        if _e1135 {
-                                                            if _e1135 {
+                                                    let _e1159 = phi_1162_;
+                                                    let _e1161 = phi_1185_;
+                                                    let _e1165 = (bitcast<i32>(_e1161.member) != 0i);
+                                                    if _e1165 {
+                                                        let _e1167 = ((_e558 + (_e1065.member_1 * ((3u * _e1123) + 1u))) + (_e1161.member_1 * _e1130));
+                                                        let _e1168 = (_e1167 < _e96);
+                                                        if _e1168 {
+                                                            if _e1168 {
                                                             } else {
-                                                                phi_4570_ = true;
+                                                                phi_3647_ = true;
                                                                 break;
                                                             }
-                                                            let _e1137 = global_5.member[_e1134];
-                                                            phi_2189_ = _e1137;
+                                                            let _e1170 = global_5.member[_e1167];
+                                                            phi_1208_ = _e1170;
                                                         } else {
-                                                            phi_2189_ = 0u;
+                                                            phi_1208_ = 0u;
                                                         }
-                                                        let _e1139 = phi_2189_;
-                                                        let _e1140 = (_e1134 + 1u);
-                                                        let _e1141 = (_e1140 < _e92);
-                                                        if _e1141 {
-                                                            if _e1141 {
+                                                        let _e1172 = phi_1208_;
+                                                        let _e1173 = (_e1167 + 1u);
+                                                        let _e1174 = (_e1173 < _e96);
+                                                        if _e1174 {
+                                                            if _e1174 {
                                                             } else {
-                                                                phi_4570_ = true;
+                                                                phi_3647_ = true;
                                                                 break;
                                                             }
-                                                            let _e1143 = global_5.member[_e1140];
-                                                            phi_2204_ = _e1143;
+                                                            let _e1176 = global_5.member[_e1173];
+                                                            phi_1223_ = _e1176;
                                                         } else {
-                                                            phi_2204_ = 0u;
+                                                            phi_1223_ = 0u;
                                                         }
-                                                        let _e1145 = phi_2204_;
-                                                        phi_2207_ = type_8(0u, 3u);
+                                                        let _e1178 = phi_1223_;
+                                                        phi_1226_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e1147 = phi_2207_;
-                                                            if (_e1147.member < _e1147.member_1) {
-                                                                phi_2208_ = type_8((_e1147.member + 1u), _e1147.member_1);
-                                                                phi_2231_ = type_8(1u, _e1147.member);
+                                                            let _e1180 = phi_1226_;
+                                                            if (_e1180.member < _e1180.member_1) {
+                                                                phi_1227_ = type_8((_e1180.member + 1u), _e1180.member_1);
+                                                                phi_1250_ = type_8(1u, _e1180.member);
                                                             } else {
-                                                                phi_2208_ = _e1147;
-                                                                phi_2231_ = type_8(0u, type_8().member_1);
+                                                                phi_1227_ = _e1180;
+                                                                phi_1250_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1160 = phi_2208_;
-                                                            let _e1162 = phi_2231_;
-                                                            let _e1166 = (bitcast<i32>(_e1162.member) != 0i);
-                                                            if _e1166 {
-                                                                let _e1167 = (_e1162.member_1 < 3u);
-                                                                if _e1167 {
+                                                            let _e1193 = phi_1227_;
+                                                            let _e1195 = phi_1250_;
+                                                            let _e1199 = (bitcast<i32>(_e1195.member) != 0i);
+                                                            if _e1199 {
+                                                                let _e1200 = (_e1195.member_1 < 3u);
+                                                                if _e1200 {
                                                                 } else {
-                                                                    phi_4492_ = true;
+                                                                    phi_3569_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1169 = local_4[_e1162.member_1];
-                                                                if (_e1162.member_1 < 4u) {
+                                                                let _e1202 = local_10[_e1195.member_1];
+                                                                if (_e1195.member_1 < 4u) {
                                                                 } else {
-                                                                    phi_4492_ = true;
+                                                                    phi_3569_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1172 = local_6[_e1162.member_1];
-                                                                switch bitcast<i32>(_e1087) {
+                                                                let _e1205 = local_12[_e1195.member_1];
+                                                                switch bitcast<i32>(_e1120) {
                                                                     case 0: {
-                                                                        phi_2301_ = (_e1172 + (f32(((_e1139 >> bitcast<u32>(((10u * _e1169) & 31u))) & 1023u)) * _e140));
+                                                                        phi_1320_ = (_e1205 + (f32(((_e1172 >> bitcast<u32>(((10u * _e1202) & 31u))) & 1023u)) * _e144));
                                                                         break;
                                                                     }
                                                                     case 1: {
-                                                                        if (_e1169 == 0u) {
-                                                                            phi_2278_ = _e1139;
+                                                                        if (_e1202 == 0u) {
+                                                                            phi_1297_ = _e1172;
                                                                         } else {
-                                                                            if (_e1169 == 1u) {
-                                                                                phi_2277_ = ((_e1139 >> bitcast<u32>(21i)) | (_e1145 << bitcast<u32>(11i)));
+                                                                            if (_e1202 == 1u) {
+                                                                                phi_1296_ = ((_e1172 >> bitcast<u32>(21i)) | (_e1178 << bitcast<u32>(11i)));
                                                                             } else {
-                                                                                phi_2277_ = (_e1145 >> bitcast<u32>(10i));
+                                                                                phi_1296_ = (_e1178 >> bitcast<u32>(10i));
                                                                             }
-                                                                            let _e1193 = phi_2277_;
-                                                                            phi_2278_ = _e1193;
+                                                                            let _e1226 = phi_1296_;
+                                                                            phi_1297_ = _e1226;
                                                                         }
-                                                                        let _e1195 = phi_2278_;
-                                                                        phi_2301_ = (_e1172 + (f32((_e1195 & 2097151u)) * _e140));
+                                                                        let _e1228 = phi_1297_;
+                                                                        phi_1320_ = (_e1205 + (f32((_e1228 & 2097151u)) * _e144));
                                                                         break;
                                                                     }
                                                                     case 2: {
-                                                                        let _e1174 = (_e1134 + _e1169);
-                                                                        let _e1175 = (_e1174 < _e92);
-                                                                        if _e1175 {
-                                                                            if _e1175 {
+                                                                        let _e1207 = (_e1167 + _e1202);
+                                                                        let _e1208 = (_e1207 < _e96);
+                                                                        if _e1208 {
+                                                                            if _e1208 {
                                                                             } else {
-                                                                                phi_4492_ = true;
+                                                                                phi_3569_ = true;
                                                                                 break;
                                                                             }
-                                                                            let _e1177 = global_5.member[_e1174];
-                                                                            phi_2297_ = _e1177;
+                                                                            let _e1210 = global_5.member[_e1207];
+                                                                            phi_1316_ = _e1210;
                                                                         } else {
-                                                                            phi_2297_ = 0u;
+                                                                            phi_1316_ = 0u;
                                                                         }
-                                                                        let _e1179 = phi_2297_;
-                                                                        phi_2301_ = (f32(bitcast<i32>(_e1179)) * _e140);
+                                                                        let _e1212 = phi_1316_;
+                                                                        phi_1320_ = (f32(bitcast<i32>(_e1212)) * _e144);
                                                                         break;
                                                                     }
                                                                     default: {
-                                                                        phi_2301_ = f32();
+                                                                        phi_1320_ = f32();
                                                                         break;
                                                                     }
                                                                 }
-                                                                let _e1209 = phi_2301_;
-                                                                if (_e1128.member_1 < 3u) {
+                                                                let _e1242 = phi_1320_;
+                                                                if (_e1161.member_1 < 3u) {
                                                                 } else {
-                                                                    phi_4492_ = true;
+                                                                    phi_3569_ = true;
                                                                     break;
                                                                 }
-                                                                if _e1167 {
+                                                                if _e1200 {
                                                                 } else {
-                                                                    phi_4492_ = true;
+                                                                    phi_3569_ = true;
                                                                     break;
                                                                 }
-                                                                local_5[_e1128.member_1][_e1162.member_1] = _e1209;
+                                                                local_11[_e1161.member_1][_e1195.member_1] = _e1242;
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_2207_ = _e1160;
-                                                                phi_4492_ = _e1111;
-                                                                break if !(_e1166);
+                                                                phi_1226_ = _e1193;
+                                                                phi_3569_ = _e1144;
+                                                                break if !(_e1199);
                                                             }
                                                         }
-                                                        let _e1215 = phi_4492_;
-                                                        phi_4570_ = _e1215;
-                                                        if _e1215 {
+                                                        let _e1248 = phi_3569_;
+                                                        phi_3647_ = _e1248;
+                                                        if _e1248 {
                                                             break;
                                                         }
-                                                        phi_4571_ = _e1215;
+                                                        phi_3648_ = _e1248;
                                                     } else {
-                                                        phi_4571_ = _e1111;
+                                                        phi_3648_ = _e1144;
                                                     }
-                                                    let _e1217 = phi_4571_;
+                                                    let _e1250 = phi_3648_;
                                                     continue;
                                                     continuing {
-                                                        phi_4499_ = _e1217;
-                                                        phi_2142_ = _e1126;
-                                                        phi_4570_ = _e1217;
-                                                        break if !(_e1132);
+                                                        phi_3576_ = _e1250;
+                                                        phi_1161_ = _e1159;
+                                                        phi_3647_ = _e1250;
+                                                        break if !(_e1165);
                                                     }
                                                 }
-                                                let _e1220 = phi_4570_;
-                                                phi_4572_ = _e1220;
-                                                if _e1220 {
+                                                let _e1253 = phi_3647_;
+                                                phi_3649_ = _e1253;
+                                                if _e1253 {
                                                     break;
                                                 }
-                                                let _e1221 = local_5;
-                                                let _e1238 = (_e1221[0][2] - _e386);
-                                                let _e1241 = (((_e1221[0][0] - _e309) * _e410) - (_e1238 * _e334));
-                                                let _e1244 = (((_e1221[0][1] - _e348) * _e410) - (_e1238 * _e372));
-                                                let _e1247 = (_e1221[1][2] - _e386);
-                                                let _e1250 = (((_e1221[1][0] - _e309) * _e410) - (_e1247 * _e334));
-                                                let _e1253 = (((_e1221[1][1] - _e348) * _e410) - (_e1247 * _e372));
-                                                let _e1256 = (_e1221[2][2] - _e386);
-                                                let _e1259 = (((_e1221[2][0] - _e309) * _e410) - (_e1256 * _e334));
-                                                let _e1262 = (((_e1221[2][1] - _e348) * _e410) - (_e1256 * _e372));
-                                                let _e1263 = (_e1259 * _e1253);
-                                                let _e1264 = (_e1262 * _e1250);
-                                                let _e1265 = (_e1241 * _e1262);
-                                                let _e1266 = (_e1244 * _e1259);
-                                                let _e1267 = (_e1250 * _e1244);
-                                                let _e1268 = (_e1253 * _e1241);
-                                                let _e1273 = (((_e1263 >= _e1264) && (_e1265 >= _e1266)) && (_e1267 >= _e1268));
-                                                if (_e1273 || (((_e1263 <= _e1264) && (_e1265 <= _e1266)) && (_e1267 <= _e1268))) {
-                                                    let _e1280 = select(-1f, 1f, _e1273);
-                                                    let _e1282 = ((_e1263 - _e1264) * _e1280);
-                                                    let _e1284 = select(0f, _e1282, (_e1282 > 0f));
-                                                    let _e1286 = ((_e1265 - _e1266) * _e1280);
-                                                    let _e1288 = select(0f, _e1286, (_e1286 > 0f));
-                                                    let _e1290 = ((_e1267 - _e1268) * _e1280);
-                                                    let _e1292 = select(0f, _e1290, (_e1290 > 0f));
-                                                    let _e1294 = ((_e1284 + _e1288) + _e1292);
-                                                    if (_e1294 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2896_ = type_28();
-                                                        phi_2897_ = true;
+                                                let _e1254 = local_11;
+                                                let _e1271 = (_e1254[0][2] - _e390);
+                                                let _e1274 = (((_e1254[0][0] - _e313) * _e414) - (_e1271 * _e338));
+                                                let _e1277 = (((_e1254[0][1] - _e352) * _e414) - (_e1271 * _e376));
+                                                let _e1280 = (_e1254[1][2] - _e390);
+                                                let _e1283 = (((_e1254[1][0] - _e313) * _e414) - (_e1280 * _e338));
+                                                let _e1286 = (((_e1254[1][1] - _e352) * _e414) - (_e1280 * _e376));
+                                                let _e1289 = (_e1254[2][2] - _e390);
+                                                let _e1292 = (((_e1254[2][0] - _e313) * _e414) - (_e1289 * _e338));
+                                                let _e1295 = (((_e1254[2][1] - _e352) * _e414) - (_e1289 * _e376));
+                                                let _e1296 = (_e1292 * _e1286);
+                                                let _e1297 = (_e1295 * _e1283);
+                                                let _e1298 = (_e1274 * _e1295);
+                                                let _e1299 = (_e1277 * _e1292);
+                                                let _e1300 = (_e1283 * _e1277);
+                                                let _e1301 = (_e1286 * _e1274);
+                                                let _e1306 = (((_e1296 >= _e1297) && (_e1298 >= _e1299)) && (_e1300 >= _e1301));
+                                                if (_e1306 || (((_e1296 <= _e1297) && (_e1298 <= _e1299)) && (_e1300 <= _e1301))) {
+                                                    let _e1313 = select(-1f, 1f, _e1306);
+                                                    let _e1315 = ((_e1296 - _e1297) * _e1313);
+                                                    let _e1317 = select(0f, _e1315, (_e1315 > 0f));
+                                                    let _e1319 = ((_e1298 - _e1299) * _e1313);
+                                                    let _e1321 = select(0f, _e1319, (_e1319 > 0f));
+                                                    let _e1323 = ((_e1300 - _e1301) * _e1313);
+                                                    let _e1325 = select(0f, _e1323, (_e1323 > 0f));
+                                                    let _e1327 = ((_e1317 + _e1321) + _e1325);
+                                                    if (_e1327 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1915_ = type_28();
+                                                        phi_1916_ = true;
                                                     } else {
-                                                        let _e1297 = select(_e1221[1][0], _e1221[0][0], (_e1221[0][0] < _e1221[1][0]));
-                                                        let _e1301 = select(_e1221[1][0], _e1221[0][0], (_e1221[0][0] > _e1221[1][0]));
-                                                        let _e1305 = select(_e1221[1][1], _e1221[0][1], (_e1221[0][1] < _e1221[1][1]));
-                                                        let _e1309 = select(_e1221[1][1], _e1221[0][1], (_e1221[0][1] > _e1221[1][1]));
-                                                        let _e1313 = select(_e1221[1][2], _e1221[0][2], (_e1221[0][2] < _e1221[1][2]));
-                                                        let _e1317 = select(_e1221[1][2], _e1221[0][2], (_e1221[0][2] > _e1221[1][2]));
-                                                        let _e1322 = ((select(_e1221[2][0], _e1297, (_e1297 < _e1221[2][0])) - _e332) * _e337);
-                                                        let _e1323 = ((select(_e1221[2][0], _e1301, (_e1301 > _e1221[2][0])) - _e333) * _e337);
-                                                        let _e1326 = ((select(_e1221[2][1], _e1305, (_e1305 < _e1221[2][1])) - _e370) * _e375);
-                                                        let _e1327 = ((select(_e1221[2][1], _e1309, (_e1309 > _e1221[2][1])) - _e371) * _e375);
-                                                        let _e1330 = ((select(_e1221[2][2], _e1313, (_e1313 < _e1221[2][2])) - _e408) * _e413);
-                                                        let _e1331 = ((select(_e1221[2][2], _e1317, (_e1317 > _e1221[2][2])) - _e409) * _e413);
-                                                        let _e1333 = select(_e1331, _e1330, (_e1330 < _e1331));
-                                                        let _e1335 = select(_e1331, _e1330, (_e1330 > _e1331));
-                                                        let _e1337 = select(_e1323, _e1322, (_e1322 < _e1323));
-                                                        let _e1339 = select(_e1327, _e1326, (_e1326 < _e1327));
-                                                        let _e1341 = select(_e1339, _e1337, (_e1337 > _e1339));
-                                                        let _e1343 = select(_e1333, _e1341, (_e1341 > _e1333));
-                                                        let _e1345 = select(_e1323, _e1322, (_e1322 > _e1323));
-                                                        let _e1347 = select(_e1327, _e1326, (_e1326 > _e1327));
-                                                        let _e1349 = select(_e1347, _e1345, (_e1345 < _e1347));
-                                                        let _e1351 = select(_e1335, _e1349, (_e1349 < _e1335));
-                                                        let _e1352 = -(_e1333);
-                                                        let _e1358 = select(_e460, _e1343, (_e1343 > _e460));
-                                                        if (_e1358 > (_e1351 + (select(_e1352, _e1335, (_e1335 > _e1352)) * 0.0000019073523f))) {
-                                                            phi_2891_ = type_28();
-                                                            phi_2892_ = true;
+                                                        let _e1330 = select(_e1254[1][0], _e1254[0][0], (_e1254[0][0] < _e1254[1][0]));
+                                                        let _e1334 = select(_e1254[1][0], _e1254[0][0], (_e1254[0][0] > _e1254[1][0]));
+                                                        let _e1338 = select(_e1254[1][1], _e1254[0][1], (_e1254[0][1] < _e1254[1][1]));
+                                                        let _e1342 = select(_e1254[1][1], _e1254[0][1], (_e1254[0][1] > _e1254[1][1]));
+                                                        let _e1346 = select(_e1254[1][2], _e1254[0][2], (_e1254[0][2] < _e1254[1][2]));
+                                                        let _e1350 = select(_e1254[1][2], _e1254[0][2], (_e1254[0][2] > _e1254[1][2]));
+                                                        let _e1355 = ((select(_e1254[2][0], _e1330, (_e1330 < _e1254[2][0])) - _e336) * _e341);
+                                                        let _e1356 = ((select(_e1254[2][0], _e1334, (_e1334 > _e1254[2][0])) - _e337) * _e341);
+                                                        let _e1359 = ((select(_e1254[2][1], _e1338, (_e1338 < _e1254[2][1])) - _e374) * _e379);
+                                                        let _e1360 = ((select(_e1254[2][1], _e1342, (_e1342 > _e1254[2][1])) - _e375) * _e379);
+                                                        let _e1363 = ((select(_e1254[2][2], _e1346, (_e1346 < _e1254[2][2])) - _e412) * _e417);
+                                                        let _e1364 = ((select(_e1254[2][2], _e1350, (_e1350 > _e1254[2][2])) - _e413) * _e417);
+                                                        let _e1366 = select(_e1364, _e1363, (_e1363 < _e1364));
+                                                        let _e1368 = select(_e1364, _e1363, (_e1363 > _e1364));
+                                                        let _e1370 = select(_e1356, _e1355, (_e1355 < _e1356));
+                                                        let _e1372 = select(_e1360, _e1359, (_e1359 < _e1360));
+                                                        let _e1374 = select(_e1372, _e1370, (_e1370 > _e1372));
+                                                        let _e1376 = select(_e1366, _e1374, (_e1374 > _e1366));
+                                                        let _e1378 = select(_e1356, _e1355, (_e1355 > _e1356));
+                                                        let _e1380 = select(_e1360, _e1359, (_e1359 > _e1360));
+                                                        let _e1382 = select(_e1380, _e1378, (_e1378 < _e1380));
+                                                        let _e1384 = select(_e1368, _e1382, (_e1382 < _e1368));
+                                                        let _e1385 = -(_e1366);
+                                                        let _e1391 = select(_e464, _e1376, (_e1376 > _e464));
+                                                        if (_e1391 > (_e1384 + (select(_e1385, _e1368, (_e1368 > _e1385)) * 0.0000019073523f))) {
+                                                            phi_1910_ = type_28();
+                                                            phi_1911_ = true;
                                                         } else {
-                                                            let _e1360 = (_e1358 > _e1015.member.member_1);
-                                                            if _e1360 {
-                                                                phi_2890_ = type_28();
+                                                            let _e1393 = (_e1391 > _e1048.member.member_1);
+                                                            if _e1393 {
+                                                                phi_1909_ = type_28();
                                                             } else {
-                                                                let _e1364 = (_e1221[1][0] - _e1221[0][0]);
-                                                                let _e1365 = (_e1221[1][1] - _e1221[0][1]);
-                                                                let _e1366 = (_e1221[1][2] - _e1221[0][2]);
-                                                                let _e1367 = vec3<f32>(_e1364, _e1365, _e1366);
-                                                                let _e1368 = (_e1221[2][0] - _e1221[1][0]);
-                                                                let _e1369 = (_e1221[2][1] - _e1221[1][1]);
-                                                                let _e1370 = (_e1221[2][2] - _e1221[1][2]);
-                                                                let _e1371 = vec3<f32>(_e1368, _e1369, _e1370);
-                                                                let _e1372 = (_e1221[0][0] - _e1221[2][0]);
-                                                                let _e1373 = (_e1221[0][1] - _e1221[2][1]);
-                                                                let _e1374 = (_e1221[0][2] - _e1221[2][2]);
-                                                                let _e1375 = vec3<f32>(_e1372, _e1373, _e1374);
-                                                                let _e1378 = bitcast<f32>((bitcast<u32>(_e1364) & 2147483647u));
-                                                                let _e1381 = bitcast<f32>((bitcast<u32>(_e1365) & 2147483647u));
-                                                                let _e1383 = select(_e1381, _e1378, (_e1378 > _e1381));
-                                                                let _e1386 = bitcast<f32>((bitcast<u32>(_e1366) & 2147483647u));
-                                                                let _e1388 = select(_e1386, _e1383, (_e1383 > _e1386));
-                                                                let _e1391 = bitcast<f32>((bitcast<u32>(_e1368) & 2147483647u));
-                                                                let _e1394 = bitcast<f32>((bitcast<u32>(_e1369) & 2147483647u));
-                                                                let _e1396 = select(_e1394, _e1391, (_e1391 > _e1394));
-                                                                let _e1399 = bitcast<f32>((bitcast<u32>(_e1370) & 2147483647u));
-                                                                let _e1401 = select(_e1399, _e1396, (_e1396 > _e1399));
-                                                                let _e1404 = bitcast<f32>((bitcast<u32>(_e1372) & 2147483647u));
-                                                                let _e1407 = bitcast<f32>((bitcast<u32>(_e1373) & 2147483647u));
-                                                                let _e1409 = select(_e1407, _e1404, (_e1404 > _e1407));
-                                                                let _e1412 = bitcast<f32>((bitcast<u32>(_e1374) & 2147483647u));
-                                                                let _e1414 = select(_e1412, _e1409, (_e1409 > _e1412));
-                                                                let _e1416 = select(_e1401, _e1388, (_e1388 > _e1401));
-                                                                let _e1418 = select(_e1414, _e1416, (_e1416 > _e1414));
-                                                                if (_e1388 == _e1418) {
-                                                                    phi_2801_ = _e1371;
-                                                                    phi_2802_ = _e1375;
+                                                                let _e1397 = (_e1254[1][0] - _e1254[0][0]);
+                                                                let _e1398 = (_e1254[1][1] - _e1254[0][1]);
+                                                                let _e1399 = (_e1254[1][2] - _e1254[0][2]);
+                                                                let _e1400 = vec3<f32>(_e1397, _e1398, _e1399);
+                                                                let _e1401 = (_e1254[2][0] - _e1254[1][0]);
+                                                                let _e1402 = (_e1254[2][1] - _e1254[1][1]);
+                                                                let _e1403 = (_e1254[2][2] - _e1254[1][2]);
+                                                                let _e1404 = vec3<f32>(_e1401, _e1402, _e1403);
+                                                                let _e1405 = (_e1254[0][0] - _e1254[2][0]);
+                                                                let _e1406 = (_e1254[0][1] - _e1254[2][1]);
+                                                                let _e1407 = (_e1254[0][2] - _e1254[2][2]);
+                                                                let _e1408 = vec3<f32>(_e1405, _e1406, _e1407);
+                                                                let _e1411 = bitcast<f32>((bitcast<u32>(_e1397) & 2147483647u));
+                                                                let _e1414 = bitcast<f32>((bitcast<u32>(_e1398) & 2147483647u));
+                                                                let _e1416 = select(_e1414, _e1411, (_e1411 > _e1414));
+                                                                let _e1419 = bitcast<f32>((bitcast<u32>(_e1399) & 2147483647u));
+                                                                let _e1421 = select(_e1419, _e1416, (_e1416 > _e1419));
+                                                                let _e1424 = bitcast<f32>((bitcast<u32>(_e1401) & 2147483647u));
+                                                                let _e1427 = bitcast<f32>((bitcast<u32>(_e1402) & 2147483647u));
+                                                                let _e1429 = select(_e1427, _e1424, (_e1424 > _e1427));
+                                                                let _e1432 = bitcast<f32>((bitcast<u32>(_e1403) & 2147483647u));
+                                                                let _e1434 = select(_e1432, _e1429, (_e1429 > _e1432));
+                                                                let _e1437 = bitcast<f32>((bitcast<u32>(_e1405) & 2147483647u));
+                                                                let _e1440 = bitcast<f32>((bitcast<u32>(_e1406) & 2147483647u));
+                                                                let _e1442 = select(_e1440, _e1437, (_e1437 > _e1440));
+                                                                let _e1445 = bitcast<f32>((bitcast<u32>(_e1407) & 2147483647u));
+                                                                let _e1447 = select(_e1445, _e1442, (_e1442 > _e1445));
+                                                                let _e1449 = select(_e1434, _e1421, (_e1421 > _e1434));
+                                                                let _e1451 = select(_e1447, _e1449, (_e1449 > _e1447));
+                                                                if (_e1421 == _e1451) {
+                                                                    phi_1820_ = _e1404;
+                                                                    phi_1821_ = _e1408;
                                                                 } else {
-                                                                    let _e1421 = vec3((_e1401 == _e1418));
-                                                                    phi_2801_ = select(_e1367, _e1375, _e1421);
-                                                                    phi_2802_ = select(_e1371, _e1367, _e1421);
+                                                                    let _e1454 = vec3((_e1434 == _e1451));
+                                                                    phi_1820_ = select(_e1400, _e1408, _e1454);
+                                                                    phi_1821_ = select(_e1404, _e1400, _e1454);
                                                                 }
-                                                                let _e1425 = phi_2801_;
-                                                                let _e1427 = phi_2802_;
-                                                                let _e1434 = ((_e1425.y * _e1427.z) - (_e1427.y * _e1425.z));
-                                                                let _e1439 = ((_e1425.z * _e1427.x) - (_e1427.z * _e1425.x));
-                                                                let _e1442 = ((_e1425.x * _e1427.y) - (_e1427.x * _e1425.y));
-                                                                if (_e1284 >= _e1288) {
-                                                                    phi_2833_ = select(true, false, (_e1284 >= _e1292));
+                                                                let _e1458 = phi_1820_;
+                                                                let _e1460 = phi_1821_;
+                                                                let _e1467 = ((_e1458.y * _e1460.z) - (_e1460.y * _e1458.z));
+                                                                let _e1472 = ((_e1458.z * _e1460.x) - (_e1460.z * _e1458.x));
+                                                                let _e1475 = ((_e1458.x * _e1460.y) - (_e1460.x * _e1458.y));
+                                                                if (_e1317 >= _e1321) {
+                                                                    phi_1852_ = select(true, false, (_e1317 >= _e1325));
                                                                 } else {
-                                                                    phi_2833_ = true;
+                                                                    phi_1852_ = true;
                                                                 }
-                                                                let _e1447 = phi_2833_;
-                                                                if _e1447 {
-                                                                    phi_2842_ = select(vec3<f32>(_e1221[2][0], _e1221[2][1], _e1221[2][2]), vec3<f32>(_e1221[1][0], _e1221[1][1], _e1221[1][2]), vec3((_e1288 >= _e1292)));
+                                                                let _e1480 = phi_1852_;
+                                                                if _e1480 {
+                                                                    phi_1861_ = select(vec3<f32>(_e1254[2][0], _e1254[2][1], _e1254[2][2]), vec3<f32>(_e1254[1][0], _e1254[1][1], _e1254[1][2]), vec3((_e1321 >= _e1325)));
                                                                 } else {
-                                                                    phi_2842_ = vec3<f32>(_e1221[0][0], _e1221[0][1], _e1221[0][2]);
+                                                                    phi_1861_ = vec3<f32>(_e1254[0][0], _e1254[0][1], _e1254[0][2]);
                                                                 }
-                                                                let _e1452 = phi_2842_;
-                                                                let _e1469 = ((((_e1434 * (_e1452.x - _e309)) + (_e1439 * (_e1452.y - _e348))) + (_e1442 * (_e1452.z - _e386))) / (((_e1434 * _e334) + (_e1439 * _e372)) + (_e1442 * _e410)));
-                                                                let _e1471 = select(_e1351, _e1469, (_e1469 < _e1351));
-                                                                let _e1473 = select(_e1343, _e1471, (_e1471 > _e1343));
-                                                                if (_e1473 >= _e460) {
-                                                                    let _e1475 = (_e1473 <= _e1015.member.member_1);
-                                                                    if _e1475 {
-                                                                        let _e1476 = (1f / _e1294);
-                                                                        phi_2882_ = type_28(_e1473, (_e1288 * _e1476), (_e1292 * _e1476), _e1081);
+                                                                let _e1485 = phi_1861_;
+                                                                let _e1502 = ((((_e1467 * (_e1485.x - _e313)) + (_e1472 * (_e1485.y - _e352))) + (_e1475 * (_e1485.z - _e390))) / (((_e1467 * _e338) + (_e1472 * _e376)) + (_e1475 * _e414)));
+                                                                let _e1504 = select(_e1384, _e1502, (_e1502 < _e1384));
+                                                                let _e1506 = select(_e1376, _e1504, (_e1504 > _e1376));
+                                                                if (_e1506 >= _e464) {
+                                                                    let _e1508 = (_e1506 <= _e1048.member.member_1);
+                                                                    if _e1508 {
+                                                                        let _e1509 = (1f / _e1327);
+                                                                        phi_1901_ = type_28(_e1506, (_e1321 * _e1509), (_e1325 * _e1509), _e1114);
                                                                     } else {
-                                                                        phi_2882_ = type_28();
+                                                                        phi_1901_ = type_28();
                                                                     }
-                                                                    let _e1481 = phi_2882_;
-                                                                    phi_2884_ = _e1481;
-                                                                    phi_2885_ = select(true, false, _e1475);
+                                                                    let _e1514 = phi_1901_;
+                                                                    phi_1903_ = _e1514;
+                                                                    phi_1904_ = select(true, false, _e1508);
                                                                 } else {
-                                                                    phi_2884_ = type_28();
-                                                                    phi_2885_ = true;
+                                                                    phi_1903_ = type_28();
+                                                                    phi_1904_ = true;
                                                                 }
-                                                                let _e1484 = phi_2884_;
-                                                                let _e1486 = phi_2885_;
-                                                                if _e1486 {
-                                                                    phi_2889_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1517 = phi_1903_;
+                                                                let _e1519 = phi_1904_;
+                                                                if _e1519 {
+                                                                    phi_1908_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_2889_ = _e1484;
+                                                                    phi_1908_ = _e1517;
                                                                 }
-                                                                let _e1488 = phi_2889_;
-                                                                phi_2890_ = _e1488;
+                                                                let _e1521 = phi_1908_;
+                                                                phi_1909_ = _e1521;
                                                             }
-                                                            let _e1490 = phi_2890_;
-                                                            phi_2891_ = _e1490;
-                                                            phi_2892_ = _e1360;
+                                                            let _e1523 = phi_1909_;
+                                                            phi_1910_ = _e1523;
+                                                            phi_1911_ = _e1393;
                                                         }
-                                                        let _e1492 = phi_2891_;
-                                                        let _e1494 = phi_2892_;
-                                                        phi_2896_ = _e1492;
-                                                        phi_2897_ = _e1494;
+                                                        let _e1525 = phi_1910_;
+                                                        let _e1527 = phi_1911_;
+                                                        phi_1915_ = _e1525;
+                                                        phi_1916_ = _e1527;
                                                     }
-                                                    let _e1496 = phi_2896_;
-                                                    let _e1498 = phi_2897_;
-                                                    phi_2901_ = _e1496;
-                                                    phi_2902_ = _e1498;
+                                                    let _e1529 = phi_1915_;
+                                                    let _e1531 = phi_1916_;
+                                                    phi_1920_ = _e1529;
+                                                    phi_1921_ = _e1531;
                                                 } else {
-                                                    phi_2901_ = type_28();
-                                                    phi_2902_ = true;
+                                                    phi_1920_ = type_28();
+                                                    phi_1921_ = true;
                                                 }
-                                                let _e1500 = phi_2901_;
-                                                let _e1502 = phi_2902_;
-                                                if _e1502 {
-                                                    phi_2906_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1533 = phi_1920_;
+                                                let _e1535 = phi_1921_;
+                                                if _e1535 {
+                                                    phi_1925_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2906_ = _e1500;
+                                                    phi_1925_ = _e1533;
                                                 }
-                                                let _e1504 = phi_2906_;
-                                                if (_e1504.member_3 != 4294967295u) {
-                                                    if (_e1081 != 4294967295u) {
-                                                        if (_e1504.member < _e1015.member.member.member) {
-                                                            phi_2932_ = true;
+                                                let _e1537 = phi_1925_;
+                                                if (_e1537.member_3 != 4294967295u) {
+                                                    if (_e1114 != 4294967295u) {
+                                                        if (_e1537.member < _e1048.member.member.member) {
+                                                            phi_1951_ = true;
                                                         } else {
-                                                            if (_e1504.member == _e1015.member.member.member) {
-                                                                phi_2931_ = (_e1504.member_3 < _e1015.member.member.member_3);
+                                                            if (_e1537.member == _e1048.member.member.member) {
+                                                                phi_1950_ = (_e1537.member_3 < _e1048.member.member.member_3);
                                                             } else {
-                                                                phi_2931_ = false;
+                                                                phi_1950_ = false;
                                                             }
-                                                            let _e1519 = phi_2931_;
-                                                            phi_2932_ = _e1519;
+                                                            let _e1552 = phi_1950_;
+                                                            phi_1951_ = _e1552;
                                                         }
-                                                        let _e1521 = phi_2932_;
-                                                        if _e1521 {
-                                                            phi_2939_ = type_42(type_36(_e1504, _e1504.member), _e1042.member_1, _e1042.member_2);
+                                                        let _e1554 = phi_1951_;
+                                                        if _e1554 {
+                                                            phi_1958_ = type_43(type_37(_e1537, _e1537.member), _e1075.member_1, _e1075.member_2);
                                                         } else {
-                                                            phi_2939_ = _e1042;
+                                                            phi_1958_ = _e1075;
                                                         }
-                                                        let _e1528 = phi_2939_;
-                                                        phi_2940_ = _e1528;
+                                                        let _e1561 = phi_1958_;
+                                                        phi_1959_ = _e1561;
                                                     } else {
-                                                        phi_2940_ = _e1042;
+                                                        phi_1959_ = _e1075;
                                                     }
-                                                    let _e1530 = phi_2940_;
-                                                    phi_2941_ = _e1530;
+                                                    let _e1563 = phi_1959_;
+                                                    phi_1960_ = _e1563;
                                                 } else {
-                                                    phi_2941_ = _e1042;
+                                                    phi_1960_ = _e1075;
                                                 }
-                                                let _e1532 = phi_2941_;
-                                                phi_4573_ = _e1220;
-                                                phi_1972_ = _e1532;
+                                                let _e1565 = phi_1960_;
+                                                phi_3650_ = _e1253;
+                                                phi_991_ = _e1565;
                                             } else {
-                                                phi_4573_ = _e1013;
-                                                phi_1972_ = type_42();
+                                                phi_3650_ = _e1046;
+                                                phi_991_ = type_43();
                                             }
-                                            let _e1534 = phi_4573_;
-                                            let _e1536 = phi_1972_;
+                                            let _e1567 = phi_3650_;
+                                            let _e1569 = phi_991_;
                                             continue;
                                             continuing {
-                                                phi_4514_ = _e1534;
-                                                phi_1971_ = _e1536;
-                                                phi_1974_ = _e1030;
-                                                phi_4572_ = _e1534;
-                                                break if !(_e1036);
+                                                phi_3591_ = _e1567;
+                                                phi_990_ = _e1569;
+                                                phi_993_ = _e1063;
+                                                phi_3649_ = _e1567;
+                                                break if !(_e1069);
                                             }
                                         }
-                                        let _e1539 = phi_4572_;
-                                        phi_4631_ = _e1539;
-                                        if _e1539 {
+                                        let _e1572 = phi_3649_;
+                                        phi_3708_ = _e1572;
+                                        if _e1572 {
                                             break;
                                         }
-                                        phi_4635_ = _e1539;
-                                        let _e1717 = local_9;
-                                        phi_4282_ = _e1717;
-                                        phi_4283_ = _e535;
-                                        phi_4284_ = false;
-                                        phi_4285_ = _e539;
+                                        phi_3712_ = _e1572;
+                                        let _e1750 = local_15;
+                                        phi_3345_ = _e1750;
+                                        phi_3346_ = _e549;
+                                        phi_3347_ = false;
+                                        phi_3348_ = _e553;
                                     } else {
-                                        if (_e535.member_1 >= _e89) {
-                                            phi_3882_ = type_56(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e549.member_1 >= _e93) {
+                                            phi_2901_ = type_55(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_54(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_54(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e535.member_1 < _e89) {
+                                            if (_e549.member_1 < _e93) {
                                             } else {
-                                                phi_4631_ = true;
+                                                phi_3708_ = true;
                                                 break;
                                             }
-                                            let _e558 = ((1u + _e260) % 4u);
-                                            if (_e558 < 4u) {
-                                            } else {
-                                                phi_4631_ = true;
-                                                break;
-                                            }
-                                            let _e563 = global_3.member[_e535.member_1][_e558];
-                                            let _e565 = ((1u + _e259) % 4u);
-                                            if (_e565 < 4u) {
-                                            } else {
-                                                phi_4631_ = true;
-                                                break;
-                                            }
-                                            let _e570 = global_3.member[_e535.member_1][_e565];
-                                            let _e572 = ((1u + _e261) % 4u);
+                                            let _e572 = ((1u + _e264) % 4u);
                                             if (_e572 < 4u) {
                                             } else {
-                                                phi_4631_ = true;
+                                                phi_3708_ = true;
                                                 break;
                                             }
-                                            let _e577 = global_3.member[_e535.member_1][_e572];
-                                            let _e579 = ((_e260 + 1u) % 4u);
+                                            let _e577 = global_3.member[_e549.member_1][_e572];
+                                            let _e579 = ((1u + _e263) % 4u);
                                             if (_e579 < 4u) {
                                             } else {
-                                                phi_4631_ = true;
+                                                phi_3708_ = true;
                                                 break;
                                             }
-                                            let _e584 = global_3.member[_e535.member_1][_e579];
-                                            let _e586 = (_e584 >> bitcast<u32>(11u));
-                                            let _e588 = ((_e259 + 1u) % 4u);
-                                            if (_e588 < 4u) {
+                                            let _e584 = global_3.member[_e549.member_1][_e579];
+                                            let _e586 = ((1u + _e265) % 4u);
+                                            if (_e586 < 4u) {
                                             } else {
-                                                phi_4631_ = true;
+                                                phi_3708_ = true;
                                                 break;
                                             }
-                                            let _e593 = global_3.member[_e535.member_1][_e588];
-                                            let _e595 = (_e593 >> bitcast<u32>(11u));
-                                            let _e597 = ((_e261 + 1u) % 4u);
-                                            if (_e597 < 4u) {
+                                            let _e591 = global_3.member[_e549.member_1][_e586];
+                                            let _e593 = ((_e264 + 1u) % 4u);
+                                            if (_e593 < 4u) {
                                             } else {
-                                                phi_4631_ = true;
+                                                phi_3708_ = true;
                                                 break;
                                             }
-                                            let _e602 = global_3.member[_e535.member_1][_e597];
-                                            let _e604 = (_e602 >> bitcast<u32>(11u));
-                                            let _e627 = (bitcast<f32>((bitcast<u32>((_e535.member.member_1.x - _e535.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e628 = (bitcast<f32>((bitcast<u32>((_e535.member.member_1.y - _e535.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e629 = (bitcast<f32>((bitcast<u32>((_e535.member.member_1.z - _e535.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e631 = select(_e140, _e627, (_e627 > _e140));
-                                            let _e633 = select(_e140, _e628, (_e628 > _e140));
-                                            let _e635 = select(_e140, _e629, (_e629 > _e140));
-                                            let _e660 = bitcast<u32>((f32(bitcast<i32>((_e563 & 1023u))) * _e631));
-                                            let _e665 = (bitcast<i32>((_e563 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e668 = bitcast<f32>((_e660 & bitcast<u32>(_e665)));
-                                            let _e669 = bitcast<u32>((f32(bitcast<i32>((_e570 & 1023u))) * _e633));
-                                            let _e674 = (bitcast<i32>((_e570 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e677 = bitcast<f32>((_e669 & bitcast<u32>(_e674)));
-                                            let _e678 = bitcast<u32>((f32(bitcast<i32>((_e577 & 1023u))) * _e635));
-                                            let _e683 = (bitcast<i32>((_e577 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e686 = bitcast<f32>((_e678 & bitcast<u32>(_e683)));
-                                            let _e690 = bitcast<f32>((_e660 & bitcast<u32>(~(_e665))));
-                                            let _e694 = bitcast<f32>((_e669 & bitcast<u32>(~(_e674))));
-                                            let _e698 = bitcast<f32>((_e678 & bitcast<u32>(~(_e683))));
-                                            let _e699 = bitcast<u32>((f32(bitcast<i32>((_e586 & 1023u))) * _e631));
-                                            let _e704 = (bitcast<i32>((_e586 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e707 = bitcast<f32>((_e699 & bitcast<u32>(_e704)));
-                                            let _e708 = bitcast<u32>((f32(bitcast<i32>((_e595 & 1023u))) * _e633));
-                                            let _e713 = (bitcast<i32>((_e595 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e716 = bitcast<f32>((_e708 & bitcast<u32>(_e713)));
-                                            let _e717 = bitcast<u32>((f32(bitcast<i32>((_e604 & 1023u))) * _e635));
-                                            let _e722 = (bitcast<i32>((_e604 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e725 = bitcast<f32>((_e717 & bitcast<u32>(_e722)));
-                                            let _e729 = bitcast<f32>((_e699 & bitcast<u32>(~(_e704))));
-                                            let _e733 = bitcast<f32>((_e708 & bitcast<u32>(~(_e713))));
-                                            let _e737 = bitcast<f32>((_e717 & bitcast<u32>(~(_e722))));
-                                            let _e738 = (_e535.member.member.x + _e668);
-                                            let _e739 = (_e535.member.member.y + _e677);
-                                            let _e740 = (_e535.member.member.z + _e686);
-                                            let _e743 = (_e535.member.member_1.x - _e707);
-                                            let _e744 = (_e535.member.member_1.y - _e716);
-                                            let _e745 = (_e535.member.member_1.z - _e725);
-                                            let _e764 = (_e743 - _e738);
-                                            let _e765 = (_e744 - _e739);
-                                            let _e766 = (_e745 - _e740);
-                                            let _e768 = select(_e765, _e764, (_e764 > _e765));
-                                            let _e770 = select(_e766, _e768, (_e768 > _e766));
-                                            if (_e770 < (1024f * _e140)) {
-                                                phi_3583_ = 0u;
+                                            let _e598 = global_3.member[_e549.member_1][_e593];
+                                            let _e600 = (_e598 >> bitcast<u32>(11u));
+                                            let _e602 = ((_e263 + 1u) % 4u);
+                                            if (_e602 < 4u) {
                                             } else {
-                                                phi_3583_ = select(2u, 1u, (_e770 < (2097152f * _e140)));
+                                                phi_3708_ = true;
+                                                break;
                                             }
-                                            let _e777 = phi_3583_;
-                                            switch bitcast<i32>(_e777) {
+                                            let _e607 = global_3.member[_e549.member_1][_e602];
+                                            let _e609 = (_e607 >> bitcast<u32>(11u));
+                                            let _e611 = ((_e265 + 1u) % 4u);
+                                            if (_e611 < 4u) {
+                                            } else {
+                                                phi_3708_ = true;
+                                                break;
+                                            }
+                                            let _e616 = global_3.member[_e549.member_1][_e611];
+                                            let _e618 = (_e616 >> bitcast<u32>(11u));
+                                            let _e641 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.x - _e549.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e642 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.y - _e549.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e643 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.z - _e549.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e645 = select(_e144, _e641, (_e641 > _e144));
+                                            let _e647 = select(_e144, _e642, (_e642 > _e144));
+                                            let _e649 = select(_e144, _e643, (_e643 > _e144));
+                                            let _e674 = bitcast<u32>((f32(bitcast<i32>((_e577 & 1023u))) * _e645));
+                                            let _e679 = (bitcast<i32>((_e577 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e682 = bitcast<f32>((_e674 & bitcast<u32>(_e679)));
+                                            let _e683 = bitcast<u32>((f32(bitcast<i32>((_e584 & 1023u))) * _e647));
+                                            let _e688 = (bitcast<i32>((_e584 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e691 = bitcast<f32>((_e683 & bitcast<u32>(_e688)));
+                                            let _e692 = bitcast<u32>((f32(bitcast<i32>((_e591 & 1023u))) * _e649));
+                                            let _e697 = (bitcast<i32>((_e591 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e700 = bitcast<f32>((_e692 & bitcast<u32>(_e697)));
+                                            let _e704 = bitcast<f32>((_e674 & bitcast<u32>(~(_e679))));
+                                            let _e708 = bitcast<f32>((_e683 & bitcast<u32>(~(_e688))));
+                                            let _e712 = bitcast<f32>((_e692 & bitcast<u32>(~(_e697))));
+                                            let _e713 = bitcast<u32>((f32(bitcast<i32>((_e600 & 1023u))) * _e645));
+                                            let _e718 = (bitcast<i32>((_e600 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e721 = bitcast<f32>((_e713 & bitcast<u32>(_e718)));
+                                            let _e722 = bitcast<u32>((f32(bitcast<i32>((_e609 & 1023u))) * _e647));
+                                            let _e727 = (bitcast<i32>((_e609 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e730 = bitcast<f32>((_e722 & bitcast<u32>(_e727)));
+                                            let _e731 = bitcast<u32>((f32(bitcast<i32>((_e618 & 1023u))) * _e649));
+                                            let _e736 = (bitcast<i32>((_e618 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e739 = bitcast<f32>((_e731 & bitcast<u32>(_e736)));
+                                            let _e743 = bitcast<f32>((_e713 & bitcast<u32>(~(_e718))));
+                                            let _e747 = bitcast<f32>((_e722 & bitcast<u32>(~(_e727))));
+                                            let _e751 = bitcast<f32>((_e731 & bitcast<u32>(~(_e736))));
+                                            let _e752 = (_e549.member.member.x + _e682);
+                                            let _e753 = (_e549.member.member.y + _e691);
+                                            let _e754 = (_e549.member.member.z + _e700);
+                                            let _e757 = (_e549.member.member_1.x - _e721);
+                                            let _e758 = (_e549.member.member_1.y - _e730);
+                                            let _e759 = (_e549.member.member_1.z - _e739);
+                                            let _e778 = (_e757 - _e752);
+                                            let _e779 = (_e758 - _e753);
+                                            let _e780 = (_e759 - _e754);
+                                            let _e782 = select(_e779, _e778, (_e778 > _e779));
+                                            let _e784 = select(_e780, _e782, (_e782 > _e780));
+                                            if (_e784 < (1024f * _e144)) {
+                                                phi_2602_ = 0u;
+                                            } else {
+                                                phi_2602_ = select(2u, 1u, (_e784 < (2097152f * _e144)));
+                                            }
+                                            let _e791 = phi_2602_;
+                                            switch bitcast<i32>(_e791) {
                                                 case 0: {
-                                                    phi_3589_ = 1u;
+                                                    phi_2608_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3589_ = 2u;
+                                                    phi_2608_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3589_ = 3u;
+                                                    phi_2608_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3589_ = u32();
+                                                    phi_2608_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e780 = phi_3589_;
-                                            let _e786 = global_3.member[_e535.member_1][0u];
-                                            let _e790 = global_3.member[_e535.member_1][1u];
-                                            let _e794 = global_3.member[_e535.member_1][2u];
-                                            let _e798 = global_3.member[_e535.member_1][3u];
-                                            let _e810 = (((_e790 >> bitcast<u32>(22i)) | ((_e794 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e798 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e811 = (_e786 & 268435455u);
-                                            let _e812 = (_e810 & 268435455u);
-                                            let _e815 = ((_e786 >> bitcast<u32>(28u)) & 7u);
-                                            let _e823 = ((_e786 >> bitcast<u32>(31i)) | (((_e810 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e824 = (_e815 != 0u);
-                                            if (_e815 == 0u) {
-                                                phi_3844_ = _e811;
+                                            let _e794 = phi_2608_;
+                                            let _e800 = global_3.member[_e549.member_1][0u];
+                                            let _e804 = global_3.member[_e549.member_1][1u];
+                                            let _e808 = global_3.member[_e549.member_1][2u];
+                                            let _e812 = global_3.member[_e549.member_1][3u];
+                                            let _e824 = (((_e804 >> bitcast<u32>(22i)) | ((_e808 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e812 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e825 = (_e800 & 268435455u);
+                                            let _e826 = (_e824 & 268435455u);
+                                            let _e829 = ((_e800 >> bitcast<u32>(28u)) & 7u);
+                                            let _e837 = ((_e800 >> bitcast<u32>(31i)) | (((_e824 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e838 = (_e829 != 0u);
+                                            if (_e829 == 0u) {
+                                                phi_2863_ = _e825;
                                             } else {
-                                                if (_e815 == 7u) {
-                                                    phi_3843_ = 2147483648u;
+                                                if (_e829 == 7u) {
+                                                    phi_2862_ = 2147483648u;
                                                 } else {
-                                                    phi_3843_ = ((2147483648u | (_e815 << bitcast<u32>(28u))) | (_e812 & 268435455u));
+                                                    phi_2862_ = ((2147483648u | (_e829 << bitcast<u32>(28u))) | (_e826 & 268435455u));
                                                 }
-                                                let _e833 = phi_3843_;
-                                                phi_3844_ = _e833;
+                                                let _e847 = phi_2862_;
+                                                phi_2863_ = _e847;
                                             }
-                                            let _e835 = phi_3844_;
-                                            if _e824 {
-                                                let _e836 = (_e815 != 7u);
-                                                if _e836 {
-                                                    phi_3854_ = (_e812 + (_e815 * ((3u * _e780) + 1u)));
+                                            let _e849 = phi_2863_;
+                                            if _e838 {
+                                                let _e850 = (_e829 != 7u);
+                                                if _e850 {
+                                                    phi_2873_ = (_e826 + (_e829 * ((3u * _e794) + 1u)));
                                                 } else {
-                                                    phi_3854_ = u32();
+                                                    phi_2873_ = u32();
                                                 }
-                                                let _e840 = phi_3854_;
-                                                phi_3856_ = _e840;
-                                                phi_3857_ = select(true, false, _e836);
+                                                let _e854 = phi_2873_;
+                                                phi_2875_ = _e854;
+                                                phi_2876_ = select(true, false, _e850);
                                             } else {
-                                                phi_3856_ = u32();
-                                                phi_3857_ = true;
+                                                phi_2875_ = u32();
+                                                phi_2876_ = true;
                                             }
-                                            let _e843 = phi_3856_;
-                                            let _e845 = phi_3857_;
-                                            if (_e823 == 0u) {
-                                                phi_3878_ = (_e811 + select(0u, 1u, !(_e824)));
+                                            let _e857 = phi_2875_;
+                                            let _e859 = phi_2876_;
+                                            if (_e837 == 0u) {
+                                                phi_2897_ = (_e825 + select(0u, 1u, !(_e838)));
                                             } else {
-                                                if (_e823 == 7u) {
-                                                    phi_3877_ = 2147483648u;
+                                                if (_e837 == 7u) {
+                                                    phi_2896_ = 2147483648u;
                                                 } else {
-                                                    phi_3877_ = ((2147483648u | (_e823 << bitcast<u32>(28u))) | (select(_e843, _e812, _e845) & 268435455u));
+                                                    phi_2896_ = ((2147483648u | (_e837 << bitcast<u32>(28u))) | (select(_e857, _e826, _e859) & 268435455u));
                                                 }
-                                                let _e858 = phi_3877_;
-                                                phi_3878_ = _e858;
+                                                let _e872 = phi_2896_;
+                                                phi_2897_ = _e872;
                                             }
-                                            let _e860 = phi_3878_;
-                                            phi_3882_ = type_56(array<vec4<f32>, 3>(vec4<f32>(_e738, (_e535.member.member.x + _e690), _e743, (_e535.member.member_1.x - _e729)), vec4<f32>(_e739, (_e535.member.member.y + _e694), _e744, (_e535.member.member_1.y - _e733)), vec4<f32>(_e740, (_e535.member.member.z + _e698), _e745, (_e535.member.member_1.z - _e737))), type_53(type_32((_e535.member.member + vec4<f32>(_e668, _e677, _e686, 0f)), (_e535.member.member_1 - vec4<f32>(_e707, _e716, _e725, 0f))), _e835), type_53(type_32((_e535.member.member + vec4<f32>(_e690, _e694, _e698, 0f)), (_e535.member.member_1 - vec4<f32>(_e729, _e733, _e737, 0f))), _e860));
+                                            let _e874 = phi_2897_;
+                                            phi_2901_ = type_55(array<vec4<f32>, 3>(vec4<f32>(_e752, (_e549.member.member.x + _e704), _e757, (_e549.member.member_1.x - _e743)), vec4<f32>(_e753, (_e549.member.member.y + _e708), _e758, (_e549.member.member_1.y - _e747)), vec4<f32>(_e754, (_e549.member.member.z + _e712), _e759, (_e549.member.member_1.z - _e751))), type_54(type_32((_e549.member.member + vec4<f32>(_e682, _e691, _e700, 0f)), (_e549.member.member_1 - vec4<f32>(_e721, _e730, _e739, 0f))), _e849), type_54(type_32((_e549.member.member + vec4<f32>(_e704, _e708, _e712, 0f)), (_e549.member.member_1 - vec4<f32>(_e743, _e747, _e751, 0f))), _e874));
                                         }
-                                        let _e865 = phi_3882_;
-                                        let _e878 = ((_e865.member[0].x - _e332) * _e337);
-                                        let _e879 = ((_e865.member[0].y - _e332) * _e337);
-                                        let _e880 = ((_e865.member[0].z - _e333) * _e337);
-                                        let _e881 = ((_e865.member[0].w - _e333) * _e337);
-                                        let _e891 = ((_e865.member[1].x - _e370) * _e375);
-                                        let _e892 = ((_e865.member[1].y - _e370) * _e375);
-                                        let _e893 = ((_e865.member[1].z - _e371) * _e375);
-                                        let _e894 = ((_e865.member[1].w - _e371) * _e375);
-                                        let _e904 = ((_e865.member[2].x - _e408) * _e413);
-                                        let _e905 = ((_e865.member[2].y - _e408) * _e413);
-                                        let _e906 = ((_e865.member[2].z - _e409) * _e413);
-                                        let _e907 = ((_e865.member[2].w - _e409) * _e413);
-                                        let _e909 = select(_e906, _e904, (_e904 < _e906));
-                                        let _e911 = select(_e907, _e905, (_e905 < _e907));
-                                        let _e913 = select(_e906, _e904, (_e904 > _e906));
-                                        let _e915 = select(_e907, _e905, (_e905 > _e907));
-                                        let _e917 = select(_e880, _e878, (_e878 < _e880));
-                                        let _e919 = select(_e881, _e879, (_e879 < _e881));
-                                        let _e921 = select(_e893, _e891, (_e891 < _e893));
-                                        let _e923 = select(_e894, _e892, (_e892 < _e894));
-                                        let _e925 = select(_e921, _e917, (_e917 > _e921));
-                                        let _e927 = select(_e923, _e919, (_e919 > _e923));
-                                        let _e929 = select(_e909, _e925, (_e925 > _e909));
-                                        let _e931 = select(_e911, _e927, (_e927 > _e911));
-                                        let _e933 = select(_e880, _e878, (_e878 > _e880));
-                                        let _e935 = select(_e881, _e879, (_e879 > _e881));
-                                        let _e937 = select(_e893, _e891, (_e891 > _e893));
-                                        let _e939 = select(_e894, _e892, (_e892 > _e894));
-                                        let _e941 = select(_e937, _e933, (_e933 < _e937));
-                                        let _e943 = select(_e939, _e935, (_e935 < _e939));
-                                        let _e948 = -(_e909);
-                                        let _e949 = -(_e911);
-                                        let _e956 = (select(_e913, _e941, (_e941 < _e913)) + (select(_e948, _e913, (_e913 > _e948)) * 0.0000019073523f));
-                                        let _e957 = (select(_e915, _e943, (_e943 < _e915)) + (select(_e949, _e915, (_e915 > _e949)) * 0.0000019073523f));
-                                        let _e959 = select(_e460, _e929, (_e929 > _e460));
-                                        let _e961 = select(_e460, _e931, (_e931 > _e460));
-                                        let _e966 = (_e959 <= select(_e505.member.member_1, _e956, (_e956 < _e505.member.member_1)));
-                                        let _e967 = (_e961 <= select(_e505.member.member_1, _e957, (_e957 < _e505.member.member_1)));
-                                        let _e968 = (_e959 <= _e961);
-                                        if _e966 {
-                                            if _e967 {
-                                                if _e968 {
-                                                    phi_4226_ = _e865.member_2;
+                                        let _e879 = phi_2901_;
+                                        let _e892 = ((_e879.member[0].x - _e336) * _e341);
+                                        let _e893 = ((_e879.member[0].y - _e336) * _e341);
+                                        let _e894 = ((_e879.member[0].z - _e337) * _e341);
+                                        let _e895 = ((_e879.member[0].w - _e337) * _e341);
+                                        let _e905 = ((_e879.member[1].x - _e374) * _e379);
+                                        let _e906 = ((_e879.member[1].y - _e374) * _e379);
+                                        let _e907 = ((_e879.member[1].z - _e375) * _e379);
+                                        let _e908 = ((_e879.member[1].w - _e375) * _e379);
+                                        let _e918 = ((_e879.member[2].x - _e412) * _e417);
+                                        let _e919 = ((_e879.member[2].y - _e412) * _e417);
+                                        let _e920 = ((_e879.member[2].z - _e413) * _e417);
+                                        let _e921 = ((_e879.member[2].w - _e413) * _e417);
+                                        let _e923 = select(_e920, _e918, (_e918 < _e920));
+                                        let _e925 = select(_e921, _e919, (_e919 < _e921));
+                                        let _e927 = select(_e920, _e918, (_e918 > _e920));
+                                        let _e929 = select(_e921, _e919, (_e919 > _e921));
+                                        let _e931 = select(_e894, _e892, (_e892 < _e894));
+                                        let _e933 = select(_e895, _e893, (_e893 < _e895));
+                                        let _e935 = select(_e907, _e905, (_e905 < _e907));
+                                        let _e937 = select(_e908, _e906, (_e906 < _e908));
+                                        let _e939 = select(_e935, _e931, (_e931 > _e935));
+                                        let _e941 = select(_e937, _e933, (_e933 > _e937));
+                                        let _e943 = select(_e923, _e939, (_e939 > _e923));
+                                        let _e945 = select(_e925, _e941, (_e941 > _e925));
+                                        let _e947 = select(_e894, _e892, (_e892 > _e894));
+                                        let _e949 = select(_e895, _e893, (_e893 > _e895));
+                                        let _e951 = select(_e907, _e905, (_e905 > _e907));
+                                        let _e953 = select(_e908, _e906, (_e906 > _e908));
+                                        let _e955 = select(_e951, _e947, (_e947 < _e951));
+                                        let _e957 = select(_e953, _e949, (_e949 < _e953));
+                                        let _e962 = -(_e923);
+                                        let _e963 = -(_e925);
+                                        let _e970 = (select(_e927, _e955, (_e955 < _e927)) + (select(_e962, _e927, (_e927 > _e962)) * 0.0000019073523f));
+                                        let _e971 = (select(_e929, _e957, (_e957 < _e929)) + (select(_e963, _e929, (_e929 > _e963)) * 0.0000019073523f));
+                                        let _e973 = select(_e464, _e943, (_e943 > _e464));
+                                        let _e975 = select(_e464, _e945, (_e945 > _e464));
+                                        let _e980 = (_e973 <= select(_e509.member.member_1, _e970, (_e970 < _e509.member.member_1)));
+                                        let _e981 = (_e975 <= select(_e509.member.member_1, _e971, (_e971 < _e509.member.member_1)));
+                                        let _e982 = (_e973 <= _e975);
+                                        if _e980 {
+                                            if _e981 {
+                                                if _e982 {
+                                                    phi_3245_ = _e879.member_2;
                                                 } else {
-                                                    phi_4226_ = _e865.member_1;
+                                                    phi_3245_ = _e879.member_1;
                                                 }
-                                                let _e972 = phi_4226_;
-                                                let _e973 = (_e539 % 128u);
-                                                let _e974 = (_e973 < 128u);
-                                                if _e974 {
+                                                let _e986 = phi_3245_;
+                                                let _e1008 = (_e553 % 128u);
+                                                let _e1009 = (_e1008 < 128u);
+                                                if _e1009 {
                                                 } else {
-                                                    phi_4631_ = true;
+                                                    phi_3708_ = true;
                                                     break;
                                                 }
-                                                local_3[_e973] = type_53(type_32(_e972.member.member, _e972.member.member_1), _e972.member_1);
-                                                if _e974 {
+                                                local_8[_e1008] = _e986.member_1;
+                                                if _e1009 {
                                                 } else {
-                                                    phi_4631_ = true;
+                                                    phi_3708_ = true;
                                                     break;
                                                 }
-                                                local_2[_e973] = select(_e961, _e959, (_e959 > _e961));
-                                                if _e968 {
-                                                    phi_4259_ = _e865.member_1;
+                                                local_7[_e1008] = _e986.member.member.x;
+                                                if _e1009 {
                                                 } else {
-                                                    phi_4259_ = _e865.member_2;
+                                                    phi_3708_ = true;
+                                                    break;
                                                 }
-                                                let _e989 = phi_4259_;
-                                                phi_4260_ = _e989;
-                                                phi_4261_ = (_e539 + 1u);
+                                                local_6[_e1008] = _e986.member.member.y;
+                                                if _e1009 {
+                                                } else {
+                                                    phi_3708_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e1008] = _e986.member.member.z;
+                                                if _e1009 {
+                                                } else {
+                                                    phi_3708_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e1008] = _e986.member.member_1.x;
+                                                if _e1009 {
+                                                } else {
+                                                    phi_3708_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e1008] = _e986.member.member_1.y;
+                                                if _e1009 {
+                                                } else {
+                                                    phi_3708_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e1008] = _e986.member.member_1.z;
+                                                if _e1009 {
+                                                } else {
+                                                    phi_3708_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e1008] = select(_e975, _e973, (_e973 > _e975));
+                                                if _e982 {
+                                                    phi_3322_ = _e879.member_1;
+                                                } else {
+                                                    phi_3322_ = _e879.member_2;
+                                                }
+                                                let _e1022 = phi_3322_;
+                                                phi_3323_ = _e1022;
+                                                phi_3324_ = (_e553 + 1u);
                                             } else {
-                                                phi_4260_ = type_53();
-                                                phi_4261_ = u32();
+                                                phi_3323_ = type_54();
+                                                phi_3324_ = u32();
                                             }
-                                            let _e991 = phi_4260_;
-                                            let _e993 = phi_4261_;
-                                            phi_4263_ = _e991;
-                                            phi_4264_ = _e993;
-                                            phi_4265_ = select(true, false, _e967);
+                                            let _e1024 = phi_3323_;
+                                            let _e1026 = phi_3324_;
+                                            phi_3326_ = _e1024;
+                                            phi_3327_ = _e1026;
+                                            phi_3328_ = select(true, false, _e981);
                                         } else {
-                                            phi_4263_ = type_53();
-                                            phi_4264_ = u32();
-                                            phi_4265_ = true;
+                                            phi_3326_ = type_54();
+                                            phi_3327_ = u32();
+                                            phi_3328_ = true;
                                         }
-                                        let _e996 = phi_4263_;
-                                        let _e998 = phi_4264_;
-                                        let _e1000 = phi_4265_;
-                                        if _e1000 {
-                                            if _e966 {
-                                                phi_4274_ = _e865.member_1;
+                                        let _e1029 = phi_3326_;
+                                        let _e1031 = phi_3327_;
+                                        let _e1033 = phi_3328_;
+                                        if _e1033 {
+                                            if _e980 {
+                                                phi_3337_ = _e879.member_1;
                                             } else {
-                                                phi_4274_ = _e865.member_2;
+                                                phi_3337_ = _e879.member_2;
                                             }
-                                            let _e1004 = phi_4274_;
-                                            phi_4279_ = _e1004;
-                                            phi_4280_ = select(_e967, true, _e966);
+                                            let _e1037 = phi_3337_;
+                                            phi_3342_ = _e1037;
+                                            phi_3343_ = select(_e981, true, _e980);
                                         } else {
-                                            phi_4279_ = _e996;
-                                            phi_4280_ = _e537;
+                                            phi_3342_ = _e1029;
+                                            phi_3343_ = _e551;
                                         }
-                                        let _e1007 = phi_4279_;
-                                        let _e1009 = phi_4280_;
-                                        phi_4635_ = _e503;
-                                        phi_4282_ = type_42(_e505.member, (_e505.member_1 + 1u), _e505.member_2);
-                                        phi_4283_ = _e1007;
-                                        phi_4284_ = _e1009;
-                                        phi_4285_ = select(_e998, _e539, _e1000);
+                                        let _e1040 = phi_3342_;
+                                        let _e1042 = phi_3343_;
+                                        phi_3712_ = _e507;
+                                        phi_3345_ = type_43(_e509.member, (_e509.member_1 + 1u), _e509.member_2);
+                                        phi_3346_ = _e1040;
+                                        phi_3347_ = _e1042;
+                                        phi_3348_ = select(_e1031, _e553, _e1033);
                                     }
-                                    let _e1541 = phi_4635_;
-                                    let _e1543 = phi_4282_;
-                                    let _e1545 = phi_4283_;
-                                    let _e1547 = phi_4284_;
-                                    let _e1549 = phi_4285_;
-                                    phi_4634_ = _e1541;
-                                    phi_4286_ = _e1543;
-                                    phi_4287_ = _e1545;
-                                    phi_4288_ = (_e509 - 1u);
-                                    phi_4289_ = _e1547;
-                                    phi_4290_ = _e1549;
+                                    let _e1574 = phi_3712_;
+                                    let _e1576 = phi_3345_;
+                                    let _e1578 = phi_3346_;
+                                    let _e1580 = phi_3347_;
+                                    let _e1582 = phi_3348_;
+                                    phi_3711_ = _e1574;
+                                    phi_3349_ = _e1576;
+                                    phi_3350_ = _e1578;
+                                    phi_3351_ = (_e513 - 1u);
+                                    phi_3352_ = _e1580;
+                                    phi_3353_ = _e1582;
                                 } else {
-                                    phi_4634_ = _e503;
-                                    phi_4286_ = _e505;
-                                    phi_4287_ = _e535;
-                                    phi_4288_ = _e509;
-                                    phi_4289_ = _e537;
-                                    phi_4290_ = _e539;
+                                    phi_3711_ = _e507;
+                                    phi_3349_ = _e509;
+                                    phi_3350_ = _e549;
+                                    phi_3351_ = _e513;
+                                    phi_3352_ = _e551;
+                                    phi_3353_ = _e553;
                                 }
-                                let _e1551 = phi_4634_;
-                                let _e1553 = phi_4286_;
-                                let _e1555 = phi_4287_;
-                                let _e1557 = phi_4288_;
-                                let _e1559 = phi_4289_;
-                                let _e1561 = phi_4290_;
-                                phi_4633_ = _e1551;
-                                phi_4291_ = _e1553;
-                                phi_4292_ = _e1555;
-                                phi_4293_ = _e1557;
-                                phi_4294_ = _e1559;
-                                phi_4295_ = _e1561;
+                                let _e1584 = phi_3711_;
+                                let _e1586 = phi_3349_;
+                                let _e1588 = phi_3350_;
+                                let _e1590 = phi_3351_;
+                                let _e1592 = phi_3352_;
+                                let _e1594 = phi_3353_;
+                                phi_3710_ = _e1584;
+                                phi_3354_ = _e1586;
+                                phi_3355_ = _e1588;
+                                phi_3356_ = _e1590;
+                                phi_3357_ = _e1592;
+                                phi_3358_ = _e1594;
                             } else {
-                                phi_4633_ = _e503;
-                                phi_4291_ = type_42();
-                                phi_4292_ = type_53();
-                                phi_4293_ = u32();
-                                phi_4294_ = bool();
-                                phi_4295_ = u32();
+                                phi_3710_ = _e507;
+                                phi_3354_ = type_43();
+                                phi_3355_ = type_54();
+                                phi_3356_ = u32();
+                                phi_3357_ = bool();
+                                phi_3358_ = u32();
                             }
-                            let _e1563 = phi_4633_;
-                            let _e1565 = phi_4291_;
-                            let _e1567 = phi_4292_;
-                            let _e1569 = phi_4293_;
-                            let _e1571 = phi_4294_;
-                            let _e1573 = phi_4295_;
-                            phi_4632_ = _e1563;
-                            phi_1894_ = _e1565;
-                            phi_1897_ = _e1567;
-                            phi_1899_ = _e1569;
-                            phi_1901_ = _e1571;
-                            phi_1903_ = _e1573;
-                            phi_4296_ = _e517;
+                            let _e1596 = phi_3710_;
+                            let _e1598 = phi_3354_;
+                            let _e1600 = phi_3355_;
+                            let _e1602 = phi_3356_;
+                            let _e1604 = phi_3357_;
+                            let _e1606 = phi_3358_;
+                            phi_3709_ = _e1596;
+                            phi_864_ = _e1598;
+                            phi_867_ = _e1600;
+                            phi_869_ = _e1602;
+                            phi_871_ = _e1604;
+                            phi_873_ = _e1606;
+                            phi_3359_ = _e521;
                         } else {
-                            phi_4632_ = _e503;
-                            phi_1894_ = type_42();
-                            phi_1897_ = type_53();
-                            phi_1899_ = u32();
-                            phi_1901_ = bool();
-                            phi_1903_ = u32();
-                            phi_4296_ = false;
+                            phi_3709_ = _e507;
+                            phi_864_ = type_43();
+                            phi_867_ = type_54();
+                            phi_869_ = u32();
+                            phi_871_ = bool();
+                            phi_873_ = u32();
+                            phi_3359_ = false;
                         }
-                        let _e1575 = phi_4632_;
-                        let _e1577 = phi_1894_;
-                        let _e1579 = phi_1897_;
-                        let _e1581 = phi_1899_;
-                        let _e1583 = phi_1901_;
-                        let _e1585 = phi_1903_;
-                        let _e1587 = phi_4296_;
+                        let _e1608 = phi_3709_;
+                        let _e1610 = phi_864_;
+                        let _e1612 = phi_867_;
+                        let _e1614 = phi_869_;
+                        let _e1616 = phi_871_;
+                        let _e1618 = phi_873_;
+                        let _e1620 = phi_3359_;
                         continue;
                         continuing {
-                            phi_4517_ = _e1575;
-                            phi_1893_ = _e1577;
-                            phi_1896_ = _e1579;
-                            phi_1898_ = _e1581;
-                            phi_1900_ = _e1583;
-                            phi_1902_ = _e1585;
-                            phi_4631_ = _e1575;
-                            break if !(_e1587);
+                            phi_3594_ = _e1608;
+                            phi_863_ = _e1610;
+                            phi_866_ = _e1612;
+                            phi_868_ = _e1614;
+                            phi_870_ = _e1616;
+                            phi_872_ = _e1618;
+                            phi_3708_ = _e1608;
+                            break if !(_e1620);
                         }
                     }
-                    let _e1590 = phi_4631_;
-                    if _e1590 {
+                    let _e1623 = phi_3708_;
+                    if _e1623 {
                         break;
                     }
-                    let _e1592 = local_7;
-                    let _e1595 = local_8;
-                    if _e148 {
+                    let _e1625 = local_13;
+                    let _e1628 = local_14;
+                    if _e152 {
                     } else {
                         break;
                     }
-                    global_6.member[_e146][0u] = _e1592.member_1;
-                    global_6.member[_e146][1u] = _e1595.member_2;
+                    global_6.member[_e150][0u] = _e1625.member_1;
+                    global_6.member[_e150][1u] = _e1628.member_2;
                 }
             }
             break;

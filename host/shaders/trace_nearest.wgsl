@@ -42,17 +42,17 @@ struct type_29 {
     member: array<type_27>,
 }
 
-struct type_38 {
+struct type_39 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_40 {
+struct type_41 {
     member: array<type_24>,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<array<type_23, 8>>,
 }
 
@@ -64,135 +64,135 @@ var<storage> global_2: type_29;
 @group(0) @binding(2) 
 var<storage> global_3: type_15;
 @group(0) @binding(3) 
-var<storage> global_4: type_40;
+var<storage> global_4: type_41;
 @group(0) @binding(4) 
-var<storage, read_write> global_5: type_44;
+var<storage, read_write> global_5: type_45;
 
 fn function_() {
     var local: array<type_23, 8>;
     var local_1: array<f32, 128>;
     var local_2: array<u32, 128>;
-    var phi_275_: i32;
     var phi_276_: i32;
-    var phi_286_: bool;
-    var phi_296_: u32;
+    var phi_277_: i32;
+    var phi_287_: bool;
     var phi_297_: u32;
-    var phi_299_: bool;
-    var phi_304_: u32;
-    var phi_316_: i32;
-    var phi_336_: i32;
-    var phi_354_: f32;
-    var phi_360_: f32;
-    var phi_371_: f32;
-    var phi_377_: f32;
-    var phi_400_: f32;
-    var phi_411_: f32;
-    var phi_420_: f32;
-    var phi_426_: f32;
-    var phi_437_: f32;
-    var phi_443_: f32;
-    var phi_466_: f32;
-    var phi_477_: f32;
-    var phi_486_: f32;
-    var phi_492_: f32;
-    var phi_503_: f32;
-    var phi_509_: f32;
-    var phi_532_: f32;
-    var phi_543_: f32;
-    var phi_643_: f32;
+    var phi_298_: u32;
+    var phi_300_: bool;
+    var phi_305_: u32;
+    var phi_317_: i32;
+    var phi_337_: i32;
+    var phi_355_: f32;
+    var phi_361_: f32;
+    var phi_372_: f32;
+    var phi_378_: f32;
+    var phi_401_: f32;
+    var phi_412_: f32;
+    var phi_421_: f32;
+    var phi_427_: f32;
+    var phi_438_: f32;
+    var phi_444_: f32;
+    var phi_467_: f32;
+    var phi_478_: f32;
+    var phi_487_: f32;
+    var phi_493_: f32;
+    var phi_504_: f32;
+    var phi_510_: f32;
+    var phi_533_: f32;
+    var phi_544_: f32;
     var phi_644_: f32;
-    var phi_2536_: bool;
-    var phi_2516_: f32;
-    var phi_971_: u32;
-    var phi_974_: u32;
-    var phi_976_: bool;
-    var phi_978_: u32;
-    var phi_989_: bool;
-    var phi_1021_: u32;
-    var phi_1022_: bool;
-    var phi_1023_: u32;
-    var phi_1912_: type_38;
-    var phi_2257_: u32;
-    var phi_2284_: u32;
-    var phi_2285_: u32;
-    var phi_2286_: u32;
-    var phi_2288_: u32;
-    var phi_2289_: u32;
-    var phi_2290_: bool;
-    var phi_2299_: u32;
-    var phi_2304_: u32;
-    var phi_2305_: bool;
-    var phi_2533_: bool;
-    var phi_2523_: f32;
-    var phi_1038_: type_4;
-    var phi_1039_: type_4;
-    var phi_1062_: type_4;
-    var phi_1083_: u32;
-    var phi_1172_: array<array<f32, 3>, 3>;
-    var phi_1644_: vec3<f32>;
-    var phi_1645_: vec3<f32>;
-    var phi_1676_: bool;
-    var phi_1685_: vec3<f32>;
-    var phi_1725_: type_23;
-    var phi_1727_: type_23;
-    var phi_1728_: bool;
-    var phi_1732_: type_23;
-    var phi_1733_: type_23;
-    var phi_1734_: type_23;
-    var phi_1735_: bool;
-    var phi_1739_: type_23;
-    var phi_1740_: bool;
-    var phi_1744_: type_23;
-    var phi_1745_: bool;
-    var phi_1749_: type_23;
-    var phi_1761_: type_4;
-    var phi_1764_: type_23;
-    var phi_1762_: type_4;
-    var phi_1787_: type_4;
-    var phi_1819_: bool;
-    var phi_1820_: bool;
-    var phi_1841_: type_23;
-    var phi_1765_: type_23;
-    var phi_2524_: bool;
-    var phi_2791_: f32;
-    var phi_2790_: f32;
-    var phi_2641_: bool;
-    var phi_2789_: f32;
-    var phi_2640_: bool;
-    var phi_2788_: f32;
-    var phi_2639_: bool;
-    var phi_2728_: f32;
-    var phi_2638_: bool;
-    var phi_2693_: f32;
-    var phi_2647_: bool;
-    var phi_2307_: u32;
-    var phi_2308_: bool;
-    var phi_2309_: u32;
-    var phi_2692_: f32;
-    var phi_2646_: bool;
-    var phi_2310_: u32;
-    var phi_2311_: u32;
-    var phi_2312_: bool;
-    var phi_2313_: u32;
-    var phi_2691_: f32;
-    var phi_2645_: bool;
-    var phi_2314_: u32;
-    var phi_2315_: u32;
-    var phi_2316_: bool;
-    var phi_2317_: u32;
-    var phi_2690_: f32;
-    var phi_2644_: bool;
-    var phi_972_: u32;
-    var phi_975_: u32;
-    var phi_977_: bool;
-    var phi_979_: u32;
-    var phi_2318_: bool;
-    var phi_2643_: bool;
-    var phi_2325_: type_4;
-    var phi_2326_: type_4;
-    var phi_2349_: type_4;
-    var phi_2415_: type_23;
-    var phi_2683_: bool;
+    var phi_645_: f32;
+    var phi_2273_: bool;
+    var phi_2253_: f32;
+    var phi_709_: u32;
+    var phi_712_: u32;
+    var phi_714_: bool;
+    var phi_716_: u32;
+    var phi_727_: bool;
+    var phi_760_: u32;
+    var phi_761_: bool;
+    var phi_762_: u32;
+    var phi_1651_: type_39;
+    var phi_1996_: u32;
+    var phi_2024_: u32;
+    var phi_2025_: u32;
+    var phi_2026_: u32;
+    var phi_2028_: u32;
+    var phi_2029_: u32;
+    var phi_2030_: bool;
+    var phi_2039_: u32;
+    var phi_2044_: u32;
+    var phi_2045_: bool;
+    var phi_2270_: bool;
+    var phi_2260_: f32;
+    var phi_777_: type_4;
+    var phi_778_: type_4;
+    var phi_801_: type_4;
+    var phi_822_: u32;
+    var phi_911_: array<array<f32, 3>, 3>;
+    var phi_1383_: vec3<f32>;
+    var phi_1384_: vec3<f32>;
+    var phi_1415_: bool;
+    var phi_1424_: vec3<f32>;
+    var phi_1464_: type_23;
+    var phi_1466_: type_23;
+    var phi_1467_: bool;
+    var phi_1471_: type_23;
+    var phi_1472_: type_23;
+    var phi_1473_: type_23;
+    var phi_1474_: bool;
+    var phi_1478_: type_23;
+    var phi_1479_: bool;
+    var phi_1483_: type_23;
+    var phi_1484_: bool;
+    var phi_1488_: type_23;
+    var phi_1500_: type_4;
+    var phi_1503_: type_23;
+    var phi_1501_: type_4;
+    var phi_1526_: type_4;
+    var phi_1558_: bool;
+    var phi_1559_: bool;
+    var phi_1580_: type_23;
+    var phi_1504_: type_23;
+    var phi_2261_: bool;
+    var phi_2528_: f32;
+    var phi_2527_: f32;
+    var phi_2378_: bool;
+    var phi_2526_: f32;
+    var phi_2377_: bool;
+    var phi_2525_: f32;
+    var phi_2376_: bool;
+    var phi_2465_: f32;
+    var phi_2375_: bool;
+    var phi_2430_: f32;
+    var phi_2384_: bool;
+    var phi_2047_: u32;
+    var phi_2048_: bool;
+    var phi_2049_: u32;
+    var phi_2429_: f32;
+    var phi_2383_: bool;
+    var phi_2050_: u32;
+    var phi_2051_: u32;
+    var phi_2052_: bool;
+    var phi_2053_: u32;
+    var phi_2428_: f32;
+    var phi_2382_: bool;
+    var phi_2054_: u32;
+    var phi_2055_: u32;
+    var phi_2056_: bool;
+    var phi_2057_: u32;
+    var phi_2427_: f32;
+    var phi_2381_: bool;
+    var phi_710_: u32;
+    var phi_713_: u32;
+    var phi_715_: bool;
+    var phi_717_: u32;
+    var phi_2058_: bool;
+    var phi_2380_: bool;
+    var phi_2065_: type_4;
+    var phi_2066_: type_4;
+    var phi_2089_: type_4;
+    var phi_2155_: type_23;
+    var phi_2420_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -234,199 +234,199 @@ fn function_() {
                     if _e158 {
                         let _e161 = (bitcast<u32>(bitcast<f32>(_e133)) & 2147483647u);
                         if (_e161 >= 8388608u) {
-                            phi_275_ = (bitcast<i32>((_e161 >> bitcast<u32>(23i))) - 127i);
+                            phi_276_ = (bitcast<i32>((_e161 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_275_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e161)), 32u, (_e161 == 0u))));
+                            phi_276_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e161)), 32u, (_e161 == 0u))));
                         }
-                        let _e175 = phi_275_;
-                        phi_276_ = _e175;
+                        let _e175 = phi_276_;
+                        phi_277_ = _e175;
                     } else {
-                        phi_276_ = 0i;
+                        phi_277_ = 0i;
                     }
-                    let _e177 = phi_276_;
+                    let _e177 = phi_277_;
                     let _e178 = (_e94 == _e133);
                     if _e178 {
-                        phi_286_ = true;
+                        phi_287_ = true;
                     } else {
-                        phi_286_ = (_e101 == _e133);
+                        phi_287_ = (_e101 == _e133);
                     }
-                    let _e181 = phi_286_;
+                    let _e181 = phi_287_;
                     let _e182 = select(1u, 0u, _e178);
                     if _e181 {
                         let _e183 = (_e182 + 1u);
-                        phi_296_ = _e183;
                         phi_297_ = _e183;
-                        phi_299_ = select(true, false, (_e183 == 2u));
+                        phi_298_ = _e183;
+                        phi_300_ = select(true, false, (_e183 == 2u));
                     } else {
-                        phi_296_ = u32();
-                        phi_297_ = 0u;
-                        phi_299_ = true;
+                        phi_297_ = u32();
+                        phi_298_ = 0u;
+                        phi_300_ = true;
                     }
-                    let _e187 = phi_296_;
-                    let _e189 = phi_297_;
-                    let _e191 = phi_299_;
+                    let _e187 = phi_297_;
+                    let _e189 = phi_298_;
+                    let _e191 = phi_300_;
                     if _e191 {
-                        phi_304_ = (_e189 + 1u);
+                        phi_305_ = (_e189 + 1u);
                     } else {
-                        phi_304_ = 0u;
+                        phi_305_ = 0u;
                     }
-                    let _e195 = phi_304_;
+                    let _e195 = phi_305_;
                     let _e196 = select(_e187, _e189, _e191);
                     let _e197 = select(_e182, select(2u, _e182, _e181), _e191);
                     if (_e82 < -126i) {
-                        phi_316_ = -126i;
+                        phi_317_ = -126i;
                     } else {
-                        phi_316_ = select(_e82, 127i, (_e82 > 127i));
+                        phi_317_ = select(_e82, 127i, (_e82 > 127i));
                     }
-                    let _e202 = phi_316_;
+                    let _e202 = phi_317_;
                     let _e207 = bitcast<f32>((bitcast<u32>((_e202 + 127i)) << bitcast<u32>(23i)));
                     let _e213 = bitcast<f32>((bitcast<u32>(((_e82 - _e202) + 127i)) << bitcast<u32>(23i)));
                     let _e214 = -(_e177);
                     if (_e214 < -126i) {
-                        phi_336_ = -126i;
+                        phi_337_ = -126i;
                     } else {
-                        phi_336_ = select(_e214, 127i, (_e214 > 127i));
+                        phi_337_ = select(_e214, 127i, (_e214 > 127i));
                     }
-                    let _e219 = phi_336_;
+                    let _e219 = phi_337_;
                     let _e224 = bitcast<f32>((bitcast<u32>((_e219 + 127i)) << bitcast<u32>(23i)));
                     let _e230 = bitcast<f32>((bitcast<u32>(((_e214 - _e219) + 127i)) << bitcast<u32>(23i)));
                     let _e234 = global_4.member[_e78].member;
                     let _e235 = (_e196 == 0u);
                     if _e235 {
-                        phi_354_ = _e234[0];
+                        phi_355_ = _e234[0];
                     } else {
-                        phi_354_ = _e234[1];
+                        phi_355_ = _e234[1];
                     }
-                    let _e239 = phi_354_;
+                    let _e239 = phi_355_;
                     let _e240 = (_e196 == 2u);
                     if _e240 {
-                        phi_360_ = _e234[2];
+                        phi_361_ = _e234[2];
                     } else {
-                        phi_360_ = _e239;
+                        phi_361_ = _e239;
                     }
-                    let _e243 = phi_360_;
+                    let _e243 = phi_361_;
                     let _e245 = ((_e243 * _e207) * _e213);
                     let _e246 = global_4.member[_e78].member_2;
                     if _e235 {
-                        phi_371_ = _e246[0];
+                        phi_372_ = _e246[0];
                     } else {
-                        phi_371_ = _e246[1];
+                        phi_372_ = _e246[1];
                     }
-                    let _e250 = phi_371_;
+                    let _e250 = phi_372_;
                     if _e240 {
-                        phi_377_ = _e246[2];
+                        phi_378_ = _e246[2];
                     } else {
-                        phi_377_ = _e250;
+                        phi_378_ = _e250;
                     }
-                    let _e253 = phi_377_;
+                    let _e253 = phi_378_;
                     let _e255 = ((_e253 * _e224) * _e230);
                     let _e259 = (bitcast<f32>((bitcast<u32>(_e255) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e259 {
                         let _e263 = (bitcast<f32>((bitcast<u32>(_e245) & 2147483647u)) * 0.00000011920929f);
-                        phi_400_ = select(0.00000000000011368684f, _e263, (_e263 > 0.00000000000011368684f));
+                        phi_401_ = select(0.00000000000011368684f, _e263, (_e263 > 0.00000000000011368684f));
                     } else {
-                        phi_400_ = 0f;
+                        phi_401_ = 0f;
                     }
-                    let _e267 = phi_400_;
+                    let _e267 = phi_401_;
                     let _e268 = (_e245 + _e267);
                     let _e269 = (_e245 - _e267);
                     let _e270 = select(_e255, 0f, _e259);
                     if _e259 {
-                        phi_411_ = 38685626000000000000000000f;
+                        phi_412_ = 38685626000000000000000000f;
                     } else {
-                        phi_411_ = (1f / _e255);
+                        phi_412_ = (1f / _e255);
                     }
-                    let _e273 = phi_411_;
+                    let _e273 = phi_412_;
                     let _e274 = (_e195 == 0u);
                     if _e274 {
-                        phi_420_ = _e234[0];
+                        phi_421_ = _e234[0];
                     } else {
-                        phi_420_ = _e234[1];
+                        phi_421_ = _e234[1];
                     }
-                    let _e278 = phi_420_;
+                    let _e278 = phi_421_;
                     let _e279 = (_e195 == 2u);
                     if _e279 {
-                        phi_426_ = _e234[2];
+                        phi_427_ = _e234[2];
                     } else {
-                        phi_426_ = _e278;
+                        phi_427_ = _e278;
                     }
-                    let _e282 = phi_426_;
+                    let _e282 = phi_427_;
                     let _e284 = ((_e282 * _e207) * _e213);
                     if _e274 {
-                        phi_437_ = _e246[0];
+                        phi_438_ = _e246[0];
                     } else {
-                        phi_437_ = _e246[1];
+                        phi_438_ = _e246[1];
                     }
-                    let _e288 = phi_437_;
+                    let _e288 = phi_438_;
                     if _e279 {
-                        phi_443_ = _e246[2];
+                        phi_444_ = _e246[2];
                     } else {
-                        phi_443_ = _e288;
+                        phi_444_ = _e288;
                     }
-                    let _e291 = phi_443_;
+                    let _e291 = phi_444_;
                     let _e293 = ((_e291 * _e224) * _e230);
                     let _e297 = (bitcast<f32>((bitcast<u32>(_e293) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e297 {
                         let _e301 = (bitcast<f32>((bitcast<u32>(_e284) & 2147483647u)) * 0.00000011920929f);
-                        phi_466_ = select(0.00000000000011368684f, _e301, (_e301 > 0.00000000000011368684f));
+                        phi_467_ = select(0.00000000000011368684f, _e301, (_e301 > 0.00000000000011368684f));
                     } else {
-                        phi_466_ = 0f;
+                        phi_467_ = 0f;
                     }
-                    let _e305 = phi_466_;
+                    let _e305 = phi_467_;
                     let _e306 = (_e284 + _e305);
                     let _e307 = (_e284 - _e305);
                     let _e308 = select(_e293, 0f, _e297);
                     if _e297 {
-                        phi_477_ = 38685626000000000000000000f;
+                        phi_478_ = 38685626000000000000000000f;
                     } else {
-                        phi_477_ = (1f / _e293);
+                        phi_478_ = (1f / _e293);
                     }
-                    let _e311 = phi_477_;
+                    let _e311 = phi_478_;
                     let _e312 = (_e197 == 0u);
                     if _e312 {
-                        phi_486_ = _e234[0];
+                        phi_487_ = _e234[0];
                     } else {
-                        phi_486_ = _e234[1];
+                        phi_487_ = _e234[1];
                     }
-                    let _e316 = phi_486_;
+                    let _e316 = phi_487_;
                     let _e317 = (_e197 == 2u);
                     if _e317 {
-                        phi_492_ = _e234[2];
+                        phi_493_ = _e234[2];
                     } else {
-                        phi_492_ = _e316;
+                        phi_493_ = _e316;
                     }
-                    let _e320 = phi_492_;
+                    let _e320 = phi_493_;
                     let _e322 = ((_e320 * _e207) * _e213);
                     if _e312 {
-                        phi_503_ = _e246[0];
+                        phi_504_ = _e246[0];
                     } else {
-                        phi_503_ = _e246[1];
+                        phi_504_ = _e246[1];
                     }
-                    let _e326 = phi_503_;
+                    let _e326 = phi_504_;
                     if _e317 {
-                        phi_509_ = _e246[2];
+                        phi_510_ = _e246[2];
                     } else {
-                        phi_509_ = _e326;
+                        phi_510_ = _e326;
                     }
-                    let _e329 = phi_509_;
+                    let _e329 = phi_510_;
                     let _e331 = ((_e329 * _e224) * _e230);
                     let _e335 = (bitcast<f32>((bitcast<u32>(_e331) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e335 {
                         let _e339 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) * 0.00000011920929f);
-                        phi_532_ = select(0.00000000000011368684f, _e339, (_e339 > 0.00000000000011368684f));
+                        phi_533_ = select(0.00000000000011368684f, _e339, (_e339 > 0.00000000000011368684f));
                     } else {
-                        phi_532_ = 0f;
+                        phi_533_ = 0f;
                     }
-                    let _e343 = phi_532_;
+                    let _e343 = phi_533_;
                     let _e344 = (_e322 + _e343);
                     let _e345 = (_e322 - _e343);
                     let _e346 = select(_e331, 0f, _e335);
                     if _e335 {
-                        phi_543_ = 38685626000000000000000000f;
+                        phi_544_ = 38685626000000000000000000f;
                     } else {
-                        phi_543_ = (1f / _e331);
+                        phi_544_ = (1f / _e331);
                     }
-                    let _e349 = phi_543_;
+                    let _e349 = phi_544_;
                     let _e352 = bitcast<f32>((bitcast<u32>(_e245) & 2147483647u));
                     let _e355 = bitcast<f32>((bitcast<u32>(_e284) & 2147483647u));
                     let _e357 = select(_e355, _e352, (_e352 > _e355));
@@ -440,84 +440,84 @@ fn function_() {
                         let _e383 = select(340282350000000000000000000000000000000f, _e381, (_e381 < 340282350000000000000000000000000000000f));
                         let _e388 = (((_e152 * _e373) * _e373) * _e380);
                         let _e390 = select(340282350000000000000000000000000000000f, _e388, (_e388 < 340282350000000000000000000000000000000f));
-                        phi_643_ = select(-340282350000000000000000000000000000000f, _e390, (_e390 > -340282350000000000000000000000000000000f));
-                        phi_644_ = select(-340282350000000000000000000000000000000f, _e383, (_e383 > -340282350000000000000000000000000000000f));
+                        phi_644_ = select(-340282350000000000000000000000000000000f, _e390, (_e390 > -340282350000000000000000000000000000000f));
+                        phi_645_ = select(-340282350000000000000000000000000000000f, _e383, (_e383 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_643_ = 0f;
-                        phi_644_ = 1f;
+                        phi_644_ = 0f;
+                        phi_645_ = 1f;
                     }
-                    let _e394 = phi_643_;
-                    let _e396 = phi_644_;
+                    let _e394 = phi_644_;
+                    let _e396 = phi_645_;
                     local = array<type_23, 8>(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_2 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2536_ = false;
-                    phi_2516_ = _e394;
-                    phi_971_ = select(0u, 2147483648u, (_e68 == 0u));
-                    phi_974_ = ((3u * _e68) + 1u);
-                    phi_976_ = (_e396 <= _e394);
-                    phi_978_ = 0u;
+                    phi_2273_ = false;
+                    phi_2253_ = _e394;
+                    phi_709_ = select(0u, 2147483648u, (_e68 == 0u));
+                    phi_712_ = ((3u * _e68) + 1u);
+                    phi_714_ = (_e396 <= _e394);
+                    phi_716_ = 0u;
                     loop {
-                        let _e403 = phi_2536_;
-                        let _e405 = phi_2516_;
-                        let _e407 = phi_971_;
-                        let _e409 = phi_974_;
-                        let _e411 = phi_976_;
-                        let _e413 = phi_978_;
+                        let _e403 = phi_2273_;
+                        let _e405 = phi_2253_;
+                        let _e407 = phi_709_;
+                        let _e409 = phi_712_;
+                        let _e411 = phi_714_;
+                        let _e413 = phi_716_;
                         if _e411 {
-                            phi_989_ = true;
+                            phi_727_ = true;
                         } else {
-                            phi_989_ = (_e413 > 0u);
+                            phi_727_ = (_e413 > 0u);
                         }
-                        let _e416 = phi_989_;
+                        let _e416 = phi_727_;
                         if _e416 {
                             let _e417 = (_e409 > 0u);
                             if _e417 {
                                 if _e411 {
-                                    phi_1021_ = _e407;
-                                    phi_1022_ = _e411;
-                                    phi_1023_ = _e413;
+                                    phi_760_ = _e407;
+                                    phi_761_ = _e411;
+                                    phi_762_ = _e413;
                                 } else {
                                     let _e418 = (_e413 - 1u);
                                     let _e419 = (_e418 % 128u);
                                     let _e420 = (_e419 < 128u);
                                     if _e420 {
                                     } else {
-                                        phi_2643_ = true;
+                                        phi_2380_ = true;
                                         break;
                                     }
                                     let _e422 = local_2[_e419];
                                     if _e420 {
                                     } else {
-                                        phi_2643_ = true;
+                                        phi_2380_ = true;
                                         break;
                                     }
                                     let _e424 = local_1[_e419];
-                                    phi_1021_ = _e422;
-                                    phi_1022_ = (_e424 <= _e405);
-                                    phi_1023_ = _e418;
+                                    phi_760_ = _e422;
+                                    phi_761_ = (_e424 <= _e405);
+                                    phi_762_ = _e418;
                                 }
-                                let _e427 = phi_1021_;
-                                let _e429 = phi_1022_;
-                                let _e431 = phi_1023_;
+                                let _e427 = phi_760_;
+                                let _e429 = phi_761_;
+                                let _e431 = phi_762_;
                                 if _e429 {
                                     if ((_e427 & 2147483648u) != 0u) {
-                                        phi_2533_ = _e403;
-                                        phi_2523_ = _e405;
-                                        phi_1038_ = type_4(0u, ((_e427 >> bitcast<u32>(28u)) & 7u));
+                                        phi_2270_ = _e403;
+                                        phi_2260_ = _e405;
+                                        phi_777_ = type_4(0u, ((_e427 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e628 = phi_2533_;
-                                            let _e630 = phi_2523_;
-                                            let _e632 = phi_1038_;
+                                            let _e628 = phi_2270_;
+                                            let _e630 = phi_2260_;
+                                            let _e632 = phi_777_;
                                             if (_e632.member < _e632.member_1) {
-                                                phi_1039_ = type_4((_e632.member + 1u), _e632.member_1);
-                                                phi_1062_ = type_4(1u, _e632.member);
+                                                phi_778_ = type_4((_e632.member + 1u), _e632.member_1);
+                                                phi_801_ = type_4(1u, _e632.member);
                                             } else {
-                                                phi_1039_ = _e632;
-                                                phi_1062_ = type_4(0u, type_4().member_1);
+                                                phi_778_ = _e632;
+                                                phi_801_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e645 = phi_1039_;
-                                            let _e647 = phi_1062_;
+                                            let _e645 = phi_778_;
+                                            let _e647 = phi_801_;
                                             let _e651 = (bitcast<i32>(_e647.member) != 0i);
                                             if _e651 {
                                                 let _e652 = ((_e427 & 268435455u) + _e647.member_1);
@@ -525,23 +525,23 @@ fn function_() {
                                                 if _e653 {
                                                     if _e653 {
                                                     } else {
-                                                        phi_2728_ = _e630;
-                                                        phi_2638_ = true;
+                                                        phi_2465_ = _e630;
+                                                        phi_2375_ = true;
                                                         break;
                                                     }
                                                     let _e657 = global_3.member[_e652].member_1;
-                                                    phi_1083_ = _e657;
+                                                    phi_822_ = _e657;
                                                 } else {
-                                                    phi_1083_ = 4294967295u;
+                                                    phi_822_ = 4294967295u;
                                                 }
-                                                let _e659 = phi_1083_;
+                                                let _e659 = phi_822_;
                                                 if (_e652 >= _e70) {
-                                                    phi_1172_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_911_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e653 {
                                                     } else {
-                                                        phi_2728_ = _e630;
-                                                        phi_2638_ = true;
+                                                        phi_2465_ = _e630;
+                                                        phi_2375_ = true;
                                                         break;
                                                     }
                                                     let _e661 = (_e196 % 3u);
@@ -549,76 +549,76 @@ fn function_() {
                                                     let _e663 = (_e197 % 3u);
                                                     if (_e661 < 9u) {
                                                     } else {
-                                                        phi_2728_ = _e630;
-                                                        phi_2638_ = true;
+                                                        phi_2465_ = _e630;
+                                                        phi_2375_ = true;
                                                         break;
                                                     }
                                                     let _e669 = global_3.member[_e652].member[_e661];
                                                     if (_e662 < 9u) {
                                                     } else {
-                                                        phi_2728_ = _e630;
-                                                        phi_2638_ = true;
+                                                        phi_2465_ = _e630;
+                                                        phi_2375_ = true;
                                                         break;
                                                     }
                                                     let _e675 = global_3.member[_e652].member[_e662];
                                                     if (_e663 < 9u) {
                                                     } else {
-                                                        phi_2728_ = _e630;
-                                                        phi_2638_ = true;
+                                                        phi_2465_ = _e630;
+                                                        phi_2375_ = true;
                                                         break;
                                                     }
                                                     let _e681 = global_3.member[_e652].member[_e663];
                                                     let _e683 = (3u + _e661);
                                                     if (_e683 < 9u) {
                                                     } else {
-                                                        phi_2728_ = _e630;
-                                                        phi_2638_ = true;
+                                                        phi_2465_ = _e630;
+                                                        phi_2375_ = true;
                                                         break;
                                                     }
                                                     let _e689 = global_3.member[_e652].member[_e683];
                                                     let _e690 = (3u + _e662);
                                                     if (_e690 < 9u) {
                                                     } else {
-                                                        phi_2728_ = _e630;
-                                                        phi_2638_ = true;
+                                                        phi_2465_ = _e630;
+                                                        phi_2375_ = true;
                                                         break;
                                                     }
                                                     let _e696 = global_3.member[_e652].member[_e690];
                                                     let _e697 = (3u + _e663);
                                                     if (_e697 < 9u) {
                                                     } else {
-                                                        phi_2728_ = _e630;
-                                                        phi_2638_ = true;
+                                                        phi_2465_ = _e630;
+                                                        phi_2375_ = true;
                                                         break;
                                                     }
                                                     let _e703 = global_3.member[_e652].member[_e697];
                                                     let _e705 = (6u + _e661);
                                                     if (_e705 < 9u) {
                                                     } else {
-                                                        phi_2728_ = _e630;
-                                                        phi_2638_ = true;
+                                                        phi_2465_ = _e630;
+                                                        phi_2375_ = true;
                                                         break;
                                                     }
                                                     let _e711 = global_3.member[_e652].member[_e705];
                                                     let _e712 = (6u + _e662);
                                                     if (_e712 < 9u) {
                                                     } else {
-                                                        phi_2728_ = _e630;
-                                                        phi_2638_ = true;
+                                                        phi_2465_ = _e630;
+                                                        phi_2375_ = true;
                                                         break;
                                                     }
                                                     let _e718 = global_3.member[_e652].member[_e712];
                                                     let _e719 = (6u + _e663);
                                                     if (_e719 < 9u) {
                                                     } else {
-                                                        phi_2728_ = _e630;
-                                                        phi_2638_ = true;
+                                                        phi_2465_ = _e630;
+                                                        phi_2375_ = true;
                                                         break;
                                                     }
                                                     let _e725 = global_3.member[_e652].member[_e719];
-                                                    phi_1172_ = array<array<f32, 3>, 3>(array<f32, 3>(_e669, _e675, _e681), array<f32, 3>(_e689, _e696, _e703), array<f32, 3>(_e711, _e718, _e725));
+                                                    phi_911_ = array<array<f32, 3>, 3>(array<f32, 3>(_e669, _e675, _e681), array<f32, 3>(_e689, _e696, _e703), array<f32, 3>(_e711, _e718, _e725));
                                                 }
-                                                let _e729 = phi_1172_;
+                                                let _e729 = phi_911_;
                                                 let _e736 = (_e729[0][2] - _e322);
                                                 let _e739 = (((_e729[0][0] - _e245) * _e346) - (_e736 * _e270));
                                                 let _e742 = (((_e729[0][1] - _e284) * _e346) - (_e736 * _e308));
@@ -645,8 +645,8 @@ fn function_() {
                                                     let _e798 = select(0f, _e796, (_e796 > 0f));
                                                     let _e800 = ((_e790 + _e794) + _e798);
                                                     if (_e800 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1739_ = type_23();
-                                                        phi_1740_ = true;
+                                                        phi_1478_ = type_23();
+                                                        phi_1479_ = true;
                                                     } else {
                                                         let _e803 = select(_e729[1][0], _e729[0][0], (_e729[0][0] < _e729[1][0]));
                                                         let _e807 = select(_e729[1][0], _e729[0][0], (_e729[0][0] > _e729[1][0]));
@@ -673,12 +673,12 @@ fn function_() {
                                                         let _e858 = -(_e839);
                                                         let _e864 = select(_e396, _e849, (_e849 > _e396));
                                                         if (_e864 > (_e857 + (select(_e858, _e841, (_e841 > _e858)) * 0.0000019073523f))) {
-                                                            phi_1734_ = type_23();
-                                                            phi_1735_ = true;
+                                                            phi_1473_ = type_23();
+                                                            phi_1474_ = true;
                                                         } else {
                                                             let _e866 = (_e864 > _e630);
                                                             if _e866 {
-                                                                phi_1733_ = type_23();
+                                                                phi_1472_ = type_23();
                                                             } else {
                                                                 let _e870 = (_e729[1][0] - _e729[0][0]);
                                                                 let _e871 = (_e729[1][1] - _e729[0][1]);
@@ -710,30 +710,30 @@ fn function_() {
                                                                 let _e922 = select(_e907, _e894, (_e894 > _e907));
                                                                 let _e924 = select(_e920, _e922, (_e922 > _e920));
                                                                 if (_e894 == _e924) {
-                                                                    phi_1644_ = _e877;
-                                                                    phi_1645_ = _e881;
+                                                                    phi_1383_ = _e877;
+                                                                    phi_1384_ = _e881;
                                                                 } else {
                                                                     let _e927 = vec3((_e907 == _e924));
-                                                                    phi_1644_ = select(_e873, _e881, _e927);
-                                                                    phi_1645_ = select(_e877, _e873, _e927);
+                                                                    phi_1383_ = select(_e873, _e881, _e927);
+                                                                    phi_1384_ = select(_e877, _e873, _e927);
                                                                 }
-                                                                let _e931 = phi_1644_;
-                                                                let _e933 = phi_1645_;
+                                                                let _e931 = phi_1383_;
+                                                                let _e933 = phi_1384_;
                                                                 let _e940 = ((_e931.y * _e933.z) - (_e933.y * _e931.z));
                                                                 let _e945 = ((_e931.z * _e933.x) - (_e933.z * _e931.x));
                                                                 let _e948 = ((_e931.x * _e933.y) - (_e933.x * _e931.y));
                                                                 if (_e790 >= _e794) {
-                                                                    phi_1676_ = select(true, false, (_e790 >= _e798));
+                                                                    phi_1415_ = select(true, false, (_e790 >= _e798));
                                                                 } else {
-                                                                    phi_1676_ = true;
+                                                                    phi_1415_ = true;
                                                                 }
-                                                                let _e953 = phi_1676_;
+                                                                let _e953 = phi_1415_;
                                                                 if _e953 {
-                                                                    phi_1685_ = select(vec3<f32>(_e729[2][0], _e729[2][1], _e729[2][2]), vec3<f32>(_e729[1][0], _e729[1][1], _e729[1][2]), vec3((_e794 >= _e798)));
+                                                                    phi_1424_ = select(vec3<f32>(_e729[2][0], _e729[2][1], _e729[2][2]), vec3<f32>(_e729[1][0], _e729[1][1], _e729[1][2]), vec3((_e794 >= _e798)));
                                                                 } else {
-                                                                    phi_1685_ = vec3<f32>(_e729[0][0], _e729[0][1], _e729[0][2]);
+                                                                    phi_1424_ = vec3<f32>(_e729[0][0], _e729[0][1], _e729[0][2]);
                                                                 }
-                                                                let _e958 = phi_1685_;
+                                                                let _e958 = phi_1424_;
                                                                 let _e975 = ((((_e940 * (_e958.x - _e245)) + (_e945 * (_e958.y - _e284))) + (_e948 * (_e958.z - _e322))) / (((_e940 * _e270) + (_e945 * _e308)) + (_e948 * _e346)));
                                                                 let _e977 = select(_e857, _e975, (_e975 < _e857));
                                                                 let _e979 = select(_e849, _e977, (_e977 > _e849));
@@ -741,211 +741,211 @@ fn function_() {
                                                                     let _e981 = (_e979 <= _e630);
                                                                     if _e981 {
                                                                         let _e982 = (1f / _e800);
-                                                                        phi_1725_ = type_23(_e979, (_e794 * _e982), (_e798 * _e982), _e659);
+                                                                        phi_1464_ = type_23(_e979, (_e794 * _e982), (_e798 * _e982), _e659);
                                                                     } else {
-                                                                        phi_1725_ = type_23();
+                                                                        phi_1464_ = type_23();
                                                                     }
-                                                                    let _e987 = phi_1725_;
-                                                                    phi_1727_ = _e987;
-                                                                    phi_1728_ = select(true, false, _e981);
+                                                                    let _e987 = phi_1464_;
+                                                                    phi_1466_ = _e987;
+                                                                    phi_1467_ = select(true, false, _e981);
                                                                 } else {
-                                                                    phi_1727_ = type_23();
-                                                                    phi_1728_ = true;
+                                                                    phi_1466_ = type_23();
+                                                                    phi_1467_ = true;
                                                                 }
-                                                                let _e990 = phi_1727_;
-                                                                let _e992 = phi_1728_;
+                                                                let _e990 = phi_1466_;
+                                                                let _e992 = phi_1467_;
                                                                 if _e992 {
-                                                                    phi_1732_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1471_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1732_ = _e990;
+                                                                    phi_1471_ = _e990;
                                                                 }
-                                                                let _e994 = phi_1732_;
-                                                                phi_1733_ = _e994;
+                                                                let _e994 = phi_1471_;
+                                                                phi_1472_ = _e994;
                                                             }
-                                                            let _e996 = phi_1733_;
-                                                            phi_1734_ = _e996;
-                                                            phi_1735_ = _e866;
+                                                            let _e996 = phi_1472_;
+                                                            phi_1473_ = _e996;
+                                                            phi_1474_ = _e866;
                                                         }
-                                                        let _e998 = phi_1734_;
-                                                        let _e1000 = phi_1735_;
-                                                        phi_1739_ = _e998;
-                                                        phi_1740_ = _e1000;
+                                                        let _e998 = phi_1473_;
+                                                        let _e1000 = phi_1474_;
+                                                        phi_1478_ = _e998;
+                                                        phi_1479_ = _e1000;
                                                     }
-                                                    let _e1002 = phi_1739_;
-                                                    let _e1004 = phi_1740_;
-                                                    phi_1744_ = _e1002;
-                                                    phi_1745_ = _e1004;
+                                                    let _e1002 = phi_1478_;
+                                                    let _e1004 = phi_1479_;
+                                                    phi_1483_ = _e1002;
+                                                    phi_1484_ = _e1004;
                                                 } else {
-                                                    phi_1744_ = type_23();
-                                                    phi_1745_ = true;
+                                                    phi_1483_ = type_23();
+                                                    phi_1484_ = true;
                                                 }
-                                                let _e1006 = phi_1744_;
-                                                let _e1008 = phi_1745_;
+                                                let _e1006 = phi_1483_;
+                                                let _e1008 = phi_1484_;
                                                 if _e1008 {
-                                                    phi_1749_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1488_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1749_ = _e1006;
+                                                    phi_1488_ = _e1006;
                                                 }
-                                                let _e1010 = phi_1749_;
+                                                let _e1010 = phi_1488_;
                                                 if (_e1010.member_3 != 4294967295u) {
                                                     if (_e659 != 4294967295u) {
-                                                        phi_1761_ = type_4(0u, 8u);
-                                                        phi_1764_ = _e1010;
+                                                        phi_1500_ = type_4(0u, 8u);
+                                                        phi_1503_ = _e1010;
                                                         loop {
-                                                            let _e1015 = phi_1761_;
-                                                            let _e1017 = phi_1764_;
+                                                            let _e1015 = phi_1500_;
+                                                            let _e1017 = phi_1503_;
                                                             if (_e1015.member < _e1015.member_1) {
-                                                                phi_1762_ = type_4((_e1015.member + 1u), _e1015.member_1);
-                                                                phi_1787_ = type_4(1u, _e1015.member);
+                                                                phi_1501_ = type_4((_e1015.member + 1u), _e1015.member_1);
+                                                                phi_1526_ = type_4(1u, _e1015.member);
                                                             } else {
-                                                                phi_1762_ = _e1015;
-                                                                phi_1787_ = type_4(0u, type_4().member_1);
+                                                                phi_1501_ = _e1015;
+                                                                phi_1526_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1030 = phi_1762_;
-                                                            let _e1032 = phi_1787_;
+                                                            let _e1030 = phi_1501_;
+                                                            let _e1032 = phi_1526_;
                                                             let _e1036 = (bitcast<i32>(_e1032.member) != 0i);
                                                             if _e1036 {
                                                                 let _e1037 = (_e1032.member_1 < 8u);
                                                                 if _e1037 {
                                                                 } else {
-                                                                    phi_2524_ = true;
+                                                                    phi_2261_ = true;
                                                                     break;
                                                                 }
                                                                 let _e1042 = local[_e1032.member_1].member;
                                                                 if (_e1017.member < _e1042) {
-                                                                    phi_1820_ = true;
+                                                                    phi_1559_ = true;
                                                                 } else {
                                                                     let _e1044 = local[_e1032.member_1].member;
                                                                     if (_e1017.member == _e1044) {
                                                                         let _e1049 = local[_e1032.member_1].member_3;
-                                                                        phi_1819_ = (_e1017.member_3 < _e1049);
+                                                                        phi_1558_ = (_e1017.member_3 < _e1049);
                                                                     } else {
-                                                                        phi_1819_ = false;
+                                                                        phi_1558_ = false;
                                                                     }
-                                                                    let _e1052 = phi_1819_;
-                                                                    phi_1820_ = _e1052;
+                                                                    let _e1052 = phi_1558_;
+                                                                    phi_1559_ = _e1052;
                                                                 }
-                                                                let _e1054 = phi_1820_;
+                                                                let _e1054 = phi_1559_;
                                                                 if _e1054 {
                                                                     if _e1037 {
                                                                     } else {
-                                                                        phi_2524_ = true;
+                                                                        phi_2261_ = true;
                                                                         break;
                                                                     }
                                                                     let _e1055 = local[_e1032.member_1];
                                                                     local[_e1032.member_1] = type_23(_e1017.member, _e1017.member_1, _e1017.member_2, _e1017.member_3);
-                                                                    phi_1841_ = type_23(_e1055.member, _e1055.member_1, _e1055.member_2, _e1055.member_3);
+                                                                    phi_1580_ = type_23(_e1055.member, _e1055.member_1, _e1055.member_2, _e1055.member_3);
                                                                 } else {
-                                                                    phi_1841_ = _e1017;
+                                                                    phi_1580_ = _e1017;
                                                                 }
-                                                                let _e1066 = phi_1841_;
-                                                                phi_1765_ = _e1066;
+                                                                let _e1066 = phi_1580_;
+                                                                phi_1504_ = _e1066;
                                                             } else {
-                                                                phi_1765_ = type_23();
+                                                                phi_1504_ = type_23();
                                                             }
-                                                            let _e1068 = phi_1765_;
+                                                            let _e1068 = phi_1504_;
                                                             continue;
                                                             continuing {
-                                                                phi_1761_ = _e1030;
-                                                                phi_1764_ = _e1068;
-                                                                phi_2524_ = _e628;
+                                                                phi_1500_ = _e1030;
+                                                                phi_1503_ = _e1068;
+                                                                phi_2261_ = _e628;
                                                                 break if !(_e1036);
                                                             }
                                                         }
-                                                        let _e1071 = phi_2524_;
-                                                        phi_2728_ = _e630;
-                                                        phi_2638_ = _e1071;
+                                                        let _e1071 = phi_2261_;
+                                                        phi_2465_ = _e630;
+                                                        phi_2375_ = _e1071;
                                                         if _e1071 {
                                                             break;
                                                         }
                                                         let _e1074 = local[7u].member_3;
                                                         if (_e1074 != 4294967295u) {
                                                             let _e1078 = local[7u].member;
-                                                            phi_2791_ = _e1078;
+                                                            phi_2528_ = _e1078;
                                                         } else {
-                                                            phi_2791_ = _e630;
+                                                            phi_2528_ = _e630;
                                                         }
-                                                        let _e1080 = phi_2791_;
-                                                        phi_2790_ = _e1080;
-                                                        phi_2641_ = _e1071;
+                                                        let _e1080 = phi_2528_;
+                                                        phi_2527_ = _e1080;
+                                                        phi_2378_ = _e1071;
                                                     } else {
-                                                        phi_2790_ = _e630;
-                                                        phi_2641_ = _e628;
+                                                        phi_2527_ = _e630;
+                                                        phi_2378_ = _e628;
                                                     }
-                                                    let _e1082 = phi_2790_;
-                                                    let _e1084 = phi_2641_;
-                                                    phi_2789_ = _e1082;
-                                                    phi_2640_ = _e1084;
+                                                    let _e1082 = phi_2527_;
+                                                    let _e1084 = phi_2378_;
+                                                    phi_2526_ = _e1082;
+                                                    phi_2377_ = _e1084;
                                                 } else {
-                                                    phi_2789_ = _e630;
-                                                    phi_2640_ = _e628;
+                                                    phi_2526_ = _e630;
+                                                    phi_2377_ = _e628;
                                                 }
-                                                let _e1086 = phi_2789_;
-                                                let _e1088 = phi_2640_;
-                                                phi_2788_ = _e1086;
-                                                phi_2639_ = _e1088;
+                                                let _e1086 = phi_2526_;
+                                                let _e1088 = phi_2377_;
+                                                phi_2525_ = _e1086;
+                                                phi_2376_ = _e1088;
                                             } else {
-                                                phi_2788_ = _e630;
-                                                phi_2639_ = _e628;
+                                                phi_2525_ = _e630;
+                                                phi_2376_ = _e628;
                                             }
-                                            let _e1090 = phi_2788_;
-                                            let _e1092 = phi_2639_;
+                                            let _e1090 = phi_2525_;
+                                            let _e1092 = phi_2376_;
                                             continue;
                                             continuing {
-                                                phi_2533_ = _e1092;
-                                                phi_2523_ = _e1090;
-                                                phi_1038_ = _e645;
-                                                phi_2728_ = _e1090;
-                                                phi_2638_ = _e1092;
+                                                phi_2270_ = _e1092;
+                                                phi_2260_ = _e1090;
+                                                phi_777_ = _e645;
+                                                phi_2465_ = _e1090;
+                                                phi_2375_ = _e1092;
                                                 break if !(_e651);
                                             }
                                         }
-                                        let _e1095 = phi_2728_;
-                                        let _e1097 = phi_2638_;
-                                        phi_2643_ = _e1097;
+                                        let _e1095 = phi_2465_;
+                                        let _e1097 = phi_2375_;
+                                        phi_2380_ = _e1097;
                                         if _e1097 {
                                             break;
                                         }
-                                        phi_2693_ = _e1095;
-                                        phi_2647_ = _e1097;
-                                        phi_2307_ = _e427;
-                                        phi_2308_ = false;
-                                        phi_2309_ = _e431;
+                                        phi_2430_ = _e1095;
+                                        phi_2384_ = _e1097;
+                                        phi_2047_ = _e427;
+                                        phi_2048_ = false;
+                                        phi_2049_ = _e431;
                                     } else {
                                         if (_e427 >= _e68) {
-                                            phi_1912_ = type_38(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1651_ = type_39(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e427 < _e68) {
                                             } else {
-                                                phi_2643_ = true;
+                                                phi_2380_ = true;
                                                 break;
                                             }
                                             let _e441 = (_e196 % 3u);
                                             if (_e441 < 3u) {
                                             } else {
-                                                phi_2643_ = true;
+                                                phi_2380_ = true;
                                                 break;
                                             }
                                             let _e447 = global_2.member[_e427].member[_e441];
                                             let _e453 = (_e195 % 3u);
                                             if (_e453 < 3u) {
                                             } else {
-                                                phi_2643_ = true;
+                                                phi_2380_ = true;
                                                 break;
                                             }
                                             let _e459 = global_2.member[_e427].member[_e453];
                                             let _e465 = (_e197 % 3u);
                                             if (_e465 < 3u) {
                                             } else {
-                                                phi_2643_ = true;
+                                                phi_2380_ = true;
                                                 break;
                                             }
                                             let _e471 = global_2.member[_e427].member[_e465];
                                             let _e481 = global_2.member[_e427].member_1;
                                             let _e485 = global_2.member[_e427].member_2;
-                                            phi_1912_ = type_38(array<vec4<f32>, 3>(vec4<f32>(_e447[0], _e447[1], _e447[2], _e447[3]), vec4<f32>(_e459[0], _e459[1], _e459[2], _e459[3]), vec4<f32>(_e471[0], _e471[1], _e471[2], _e471[3])), _e481, _e485);
+                                            phi_1651_ = type_39(array<vec4<f32>, 3>(vec4<f32>(_e447[0], _e447[1], _e447[2], _e447[3]), vec4<f32>(_e459[0], _e459[1], _e459[2], _e459[3]), vec4<f32>(_e471[0], _e471[1], _e471[2], _e471[3])), _e481, _e485);
                                         }
-                                        let _e488 = phi_1912_;
+                                        let _e488 = phi_1651_;
                                         let _e499 = ((_e488.member[0].x - _e268) * _e273);
                                         let _e500 = ((_e488.member[0].y - _e268) * _e273);
                                         let _e501 = ((_e488.member[0].z - _e269) * _e273);
@@ -988,173 +988,173 @@ fn function_() {
                                         if _e587 {
                                             if _e588 {
                                                 if _e589 {
-                                                    phi_2257_ = _e488.member_2;
+                                                    phi_1996_ = _e488.member_2;
                                                 } else {
-                                                    phi_2257_ = _e488.member_1;
+                                                    phi_1996_ = _e488.member_1;
                                                 }
-                                                let _e593 = phi_2257_;
-                                                let _e594 = (_e431 % 128u);
-                                                let _e595 = (_e594 < 128u);
-                                                if _e595 {
+                                                let _e593 = phi_1996_;
+                                                let _e596 = (_e431 % 128u);
+                                                let _e597 = (_e596 < 128u);
+                                                if _e597 {
                                                 } else {
-                                                    phi_2643_ = true;
+                                                    phi_2380_ = true;
                                                     break;
                                                 }
-                                                local_2[_e594] = _e593;
-                                                if _e595 {
+                                                local_2[_e596] = _e593;
+                                                if _e597 {
                                                 } else {
-                                                    phi_2643_ = true;
+                                                    phi_2380_ = true;
                                                     break;
                                                 }
-                                                local_1[_e594] = select(_e582, _e580, (_e580 > _e582));
+                                                local_1[_e596] = select(_e582, _e580, (_e580 > _e582));
                                                 if _e589 {
-                                                    phi_2284_ = _e488.member_1;
+                                                    phi_2024_ = _e488.member_1;
                                                 } else {
-                                                    phi_2284_ = _e488.member_2;
+                                                    phi_2024_ = _e488.member_2;
                                                 }
-                                                let _e604 = phi_2284_;
-                                                phi_2285_ = _e604;
-                                                phi_2286_ = (_e431 + 1u);
+                                                let _e604 = phi_2024_;
+                                                phi_2025_ = _e604;
+                                                phi_2026_ = (_e431 + 1u);
                                             } else {
-                                                phi_2285_ = u32();
-                                                phi_2286_ = u32();
+                                                phi_2025_ = u32();
+                                                phi_2026_ = u32();
                                             }
-                                            let _e606 = phi_2285_;
-                                            let _e608 = phi_2286_;
-                                            phi_2288_ = _e606;
-                                            phi_2289_ = _e608;
-                                            phi_2290_ = select(true, false, _e588);
+                                            let _e606 = phi_2025_;
+                                            let _e608 = phi_2026_;
+                                            phi_2028_ = _e606;
+                                            phi_2029_ = _e608;
+                                            phi_2030_ = select(true, false, _e588);
                                         } else {
-                                            phi_2288_ = u32();
-                                            phi_2289_ = u32();
-                                            phi_2290_ = true;
+                                            phi_2028_ = u32();
+                                            phi_2029_ = u32();
+                                            phi_2030_ = true;
                                         }
-                                        let _e611 = phi_2288_;
-                                        let _e613 = phi_2289_;
-                                        let _e615 = phi_2290_;
+                                        let _e611 = phi_2028_;
+                                        let _e613 = phi_2029_;
+                                        let _e615 = phi_2030_;
                                         if _e615 {
                                             if _e587 {
-                                                phi_2299_ = _e488.member_1;
+                                                phi_2039_ = _e488.member_1;
                                             } else {
-                                                phi_2299_ = _e488.member_2;
+                                                phi_2039_ = _e488.member_2;
                                             }
-                                            let _e619 = phi_2299_;
-                                            phi_2304_ = _e619;
-                                            phi_2305_ = select(_e588, true, _e587);
+                                            let _e619 = phi_2039_;
+                                            phi_2044_ = _e619;
+                                            phi_2045_ = select(_e588, true, _e587);
                                         } else {
-                                            phi_2304_ = _e611;
-                                            phi_2305_ = _e429;
+                                            phi_2044_ = _e611;
+                                            phi_2045_ = _e429;
                                         }
-                                        let _e622 = phi_2304_;
-                                        let _e624 = phi_2305_;
-                                        phi_2693_ = _e405;
-                                        phi_2647_ = _e403;
-                                        phi_2307_ = _e622;
-                                        phi_2308_ = _e624;
-                                        phi_2309_ = select(_e613, _e431, _e615);
+                                        let _e622 = phi_2044_;
+                                        let _e624 = phi_2045_;
+                                        phi_2430_ = _e405;
+                                        phi_2384_ = _e403;
+                                        phi_2047_ = _e622;
+                                        phi_2048_ = _e624;
+                                        phi_2049_ = select(_e613, _e431, _e615);
                                     }
-                                    let _e1099 = phi_2693_;
-                                    let _e1101 = phi_2647_;
-                                    let _e1103 = phi_2307_;
-                                    let _e1105 = phi_2308_;
-                                    let _e1107 = phi_2309_;
-                                    phi_2692_ = _e1099;
-                                    phi_2646_ = _e1101;
-                                    phi_2310_ = _e1103;
-                                    phi_2311_ = (_e409 - 1u);
-                                    phi_2312_ = _e1105;
-                                    phi_2313_ = _e1107;
+                                    let _e1099 = phi_2430_;
+                                    let _e1101 = phi_2384_;
+                                    let _e1103 = phi_2047_;
+                                    let _e1105 = phi_2048_;
+                                    let _e1107 = phi_2049_;
+                                    phi_2429_ = _e1099;
+                                    phi_2383_ = _e1101;
+                                    phi_2050_ = _e1103;
+                                    phi_2051_ = (_e409 - 1u);
+                                    phi_2052_ = _e1105;
+                                    phi_2053_ = _e1107;
                                 } else {
-                                    phi_2692_ = _e405;
-                                    phi_2646_ = _e403;
-                                    phi_2310_ = _e427;
-                                    phi_2311_ = _e409;
-                                    phi_2312_ = _e429;
-                                    phi_2313_ = _e431;
+                                    phi_2429_ = _e405;
+                                    phi_2383_ = _e403;
+                                    phi_2050_ = _e427;
+                                    phi_2051_ = _e409;
+                                    phi_2052_ = _e429;
+                                    phi_2053_ = _e431;
                                 }
-                                let _e1109 = phi_2692_;
-                                let _e1111 = phi_2646_;
-                                let _e1113 = phi_2310_;
-                                let _e1115 = phi_2311_;
-                                let _e1117 = phi_2312_;
-                                let _e1119 = phi_2313_;
-                                phi_2691_ = _e1109;
-                                phi_2645_ = _e1111;
-                                phi_2314_ = _e1113;
-                                phi_2315_ = _e1115;
-                                phi_2316_ = _e1117;
-                                phi_2317_ = _e1119;
+                                let _e1109 = phi_2429_;
+                                let _e1111 = phi_2383_;
+                                let _e1113 = phi_2050_;
+                                let _e1115 = phi_2051_;
+                                let _e1117 = phi_2052_;
+                                let _e1119 = phi_2053_;
+                                phi_2428_ = _e1109;
+                                phi_2382_ = _e1111;
+                                phi_2054_ = _e1113;
+                                phi_2055_ = _e1115;
+                                phi_2056_ = _e1117;
+                                phi_2057_ = _e1119;
                             } else {
-                                phi_2691_ = _e405;
-                                phi_2645_ = _e403;
-                                phi_2314_ = u32();
-                                phi_2315_ = u32();
-                                phi_2316_ = bool();
-                                phi_2317_ = u32();
+                                phi_2428_ = _e405;
+                                phi_2382_ = _e403;
+                                phi_2054_ = u32();
+                                phi_2055_ = u32();
+                                phi_2056_ = bool();
+                                phi_2057_ = u32();
                             }
-                            let _e1121 = phi_2691_;
-                            let _e1123 = phi_2645_;
-                            let _e1125 = phi_2314_;
-                            let _e1127 = phi_2315_;
-                            let _e1129 = phi_2316_;
-                            let _e1131 = phi_2317_;
-                            phi_2690_ = _e1121;
-                            phi_2644_ = _e1123;
-                            phi_972_ = _e1125;
-                            phi_975_ = _e1127;
-                            phi_977_ = _e1129;
-                            phi_979_ = _e1131;
-                            phi_2318_ = _e417;
+                            let _e1121 = phi_2428_;
+                            let _e1123 = phi_2382_;
+                            let _e1125 = phi_2054_;
+                            let _e1127 = phi_2055_;
+                            let _e1129 = phi_2056_;
+                            let _e1131 = phi_2057_;
+                            phi_2427_ = _e1121;
+                            phi_2381_ = _e1123;
+                            phi_710_ = _e1125;
+                            phi_713_ = _e1127;
+                            phi_715_ = _e1129;
+                            phi_717_ = _e1131;
+                            phi_2058_ = _e417;
                         } else {
-                            phi_2690_ = _e405;
-                            phi_2644_ = _e403;
-                            phi_972_ = u32();
-                            phi_975_ = u32();
-                            phi_977_ = bool();
-                            phi_979_ = u32();
-                            phi_2318_ = false;
+                            phi_2427_ = _e405;
+                            phi_2381_ = _e403;
+                            phi_710_ = u32();
+                            phi_713_ = u32();
+                            phi_715_ = bool();
+                            phi_717_ = u32();
+                            phi_2058_ = false;
                         }
-                        let _e1133 = phi_2690_;
-                        let _e1135 = phi_2644_;
-                        let _e1137 = phi_972_;
-                        let _e1139 = phi_975_;
-                        let _e1141 = phi_977_;
-                        let _e1143 = phi_979_;
-                        let _e1145 = phi_2318_;
+                        let _e1133 = phi_2427_;
+                        let _e1135 = phi_2381_;
+                        let _e1137 = phi_710_;
+                        let _e1139 = phi_713_;
+                        let _e1141 = phi_715_;
+                        let _e1143 = phi_717_;
+                        let _e1145 = phi_2058_;
                         continue;
                         continuing {
-                            phi_2536_ = _e1135;
-                            phi_2516_ = _e1133;
-                            phi_971_ = _e1137;
-                            phi_974_ = _e1139;
-                            phi_976_ = _e1141;
-                            phi_978_ = _e1143;
-                            phi_2643_ = _e1135;
+                            phi_2273_ = _e1135;
+                            phi_2253_ = _e1133;
+                            phi_709_ = _e1137;
+                            phi_712_ = _e1139;
+                            phi_714_ = _e1141;
+                            phi_716_ = _e1143;
+                            phi_2380_ = _e1135;
                             break if !(_e1145);
                         }
                     }
-                    let _e1148 = phi_2643_;
+                    let _e1148 = phi_2380_;
                     if _e1148 {
                         break;
                     }
-                    phi_2325_ = type_4(0u, 8u);
+                    phi_2065_ = type_4(0u, 8u);
                     loop {
-                        let _e1150 = phi_2325_;
+                        let _e1150 = phi_2065_;
                         if (_e1150.member < _e1150.member_1) {
-                            phi_2326_ = type_4((_e1150.member + 1u), _e1150.member_1);
-                            phi_2349_ = type_4(1u, _e1150.member);
+                            phi_2066_ = type_4((_e1150.member + 1u), _e1150.member_1);
+                            phi_2089_ = type_4(1u, _e1150.member);
                         } else {
-                            phi_2326_ = _e1150;
-                            phi_2349_ = type_4(0u, type_4().member_1);
+                            phi_2066_ = _e1150;
+                            phi_2089_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1163 = phi_2326_;
-                        let _e1165 = phi_2349_;
+                        let _e1163 = phi_2066_;
+                        let _e1165 = phi_2089_;
                         let _e1169 = (bitcast<i32>(_e1165.member) != 0i);
                         if _e1169 {
                             let _e1170 = (_e1165.member_1 < 8u);
                             if _e1170 {
                             } else {
-                                phi_2683_ = true;
+                                phi_2420_ = true;
                                 break;
                             }
                             let _e1172 = local[_e1165.member_1];
@@ -1164,26 +1164,26 @@ fn function_() {
                                 let _e1186 = bitcast<f32>((bitcast<u32>((_e1179 + 127i)) << bitcast<u32>(23i)));
                                 let _e1194 = (((_e1172.member * _e1186) * _e1186) * bitcast<f32>((bitcast<u32>(((_e1178 - (2i * _e1179)) + 127i)) << bitcast<u32>(23i))));
                                 let _e1196 = select(340282350000000000000000000000000000000f, _e1194, (_e1194 < 340282350000000000000000000000000000000f));
-                                phi_2415_ = type_23(select(-340282350000000000000000000000000000000f, _e1196, (_e1196 > -340282350000000000000000000000000000000f)), _e1172.member_1, _e1172.member_2, _e1172.member_3);
+                                phi_2155_ = type_23(select(-340282350000000000000000000000000000000f, _e1196, (_e1196 > -340282350000000000000000000000000000000f)), _e1172.member_1, _e1172.member_2, _e1172.member_3);
                             } else {
-                                phi_2415_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_2155_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1201 = phi_2415_;
+                            let _e1201 = phi_2155_;
                             if _e1170 {
                             } else {
-                                phi_2683_ = true;
+                                phi_2420_ = true;
                                 break;
                             }
                             local[_e1165.member_1] = type_23(_e1201.member, _e1201.member_1, _e1201.member_2, _e1201.member_3);
                         }
                         continue;
                         continuing {
-                            phi_2325_ = _e1163;
-                            phi_2683_ = _e1148;
+                            phi_2065_ = _e1163;
+                            phi_2420_ = _e1148;
                             break if !(_e1169);
                         }
                     }
-                    let _e1209 = phi_2683_;
+                    let _e1209 = phi_2420_;
                     if _e1209 {
                         break;
                     }

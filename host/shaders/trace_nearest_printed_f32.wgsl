@@ -30,36 +30,36 @@ struct type_23 {
     member_3: f32,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<type_23>,
 }
 
-struct type_35 {
+struct type_36 {
     member: array<array<type_22, 8>>,
 }
 
-struct type_41 {
+struct type_42 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_45 {
-    member: array<type_43>,
+struct type_46 {
+    member: array<type_44>,
 }
 
-struct type_49 {
+struct type_51 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_52 {
-    member: type_49,
+struct type_53 {
+    member: type_51,
     member_1: u32,
 }
 
@@ -69,1321 +69,1405 @@ var<uniform> global_1: type_8;
 @group(0) @binding(3) 
 var<storage> global_2: type_15;
 @group(0) @binding(1) 
-var<uniform> global_3: type_41;
+var<uniform> global_3: type_42;
 @group(0) @binding(4) 
-var<storage> global_4: type_31;
+var<storage> global_4: type_32;
 @group(0) @binding(2) 
-var<storage> global_5: type_45;
+var<storage> global_5: type_46;
 @group(0) @binding(5) 
-var<storage, read_write> global_6: type_35;
+var<storage, read_write> global_6: type_36;
 
 fn function_() {
-    var local: array<f32, 3>;
-    var local_1: array<f32, 3>;
-    var local_2: array<type_22, 8>;
+    var local: array<f32, 128>;
+    var local_1: array<f32, 128>;
+    var local_2: array<f32, 128>;
     var local_3: array<f32, 128>;
-    var local_4: array<type_52, 128>;
-    var local_5: array<f32, 3>;
-    var local_6: array<f32, 3>;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<u32, 128>;
     var local_7: array<f32, 3>;
     var local_8: array<f32, 3>;
-    var local_9: array<u32, 3>;
-    var local_10: array<u32, 3>;
+    var local_9: array<type_22, 8>;
+    var local_10: array<f32, 128>;
     var local_11: array<f32, 3>;
     var local_12: array<f32, 3>;
-    var phi_341_: i32;
-    var phi_342_: i32;
-    var phi_352_: bool;
-    var phi_362_: u32;
-    var phi_363_: u32;
-    var phi_365_: bool;
-    var phi_370_: u32;
-    var phi_383_: i32;
-    var phi_403_: i32;
-    var phi_421_: f32;
-    var phi_427_: f32;
-    var phi_438_: f32;
-    var phi_444_: f32;
-    var phi_467_: f32;
-    var phi_478_: f32;
-    var phi_487_: f32;
-    var phi_493_: f32;
-    var phi_504_: f32;
-    var phi_510_: f32;
-    var phi_533_: f32;
-    var phi_544_: f32;
-    var phi_553_: f32;
-    var phi_559_: f32;
-    var phi_570_: f32;
-    var phi_576_: f32;
-    var phi_599_: f32;
-    var phi_610_: f32;
-    var phi_710_: f32;
-    var phi_711_: f32;
-    var phi_4891_: bool;
-    var phi_4882_: f32;
-    var phi_2892_: type_52;
-    var phi_2895_: u32;
-    var phi_2897_: bool;
-    var phi_2899_: u32;
-    var phi_2910_: bool;
-    var phi_2956_: type_52;
-    var phi_2957_: bool;
-    var phi_2958_: u32;
-    var phi_3824_: type_43;
-    var phi_3833_: type_4;
-    var phi_3834_: type_4;
-    var phi_3857_: type_4;
-    var phi_4884_: bool;
-    var phi_3987_: type_4;
-    var phi_3988_: type_4;
-    var phi_4011_: type_4;
-    var phi_4944_: bool;
-    var phi_4575_: type_52;
-    var phi_4614_: type_52;
-    var phi_4615_: type_52;
-    var phi_4616_: u32;
-    var phi_4618_: type_52;
-    var phi_4619_: u32;
-    var phi_4620_: bool;
-    var phi_4627_: type_52;
-    var phi_4632_: type_52;
-    var phi_4633_: bool;
-    var phi_4983_: bool;
-    var phi_4973_: f32;
-    var phi_2976_: type_4;
-    var phi_2977_: type_4;
-    var phi_3000_: type_4;
-    var phi_3021_: u32;
-    var phi_3110_: array<array<f32, 3>, 3>;
-    var phi_3582_: vec3<f32>;
-    var phi_3583_: vec3<f32>;
-    var phi_3614_: bool;
-    var phi_3623_: vec3<f32>;
-    var phi_3663_: type_22;
-    var phi_3665_: type_22;
-    var phi_3666_: bool;
-    var phi_3670_: type_22;
-    var phi_3671_: type_22;
-    var phi_3672_: type_22;
-    var phi_3673_: bool;
-    var phi_3677_: type_22;
-    var phi_3678_: bool;
-    var phi_3682_: type_22;
-    var phi_3683_: bool;
-    var phi_3687_: type_22;
-    var phi_3699_: type_4;
-    var phi_3702_: type_22;
-    var phi_3700_: type_4;
-    var phi_3725_: type_4;
-    var phi_3757_: bool;
-    var phi_3758_: bool;
-    var phi_3779_: type_22;
-    var phi_3703_: type_22;
-    var phi_4974_: bool;
-    var phi_5189_: f32;
-    var phi_5188_: f32;
-    var phi_5040_: bool;
-    var phi_5187_: f32;
-    var phi_5039_: bool;
-    var phi_5186_: f32;
-    var phi_5038_: bool;
-    var phi_5126_: f32;
-    var phi_5037_: bool;
-    var phi_5091_: f32;
-    var phi_5046_: bool;
-    var phi_4635_: type_52;
-    var phi_4636_: bool;
-    var phi_4637_: u32;
-    var phi_5090_: f32;
-    var phi_5045_: bool;
-    var phi_4638_: type_52;
-    var phi_4639_: u32;
-    var phi_4640_: bool;
-    var phi_4641_: u32;
-    var phi_5089_: f32;
-    var phi_5044_: bool;
-    var phi_4642_: type_52;
-    var phi_4643_: u32;
-    var phi_4644_: bool;
-    var phi_4645_: u32;
-    var phi_5088_: f32;
-    var phi_5043_: bool;
-    var phi_2893_: type_52;
-    var phi_2896_: u32;
-    var phi_2898_: bool;
-    var phi_2900_: u32;
-    var phi_4646_: bool;
-    var phi_5042_: bool;
-    var phi_4653_: type_4;
-    var phi_4654_: type_4;
-    var phi_4677_: type_4;
-    var phi_4743_: type_22;
-    var phi_5081_: bool;
+    var local_13: array<f32, 3>;
+    var local_14: array<f32, 3>;
+    var local_15: array<u32, 3>;
+    var local_16: array<u32, 3>;
+    var local_17: array<f32, 3>;
+    var local_18: array<f32, 3>;
+    var phi_344_: i32;
+    var phi_345_: i32;
+    var phi_355_: bool;
+    var phi_365_: u32;
+    var phi_366_: u32;
+    var phi_368_: bool;
+    var phi_373_: u32;
+    var phi_386_: i32;
+    var phi_406_: i32;
+    var phi_424_: f32;
+    var phi_430_: f32;
+    var phi_441_: f32;
+    var phi_447_: f32;
+    var phi_470_: f32;
+    var phi_481_: f32;
+    var phi_490_: f32;
+    var phi_496_: f32;
+    var phi_507_: f32;
+    var phi_513_: f32;
+    var phi_536_: f32;
+    var phi_547_: f32;
+    var phi_556_: f32;
+    var phi_562_: f32;
+    var phi_573_: f32;
+    var phi_579_: f32;
+    var phi_602_: f32;
+    var phi_613_: f32;
+    var phi_713_: f32;
+    var phi_714_: f32;
+    var phi_2932_: bool;
+    var phi_2923_: f32;
+    var phi_840_: type_53;
+    var phi_843_: u32;
+    var phi_845_: bool;
+    var phi_847_: u32;
+    var phi_858_: bool;
+    var phi_945_: type_53;
+    var phi_946_: bool;
+    var phi_947_: u32;
+    var phi_1813_: type_44;
+    var phi_1822_: type_4;
+    var phi_1823_: type_4;
+    var phi_1846_: type_4;
+    var phi_2925_: bool;
+    var phi_1976_: type_4;
+    var phi_1977_: type_4;
+    var phi_2000_: type_4;
+    var phi_2985_: bool;
+    var phi_2564_: type_53;
+    var phi_2641_: type_53;
+    var phi_2642_: type_53;
+    var phi_2643_: u32;
+    var phi_2645_: type_53;
+    var phi_2646_: u32;
+    var phi_2647_: bool;
+    var phi_2654_: type_53;
+    var phi_2659_: type_53;
+    var phi_2660_: bool;
+    var phi_3024_: bool;
+    var phi_3014_: f32;
+    var phi_965_: type_4;
+    var phi_966_: type_4;
+    var phi_989_: type_4;
+    var phi_1010_: u32;
+    var phi_1099_: array<array<f32, 3>, 3>;
+    var phi_1571_: vec3<f32>;
+    var phi_1572_: vec3<f32>;
+    var phi_1603_: bool;
+    var phi_1612_: vec3<f32>;
+    var phi_1652_: type_22;
+    var phi_1654_: type_22;
+    var phi_1655_: bool;
+    var phi_1659_: type_22;
+    var phi_1660_: type_22;
+    var phi_1661_: type_22;
+    var phi_1662_: bool;
+    var phi_1666_: type_22;
+    var phi_1667_: bool;
+    var phi_1671_: type_22;
+    var phi_1672_: bool;
+    var phi_1676_: type_22;
+    var phi_1688_: type_4;
+    var phi_1691_: type_22;
+    var phi_1689_: type_4;
+    var phi_1714_: type_4;
+    var phi_1746_: bool;
+    var phi_1747_: bool;
+    var phi_1768_: type_22;
+    var phi_1692_: type_22;
+    var phi_3015_: bool;
+    var phi_3230_: f32;
+    var phi_3229_: f32;
+    var phi_3081_: bool;
+    var phi_3228_: f32;
+    var phi_3080_: bool;
+    var phi_3227_: f32;
+    var phi_3079_: bool;
+    var phi_3167_: f32;
+    var phi_3078_: bool;
+    var phi_3132_: f32;
+    var phi_3087_: bool;
+    var phi_2662_: type_53;
+    var phi_2663_: bool;
+    var phi_2664_: u32;
+    var phi_3131_: f32;
+    var phi_3086_: bool;
+    var phi_2665_: type_53;
+    var phi_2666_: u32;
+    var phi_2667_: bool;
+    var phi_2668_: u32;
+    var phi_3130_: f32;
+    var phi_3085_: bool;
+    var phi_2669_: type_53;
+    var phi_2670_: u32;
+    var phi_2671_: bool;
+    var phi_2672_: u32;
+    var phi_3129_: f32;
+    var phi_3084_: bool;
+    var phi_841_: type_53;
+    var phi_844_: u32;
+    var phi_846_: bool;
+    var phi_848_: u32;
+    var phi_2673_: bool;
+    var phi_3083_: bool;
+    var phi_2680_: type_4;
+    var phi_2681_: type_4;
+    var phi_2704_: type_4;
+    var phi_2770_: type_22;
+    var phi_3122_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e84 = global;
-            let _e87 = arrayLength((&global_5.member));
-            let _e89 = arrayLength((&global_2.member));
-            let _e97 = global_3.member[0u][0u];
-            let _e101 = global_3.member[0u][1u];
-            let _e105 = global_3.member[0u][2u];
-            let _e109 = global_3.member[1u][0u];
-            let _e113 = global_3.member[1u][1u];
-            let _e117 = global_3.member[1u][2u];
-            let _e121 = global_3.member[1u][3u];
-            let _e124 = global_1.member[0u];
-            let _e125 = bitcast<i32>(_e124);
-            let _e135 = (_e84.x + (_e84.y * 2097152u));
-            let _e136 = (_e135 < arrayLength((&global_4.member)));
-            if _e136 {
-                let _e137 = (_e135 < arrayLength((&global_6.member)));
-                if _e137 {
-                    if _e136 {
+            let _e88 = global;
+            let _e91 = arrayLength((&global_5.member));
+            let _e93 = arrayLength((&global_2.member));
+            let _e101 = global_3.member[0u][0u];
+            let _e105 = global_3.member[0u][1u];
+            let _e109 = global_3.member[0u][2u];
+            let _e113 = global_3.member[1u][0u];
+            let _e117 = global_3.member[1u][1u];
+            let _e121 = global_3.member[1u][2u];
+            let _e125 = global_3.member[1u][3u];
+            let _e128 = global_1.member[0u];
+            let _e129 = bitcast<i32>(_e128);
+            let _e139 = (_e88.x + (_e88.y * 2097152u));
+            let _e140 = (_e139 < arrayLength((&global_4.member)));
+            if _e140 {
+                let _e141 = (_e139 < arrayLength((&global_6.member)));
+                if _e141 {
+                    if _e140 {
                     } else {
                         break;
                     }
-                    let _e145 = global_4.member[_e135].member_2[0u];
-                    let _e147 = (bitcast<u32>(_e145) & 2147483647u);
-                    let _e152 = global_4.member[_e135].member_2[1u];
-                    let _e154 = (bitcast<u32>(_e152) & 2147483647u);
-                    let _e159 = global_4.member[_e135].member_2[2u];
-                    let _e161 = (bitcast<u32>(_e159) & 2147483647u);
-                    let _e166 = global_4.member[_e135].member[0u];
-                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
-                    let _e173 = global_4.member[_e135].member[1u];
-                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
-                    let _e180 = global_4.member[_e135].member[2u];
-                    let _e182 = (bitcast<u32>(_e180) & 2147483647u);
-                    let _e184 = select(_e154, _e147, (_e154 < _e147));
-                    let _e186 = select(_e161, _e184, (_e161 < _e184));
-                    let _e188 = select(_e168, _e186, (_e168 < _e186));
-                    let _e190 = select(_e175, _e188, (_e175 < _e188));
-                    let _e192 = select(_e182, _e190, (_e182 < _e190));
-                    let _e196 = global_4.member[_e135].member_1;
-                    let _e198 = (bitcast<u32>(_e196) & 2147483647u);
-                    let _e205 = global_4.member[_e135].member_3;
-                    let _e211 = (((select(_e198, _e192, (_e198 < _e192)) < 2139095040u) && ((bitcast<u32>(_e205) & 2147483647u) <= 2139095040u)) && (_e186 > 0u));
-                    if _e211 {
-                        let _e214 = (bitcast<u32>(bitcast<f32>(_e186)) & 2147483647u);
-                        if (_e214 >= 8388608u) {
-                            phi_341_ = (bitcast<i32>((_e214 >> bitcast<u32>(23i))) - 127i);
+                    let _e149 = global_4.member[_e139].member_2[0u];
+                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
+                    let _e156 = global_4.member[_e139].member_2[1u];
+                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
+                    let _e163 = global_4.member[_e139].member_2[2u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_4.member[_e139].member[0u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_4.member[_e139].member[1u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e184 = global_4.member[_e139].member[2u];
+                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                    let _e188 = select(_e158, _e151, (_e158 < _e151));
+                    let _e190 = select(_e165, _e188, (_e165 < _e188));
+                    let _e192 = select(_e172, _e190, (_e172 < _e190));
+                    let _e194 = select(_e179, _e192, (_e179 < _e192));
+                    let _e196 = select(_e186, _e194, (_e186 < _e194));
+                    let _e200 = global_4.member[_e139].member_1;
+                    let _e202 = (bitcast<u32>(_e200) & 2147483647u);
+                    let _e209 = global_4.member[_e139].member_3;
+                    let _e215 = (((select(_e202, _e196, (_e202 < _e196)) < 2139095040u) && ((bitcast<u32>(_e209) & 2147483647u) <= 2139095040u)) && (_e190 > 0u));
+                    if _e215 {
+                        let _e218 = (bitcast<u32>(bitcast<f32>(_e190)) & 2147483647u);
+                        if (_e218 >= 8388608u) {
+                            phi_344_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_341_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e214)), 32u, (_e214 == 0u))));
+                            phi_344_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
                         }
-                        let _e228 = phi_341_;
-                        phi_342_ = _e228;
+                        let _e232 = phi_344_;
+                        phi_345_ = _e232;
                     } else {
-                        phi_342_ = 0i;
+                        phi_345_ = 0i;
                     }
-                    let _e230 = phi_342_;
-                    let _e231 = (_e147 == _e186);
-                    if _e231 {
-                        phi_352_ = true;
+                    let _e234 = phi_345_;
+                    let _e235 = (_e151 == _e190);
+                    if _e235 {
+                        phi_355_ = true;
                     } else {
-                        phi_352_ = (_e154 == _e186);
+                        phi_355_ = (_e158 == _e190);
                     }
-                    let _e234 = phi_352_;
-                    let _e235 = select(1u, 0u, _e231);
-                    if _e234 {
-                        let _e236 = (_e235 + 1u);
-                        phi_362_ = _e236;
-                        phi_363_ = _e236;
-                        phi_365_ = select(true, false, (_e236 == 2u));
+                    let _e238 = phi_355_;
+                    let _e239 = select(1u, 0u, _e235);
+                    if _e238 {
+                        let _e240 = (_e239 + 1u);
+                        phi_365_ = _e240;
+                        phi_366_ = _e240;
+                        phi_368_ = select(true, false, (_e240 == 2u));
                     } else {
-                        phi_362_ = u32();
-                        phi_363_ = 0u;
-                        phi_365_ = true;
+                        phi_365_ = u32();
+                        phi_366_ = 0u;
+                        phi_368_ = true;
                     }
-                    let _e240 = phi_362_;
-                    let _e242 = phi_363_;
                     let _e244 = phi_365_;
-                    if _e244 {
-                        phi_370_ = (_e242 + 1u);
+                    let _e246 = phi_366_;
+                    let _e248 = phi_368_;
+                    if _e248 {
+                        phi_373_ = (_e246 + 1u);
                     } else {
-                        phi_370_ = 0u;
+                        phi_373_ = 0u;
                     }
-                    let _e248 = phi_370_;
-                    let _e249 = select(_e240, _e242, _e244);
-                    let _e250 = select(_e235, select(2u, _e235, _e234), _e244);
-                    if (_e125 < -126i) {
-                        phi_383_ = -126i;
+                    let _e252 = phi_373_;
+                    let _e253 = select(_e244, _e246, _e248);
+                    let _e254 = select(_e239, select(2u, _e239, _e238), _e248);
+                    if (_e129 < -126i) {
+                        phi_386_ = -126i;
                     } else {
-                        phi_383_ = select(_e125, 127i, (_e125 > 127i));
+                        phi_386_ = select(_e129, 127i, (_e129 > 127i));
                     }
-                    let _e255 = phi_383_;
-                    let _e260 = bitcast<f32>((bitcast<u32>((_e255 + 127i)) << bitcast<u32>(23i)));
-                    let _e266 = bitcast<f32>((bitcast<u32>(((_e125 - _e255) + 127i)) << bitcast<u32>(23i)));
-                    let _e267 = -(_e230);
-                    if (_e267 < -126i) {
-                        phi_403_ = -126i;
+                    let _e259 = phi_386_;
+                    let _e264 = bitcast<f32>((bitcast<u32>((_e259 + 127i)) << bitcast<u32>(23i)));
+                    let _e270 = bitcast<f32>((bitcast<u32>(((_e129 - _e259) + 127i)) << bitcast<u32>(23i)));
+                    let _e271 = -(_e234);
+                    if (_e271 < -126i) {
+                        phi_406_ = -126i;
                     } else {
-                        phi_403_ = select(_e267, 127i, (_e267 > 127i));
+                        phi_406_ = select(_e271, 127i, (_e271 > 127i));
                     }
-                    let _e272 = phi_403_;
-                    let _e277 = bitcast<f32>((bitcast<u32>((_e272 + 127i)) << bitcast<u32>(23i)));
-                    let _e283 = bitcast<f32>((bitcast<u32>(((_e267 - _e272) + 127i)) << bitcast<u32>(23i)));
-                    let _e287 = global_4.member[_e135].member;
-                    let _e288 = (_e249 == 0u);
-                    if _e288 {
-                        phi_421_ = _e287[0];
+                    let _e276 = phi_406_;
+                    let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
+                    let _e287 = bitcast<f32>((bitcast<u32>(((_e271 - _e276) + 127i)) << bitcast<u32>(23i)));
+                    let _e291 = global_4.member[_e139].member;
+                    let _e292 = (_e253 == 0u);
+                    if _e292 {
+                        phi_424_ = _e291[0];
                     } else {
-                        phi_421_ = _e287[1];
+                        phi_424_ = _e291[1];
                     }
-                    let _e292 = phi_421_;
-                    let _e293 = (_e249 == 2u);
-                    if _e293 {
-                        phi_427_ = _e287[2];
+                    let _e296 = phi_424_;
+                    let _e297 = (_e253 == 2u);
+                    if _e297 {
+                        phi_430_ = _e291[2];
                     } else {
-                        phi_427_ = _e292;
+                        phi_430_ = _e296;
                     }
-                    let _e296 = phi_427_;
-                    let _e298 = ((_e296 * _e260) * _e266);
-                    let _e299 = global_4.member[_e135].member_2;
-                    if _e288 {
-                        phi_438_ = _e299[0];
+                    let _e300 = phi_430_;
+                    let _e302 = ((_e300 * _e264) * _e270);
+                    let _e303 = global_4.member[_e139].member_2;
+                    if _e292 {
+                        phi_441_ = _e303[0];
                     } else {
-                        phi_438_ = _e299[1];
+                        phi_441_ = _e303[1];
                     }
-                    let _e303 = phi_438_;
-                    if _e293 {
-                        phi_444_ = _e299[2];
+                    let _e307 = phi_441_;
+                    if _e297 {
+                        phi_447_ = _e303[2];
                     } else {
-                        phi_444_ = _e303;
+                        phi_447_ = _e307;
                     }
-                    let _e306 = phi_444_;
-                    let _e308 = ((_e306 * _e277) * _e283);
-                    let _e312 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e312 {
-                        let _e316 = (bitcast<f32>((bitcast<u32>(_e298) & 2147483647u)) * 0.00000011920929f);
-                        phi_467_ = select(0.00000000000011368684f, _e316, (_e316 > 0.00000000000011368684f));
+                    let _e310 = phi_447_;
+                    let _e312 = ((_e310 * _e281) * _e287);
+                    let _e316 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e316 {
+                        let _e320 = (bitcast<f32>((bitcast<u32>(_e302) & 2147483647u)) * 0.00000011920929f);
+                        phi_470_ = select(0.00000000000011368684f, _e320, (_e320 > 0.00000000000011368684f));
                     } else {
-                        phi_467_ = 0f;
+                        phi_470_ = 0f;
                     }
-                    let _e320 = phi_467_;
-                    let _e321 = (_e298 + _e320);
-                    let _e322 = (_e298 - _e320);
-                    let _e323 = select(_e308, 0f, _e312);
-                    if _e312 {
-                        phi_478_ = 38685626000000000000000000f;
+                    let _e324 = phi_470_;
+                    let _e325 = (_e302 + _e324);
+                    let _e326 = (_e302 - _e324);
+                    let _e327 = select(_e312, 0f, _e316);
+                    if _e316 {
+                        phi_481_ = 38685626000000000000000000f;
                     } else {
-                        phi_478_ = (1f / _e308);
+                        phi_481_ = (1f / _e312);
                     }
-                    let _e326 = phi_478_;
-                    let _e327 = (_e248 == 0u);
-                    if _e327 {
-                        phi_487_ = _e287[0];
+                    let _e330 = phi_481_;
+                    let _e331 = (_e252 == 0u);
+                    if _e331 {
+                        phi_490_ = _e291[0];
                     } else {
-                        phi_487_ = _e287[1];
+                        phi_490_ = _e291[1];
                     }
-                    let _e331 = phi_487_;
-                    let _e332 = (_e248 == 2u);
-                    if _e332 {
-                        phi_493_ = _e287[2];
+                    let _e335 = phi_490_;
+                    let _e336 = (_e252 == 2u);
+                    if _e336 {
+                        phi_496_ = _e291[2];
                     } else {
-                        phi_493_ = _e331;
+                        phi_496_ = _e335;
                     }
-                    let _e335 = phi_493_;
-                    let _e337 = ((_e335 * _e260) * _e266);
-                    if _e327 {
-                        phi_504_ = _e299[0];
+                    let _e339 = phi_496_;
+                    let _e341 = ((_e339 * _e264) * _e270);
+                    if _e331 {
+                        phi_507_ = _e303[0];
                     } else {
-                        phi_504_ = _e299[1];
+                        phi_507_ = _e303[1];
                     }
-                    let _e341 = phi_504_;
-                    if _e332 {
-                        phi_510_ = _e299[2];
+                    let _e345 = phi_507_;
+                    if _e336 {
+                        phi_513_ = _e303[2];
                     } else {
-                        phi_510_ = _e341;
+                        phi_513_ = _e345;
                     }
-                    let _e344 = phi_510_;
-                    let _e346 = ((_e344 * _e277) * _e283);
-                    let _e350 = (bitcast<f32>((bitcast<u32>(_e346) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e350 {
-                        let _e354 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) * 0.00000011920929f);
-                        phi_533_ = select(0.00000000000011368684f, _e354, (_e354 > 0.00000000000011368684f));
+                    let _e348 = phi_513_;
+                    let _e350 = ((_e348 * _e281) * _e287);
+                    let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e354 {
+                        let _e358 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) * 0.00000011920929f);
+                        phi_536_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
                     } else {
-                        phi_533_ = 0f;
+                        phi_536_ = 0f;
                     }
-                    let _e358 = phi_533_;
-                    let _e359 = (_e337 + _e358);
-                    let _e360 = (_e337 - _e358);
-                    let _e361 = select(_e346, 0f, _e350);
-                    if _e350 {
-                        phi_544_ = 38685626000000000000000000f;
+                    let _e362 = phi_536_;
+                    let _e363 = (_e341 + _e362);
+                    let _e364 = (_e341 - _e362);
+                    let _e365 = select(_e350, 0f, _e354);
+                    if _e354 {
+                        phi_547_ = 38685626000000000000000000f;
                     } else {
-                        phi_544_ = (1f / _e346);
+                        phi_547_ = (1f / _e350);
                     }
-                    let _e364 = phi_544_;
-                    let _e365 = (_e250 == 0u);
-                    if _e365 {
-                        phi_553_ = _e287[0];
+                    let _e368 = phi_547_;
+                    let _e369 = (_e254 == 0u);
+                    if _e369 {
+                        phi_556_ = _e291[0];
                     } else {
-                        phi_553_ = _e287[1];
+                        phi_556_ = _e291[1];
                     }
-                    let _e369 = phi_553_;
-                    let _e370 = (_e250 == 2u);
-                    if _e370 {
-                        phi_559_ = _e287[2];
+                    let _e373 = phi_556_;
+                    let _e374 = (_e254 == 2u);
+                    if _e374 {
+                        phi_562_ = _e291[2];
                     } else {
-                        phi_559_ = _e369;
+                        phi_562_ = _e373;
                     }
-                    let _e373 = phi_559_;
-                    let _e375 = ((_e373 * _e260) * _e266);
-                    if _e365 {
-                        phi_570_ = _e299[0];
+                    let _e377 = phi_562_;
+                    let _e379 = ((_e377 * _e264) * _e270);
+                    if _e369 {
+                        phi_573_ = _e303[0];
                     } else {
-                        phi_570_ = _e299[1];
+                        phi_573_ = _e303[1];
                     }
-                    let _e379 = phi_570_;
-                    if _e370 {
-                        phi_576_ = _e299[2];
+                    let _e383 = phi_573_;
+                    if _e374 {
+                        phi_579_ = _e303[2];
                     } else {
-                        phi_576_ = _e379;
+                        phi_579_ = _e383;
                     }
-                    let _e382 = phi_576_;
-                    let _e384 = ((_e382 * _e277) * _e283);
-                    let _e388 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e388 {
-                        let _e392 = (bitcast<f32>((bitcast<u32>(_e375) & 2147483647u)) * 0.00000011920929f);
-                        phi_599_ = select(0.00000000000011368684f, _e392, (_e392 > 0.00000000000011368684f));
+                    let _e386 = phi_579_;
+                    let _e388 = ((_e386 * _e281) * _e287);
+                    let _e392 = (bitcast<f32>((bitcast<u32>(_e388) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e392 {
+                        let _e396 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
+                        phi_602_ = select(0.00000000000011368684f, _e396, (_e396 > 0.00000000000011368684f));
                     } else {
-                        phi_599_ = 0f;
+                        phi_602_ = 0f;
                     }
-                    let _e396 = phi_599_;
-                    let _e397 = (_e375 + _e396);
-                    let _e398 = (_e375 - _e396);
-                    let _e399 = select(_e384, 0f, _e388);
-                    if _e388 {
-                        phi_610_ = 38685626000000000000000000f;
+                    let _e400 = phi_602_;
+                    let _e401 = (_e379 + _e400);
+                    let _e402 = (_e379 - _e400);
+                    let _e403 = select(_e388, 0f, _e392);
+                    if _e392 {
+                        phi_613_ = 38685626000000000000000000f;
                     } else {
-                        phi_610_ = (1f / _e384);
+                        phi_613_ = (1f / _e388);
                     }
-                    let _e402 = phi_610_;
-                    let _e405 = bitcast<f32>((bitcast<u32>(_e298) & 2147483647u));
-                    let _e408 = bitcast<f32>((bitcast<u32>(_e337) & 2147483647u));
-                    let _e410 = select(_e408, _e405, (_e405 > _e408));
-                    let _e413 = bitcast<f32>((bitcast<u32>(_e375) & 2147483647u));
-                    let _e416 = (_e125 + _e230);
-                    if (_e211 && (select(_e413, _e410, (_e410 > _e413)) <= 1099511600000f)) {
-                        let _e419 = (_e416 / 3i);
-                        let _e426 = bitcast<f32>((bitcast<u32>((_e419 + 127i)) << bitcast<u32>(23i)));
-                        let _e433 = bitcast<f32>((bitcast<u32>(((_e416 - (2i * _e419)) + 127i)) << bitcast<u32>(23i)));
-                        let _e434 = (((_e196 * _e426) * _e426) * _e433);
-                        let _e436 = select(340282350000000000000000000000000000000f, _e434, (_e434 < 340282350000000000000000000000000000000f));
-                        let _e441 = (((_e205 * _e426) * _e426) * _e433);
-                        let _e443 = select(340282350000000000000000000000000000000f, _e441, (_e441 < 340282350000000000000000000000000000000f));
-                        phi_710_ = select(-340282350000000000000000000000000000000f, _e443, (_e443 > -340282350000000000000000000000000000000f));
-                        phi_711_ = select(-340282350000000000000000000000000000000f, _e436, (_e436 > -340282350000000000000000000000000000000f));
+                    let _e406 = phi_613_;
+                    let _e409 = bitcast<f32>((bitcast<u32>(_e302) & 2147483647u));
+                    let _e412 = bitcast<f32>((bitcast<u32>(_e341) & 2147483647u));
+                    let _e414 = select(_e412, _e409, (_e409 > _e412));
+                    let _e417 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
+                    let _e420 = (_e129 + _e234);
+                    if (_e215 && (select(_e417, _e414, (_e414 > _e417)) <= 1099511600000f)) {
+                        let _e423 = (_e420 / 3i);
+                        let _e430 = bitcast<f32>((bitcast<u32>((_e423 + 127i)) << bitcast<u32>(23i)));
+                        let _e437 = bitcast<f32>((bitcast<u32>(((_e420 - (2i * _e423)) + 127i)) << bitcast<u32>(23i)));
+                        let _e438 = (((_e200 * _e430) * _e430) * _e437);
+                        let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
+                        let _e445 = (((_e209 * _e430) * _e430) * _e437);
+                        let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
+                        phi_713_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
+                        phi_714_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_710_ = 0f;
-                        phi_711_ = 1f;
+                        phi_713_ = 0f;
+                        phi_714_ = 1f;
                     }
-                    let _e447 = phi_710_;
-                    let _e449 = phi_711_;
-                    local_2 = array<type_22, 8>(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
-                    local_4 = array<type_52, 128>(type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_52(type_49(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u));
+                    let _e451 = phi_713_;
+                    let _e453 = phi_714_;
+                    local_9 = array<type_22, 8>(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
+                    local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_12 = array<f32, 3>(bitcast<f32>(_e97), bitcast<f32>(_e101), bitcast<f32>(_e105));
-                    let _e453 = (_e249 % 3u);
-                    let _e454 = (_e453 < 3u);
-                    if _e454 {
-                    } else {
-                        break;
-                    }
-                    let _e456 = local_12[_e453];
-                    let _e457 = (_e248 % 3u);
+                    local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_18 = array<f32, 3>(bitcast<f32>(_e101), bitcast<f32>(_e105), bitcast<f32>(_e109));
+                    let _e457 = (_e253 % 3u);
                     let _e458 = (_e457 < 3u);
                     if _e458 {
                     } else {
                         break;
                     }
-                    let _e460 = local_12[_e457];
-                    let _e461 = (_e250 % 3u);
+                    let _e460 = local_18[_e457];
+                    let _e461 = (_e252 % 3u);
                     let _e462 = (_e461 < 3u);
                     if _e462 {
                     } else {
                         break;
                     }
-                    let _e464 = local_12[_e461];
-                    local_11 = array<f32, 3>(bitcast<f32>(_e109), bitcast<f32>(_e113), bitcast<f32>(_e117));
-                    if _e454 {
+                    let _e464 = local_18[_e461];
+                    let _e465 = (_e254 % 3u);
+                    let _e466 = (_e465 < 3u);
+                    if _e466 {
                     } else {
                         break;
                     }
-                    let _e468 = local_11[_e453];
+                    let _e468 = local_18[_e465];
+                    local_17 = array<f32, 3>(bitcast<f32>(_e113), bitcast<f32>(_e117), bitcast<f32>(_e121));
                     if _e458 {
                     } else {
                         break;
                     }
-                    let _e470 = local_11[_e457];
+                    let _e472 = local_17[_e457];
                     if _e462 {
                     } else {
                         break;
                     }
-                    let _e472 = local_11[_e461];
-                    phi_4891_ = false;
-                    phi_4882_ = _e447;
-                    phi_2892_ = type_52(type_49(array<f32, 3>(_e456, _e460, _e464), array<f32, 3>(_e468, _e470, _e472)), select(0u, 2147483648u, (_e87 == 0u)));
-                    phi_2895_ = ((3u * _e87) + 1u);
-                    phi_2897_ = (_e449 <= _e447);
-                    phi_2899_ = 0u;
-                    loop {
-                        let _e480 = phi_4891_;
-                        let _e482 = phi_4882_;
-                        let _e484 = phi_2892_;
-                        let _e486 = phi_2895_;
-                        let _e488 = phi_2897_;
-                        let _e490 = phi_2899_;
-                        if _e488 {
-                            phi_2910_ = true;
-                        } else {
-                            phi_2910_ = (_e490 > 0u);
-                        }
-                        let _e493 = phi_2910_;
-                        if _e493 {
-                            let _e494 = (_e486 > 0u);
-                            if _e494 {
-                                if _e488 {
-                                    phi_2956_ = _e484;
-                                    phi_2957_ = _e488;
-                                    phi_2958_ = _e490;
-                                } else {
-                                    let _e495 = (_e490 - 1u);
-                                    let _e496 = (_e495 % 128u);
-                                    let _e497 = (_e496 < 128u);
-                                    if _e497 {
-                                    } else {
-                                        phi_5042_ = true;
-                                        break;
-                                    }
-                                    let _e499 = local_4[_e496];
-                                    if _e497 {
-                                    } else {
-                                        phi_5042_ = true;
-                                        break;
-                                    }
-                                    let _e515 = local_3[_e496];
-                                    phi_2956_ = type_52(type_49(array<f32, 3>(_e499.member.member[0], _e499.member.member[1], _e499.member.member[2]), array<f32, 3>(_e499.member.member_1[0], _e499.member.member_1[1], _e499.member.member_1[2])), _e499.member_1);
-                                    phi_2957_ = (_e515 <= _e482);
-                                    phi_2958_ = _e495;
-                                }
-                                let _e518 = phi_2956_;
-                                let _e520 = phi_2957_;
-                                let _e522 = phi_2958_;
-                                if _e520 {
-                                    if ((_e518.member_1 & 2147483648u) != 0u) {
-                                        phi_4983_ = _e480;
-                                        phi_4973_ = _e482;
-                                        phi_2976_ = type_4(0u, ((_e518.member_1 >> bitcast<u32>(28u)) & 7u));
-                                        loop {
-                                            let _e843 = phi_4983_;
-                                            let _e845 = phi_4973_;
-                                            let _e847 = phi_2976_;
-                                            if (_e847.member < _e847.member_1) {
-                                                phi_2977_ = type_4((_e847.member + 1u), _e847.member_1);
-                                                phi_3000_ = type_4(1u, _e847.member);
-                                            } else {
-                                                phi_2977_ = _e847;
-                                                phi_3000_ = type_4(0u, type_4().member_1);
-                                            }
-                                            let _e860 = phi_2977_;
-                                            let _e862 = phi_3000_;
-                                            let _e866 = (bitcast<i32>(_e862.member) != 0i);
-                                            if _e866 {
-                                                let _e867 = ((_e518.member_1 & 268435455u) + _e862.member_1);
-                                                let _e868 = (_e867 < _e89);
-                                                if _e868 {
-                                                    if _e868 {
-                                                    } else {
-                                                        phi_5126_ = _e845;
-                                                        phi_5037_ = true;
-                                                        break;
-                                                    }
-                                                    let _e872 = global_2.member[_e867].member_1;
-                                                    phi_3021_ = _e872;
-                                                } else {
-                                                    phi_3021_ = 4294967295u;
-                                                }
-                                                let _e874 = phi_3021_;
-                                                if (_e867 >= _e89) {
-                                                    phi_3110_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
-                                                } else {
-                                                    if _e868 {
-                                                    } else {
-                                                        phi_5126_ = _e845;
-                                                        phi_5037_ = true;
-                                                        break;
-                                                    }
-                                                    if (_e453 < 9u) {
-                                                    } else {
-                                                        phi_5126_ = _e845;
-                                                        phi_5037_ = true;
-                                                        break;
-                                                    }
-                                                    let _e881 = global_2.member[_e867].member[_e453];
-                                                    if (_e457 < 9u) {
-                                                    } else {
-                                                        phi_5126_ = _e845;
-                                                        phi_5037_ = true;
-                                                        break;
-                                                    }
-                                                    let _e887 = global_2.member[_e867].member[_e457];
-                                                    if (_e461 < 9u) {
-                                                    } else {
-                                                        phi_5126_ = _e845;
-                                                        phi_5037_ = true;
-                                                        break;
-                                                    }
-                                                    let _e893 = global_2.member[_e867].member[_e461];
-                                                    let _e895 = (3u + _e453);
-                                                    if (_e895 < 9u) {
-                                                    } else {
-                                                        phi_5126_ = _e845;
-                                                        phi_5037_ = true;
-                                                        break;
-                                                    }
-                                                    let _e901 = global_2.member[_e867].member[_e895];
-                                                    let _e902 = (3u + _e457);
-                                                    if (_e902 < 9u) {
-                                                    } else {
-                                                        phi_5126_ = _e845;
-                                                        phi_5037_ = true;
-                                                        break;
-                                                    }
-                                                    let _e908 = global_2.member[_e867].member[_e902];
-                                                    let _e909 = (3u + _e461);
-                                                    if (_e909 < 9u) {
-                                                    } else {
-                                                        phi_5126_ = _e845;
-                                                        phi_5037_ = true;
-                                                        break;
-                                                    }
-                                                    let _e915 = global_2.member[_e867].member[_e909];
-                                                    let _e917 = (6u + _e453);
-                                                    if (_e917 < 9u) {
-                                                    } else {
-                                                        phi_5126_ = _e845;
-                                                        phi_5037_ = true;
-                                                        break;
-                                                    }
-                                                    let _e923 = global_2.member[_e867].member[_e917];
-                                                    let _e924 = (6u + _e457);
-                                                    if (_e924 < 9u) {
-                                                    } else {
-                                                        phi_5126_ = _e845;
-                                                        phi_5037_ = true;
-                                                        break;
-                                                    }
-                                                    let _e930 = global_2.member[_e867].member[_e924];
-                                                    let _e931 = (6u + _e461);
-                                                    if (_e931 < 9u) {
-                                                    } else {
-                                                        phi_5126_ = _e845;
-                                                        phi_5037_ = true;
-                                                        break;
-                                                    }
-                                                    let _e937 = global_2.member[_e867].member[_e931];
-                                                    phi_3110_ = array<array<f32, 3>, 3>(array<f32, 3>(_e881, _e887, _e893), array<f32, 3>(_e901, _e908, _e915), array<f32, 3>(_e923, _e930, _e937));
-                                                }
-                                                let _e941 = phi_3110_;
-                                                let _e948 = (_e941[0][2] - _e375);
-                                                let _e951 = (((_e941[0][0] - _e298) * _e399) - (_e948 * _e323));
-                                                let _e954 = (((_e941[0][1] - _e337) * _e399) - (_e948 * _e361));
-                                                let _e961 = (_e941[1][2] - _e375);
-                                                let _e964 = (((_e941[1][0] - _e298) * _e399) - (_e961 * _e323));
-                                                let _e967 = (((_e941[1][1] - _e337) * _e399) - (_e961 * _e361));
-                                                let _e974 = (_e941[2][2] - _e375);
-                                                let _e977 = (((_e941[2][0] - _e298) * _e399) - (_e974 * _e323));
-                                                let _e980 = (((_e941[2][1] - _e337) * _e399) - (_e974 * _e361));
-                                                let _e981 = (_e977 * _e967);
-                                                let _e982 = (_e980 * _e964);
-                                                let _e983 = (_e951 * _e980);
-                                                let _e984 = (_e954 * _e977);
-                                                let _e985 = (_e964 * _e954);
-                                                let _e986 = (_e967 * _e951);
-                                                let _e991 = (((_e981 >= _e982) && (_e983 >= _e984)) && (_e985 >= _e986));
-                                                if (_e991 || (((_e981 <= _e982) && (_e983 <= _e984)) && (_e985 <= _e986))) {
-                                                    let _e998 = select(-1f, 1f, _e991);
-                                                    let _e1000 = ((_e981 - _e982) * _e998);
-                                                    let _e1002 = select(0f, _e1000, (_e1000 > 0f));
-                                                    let _e1004 = ((_e983 - _e984) * _e998);
-                                                    let _e1006 = select(0f, _e1004, (_e1004 > 0f));
-                                                    let _e1008 = ((_e985 - _e986) * _e998);
-                                                    let _e1010 = select(0f, _e1008, (_e1008 > 0f));
-                                                    let _e1012 = ((_e1002 + _e1006) + _e1010);
-                                                    if (_e1012 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_3677_ = type_22();
-                                                        phi_3678_ = true;
-                                                    } else {
-                                                        let _e1015 = select(_e941[1][0], _e941[0][0], (_e941[0][0] < _e941[1][0]));
-                                                        let _e1019 = select(_e941[1][0], _e941[0][0], (_e941[0][0] > _e941[1][0]));
-                                                        let _e1023 = select(_e941[1][1], _e941[0][1], (_e941[0][1] < _e941[1][1]));
-                                                        let _e1027 = select(_e941[1][1], _e941[0][1], (_e941[0][1] > _e941[1][1]));
-                                                        let _e1031 = select(_e941[1][2], _e941[0][2], (_e941[0][2] < _e941[1][2]));
-                                                        let _e1035 = select(_e941[1][2], _e941[0][2], (_e941[0][2] > _e941[1][2]));
-                                                        let _e1040 = ((select(_e941[2][0], _e1015, (_e1015 < _e941[2][0])) - _e321) * _e326);
-                                                        let _e1041 = ((select(_e941[2][0], _e1019, (_e1019 > _e941[2][0])) - _e322) * _e326);
-                                                        let _e1044 = ((select(_e941[2][1], _e1023, (_e1023 < _e941[2][1])) - _e359) * _e364);
-                                                        let _e1045 = ((select(_e941[2][1], _e1027, (_e1027 > _e941[2][1])) - _e360) * _e364);
-                                                        let _e1048 = ((select(_e941[2][2], _e1031, (_e1031 < _e941[2][2])) - _e397) * _e402);
-                                                        let _e1049 = ((select(_e941[2][2], _e1035, (_e1035 > _e941[2][2])) - _e398) * _e402);
-                                                        let _e1051 = select(_e1049, _e1048, (_e1048 < _e1049));
-                                                        let _e1053 = select(_e1049, _e1048, (_e1048 > _e1049));
-                                                        let _e1055 = select(_e1041, _e1040, (_e1040 < _e1041));
-                                                        let _e1057 = select(_e1045, _e1044, (_e1044 < _e1045));
-                                                        let _e1059 = select(_e1057, _e1055, (_e1055 > _e1057));
-                                                        let _e1061 = select(_e1051, _e1059, (_e1059 > _e1051));
-                                                        let _e1063 = select(_e1041, _e1040, (_e1040 > _e1041));
-                                                        let _e1065 = select(_e1045, _e1044, (_e1044 > _e1045));
-                                                        let _e1067 = select(_e1065, _e1063, (_e1063 < _e1065));
-                                                        let _e1069 = select(_e1053, _e1067, (_e1067 < _e1053));
-                                                        let _e1070 = -(_e1051);
-                                                        let _e1076 = select(_e449, _e1061, (_e1061 > _e449));
-                                                        if (_e1076 > (_e1069 + (select(_e1070, _e1053, (_e1053 > _e1070)) * 0.0000019073523f))) {
-                                                            phi_3672_ = type_22();
-                                                            phi_3673_ = true;
-                                                        } else {
-                                                            let _e1078 = (_e1076 > _e845);
-                                                            if _e1078 {
-                                                                phi_3671_ = type_22();
-                                                            } else {
-                                                                let _e1082 = (_e941[1][0] - _e941[0][0]);
-                                                                let _e1083 = (_e941[1][1] - _e941[0][1]);
-                                                                let _e1084 = (_e941[1][2] - _e941[0][2]);
-                                                                let _e1085 = vec3<f32>(_e1082, _e1083, _e1084);
-                                                                let _e1086 = (_e941[2][0] - _e941[1][0]);
-                                                                let _e1087 = (_e941[2][1] - _e941[1][1]);
-                                                                let _e1088 = (_e941[2][2] - _e941[1][2]);
-                                                                let _e1089 = vec3<f32>(_e1086, _e1087, _e1088);
-                                                                let _e1090 = (_e941[0][0] - _e941[2][0]);
-                                                                let _e1091 = (_e941[0][1] - _e941[2][1]);
-                                                                let _e1092 = (_e941[0][2] - _e941[2][2]);
-                                                                let _e1093 = vec3<f32>(_e1090, _e1091, _e1092);
-                                                                let _e1096 = bitcast<f32>((bitcast<u32>(_e1082) & 2147483647u));
-                                                                let _e1099 = bitcast<f32>((bitcast<u32>(_e1083) & 2147483647u));
-                                                                let _e1101 = select(_e1099, _e1096, (_e1096 > _e1099));
-                                                                let _e1104 = bitcast<f32>((bitcast<u32>(_e1084) & 2147483647u));
-                                                                let _e1106 = select(_e1104, _e1101, (_e1101 > _e1104));
-                                                                let _e1109 = bitcast<f32>((bitcast<u32>(_e1086) & 2147483647u));
-                                                                let _e1112 = bitcast<f32>((bitcast<u32>(_e1087) & 2147483647u));
-                                                                let _e1114 = select(_e1112, _e1109, (_e1109 > _e1112));
-                                                                let _e1117 = bitcast<f32>((bitcast<u32>(_e1088) & 2147483647u));
-                                                                let _e1119 = select(_e1117, _e1114, (_e1114 > _e1117));
-                                                                let _e1122 = bitcast<f32>((bitcast<u32>(_e1090) & 2147483647u));
-                                                                let _e1125 = bitcast<f32>((bitcast<u32>(_e1091) & 2147483647u));
-                                                                let _e1127 = select(_e1125, _e1122, (_e1122 > _e1125));
-                                                                let _e1130 = bitcast<f32>((bitcast<u32>(_e1092) & 2147483647u));
-                                                                let _e1132 = select(_e1130, _e1127, (_e1127 > _e1130));
-                                                                let _e1134 = select(_e1119, _e1106, (_e1106 > _e1119));
-                                                                let _e1136 = select(_e1132, _e1134, (_e1134 > _e1132));
-                                                                if (_e1106 == _e1136) {
-                                                                    phi_3582_ = _e1089;
-                                                                    phi_3583_ = _e1093;
-                                                                } else {
-                                                                    let _e1139 = vec3((_e1119 == _e1136));
-                                                                    phi_3582_ = select(_e1085, _e1093, _e1139);
-                                                                    phi_3583_ = select(_e1089, _e1085, _e1139);
-                                                                }
-                                                                let _e1143 = phi_3582_;
-                                                                let _e1145 = phi_3583_;
-                                                                let _e1152 = ((_e1143.y * _e1145.z) - (_e1145.y * _e1143.z));
-                                                                let _e1157 = ((_e1143.z * _e1145.x) - (_e1145.z * _e1143.x));
-                                                                let _e1160 = ((_e1143.x * _e1145.y) - (_e1145.x * _e1143.y));
-                                                                if (_e1002 >= _e1006) {
-                                                                    phi_3614_ = select(true, false, (_e1002 >= _e1010));
-                                                                } else {
-                                                                    phi_3614_ = true;
-                                                                }
-                                                                let _e1165 = phi_3614_;
-                                                                if _e1165 {
-                                                                    phi_3623_ = select(vec3<f32>(_e941[2][0], _e941[2][1], _e941[2][2]), vec3<f32>(_e941[1][0], _e941[1][1], _e941[1][2]), vec3((_e1006 >= _e1010)));
-                                                                } else {
-                                                                    phi_3623_ = vec3<f32>(_e941[0][0], _e941[0][1], _e941[0][2]);
-                                                                }
-                                                                let _e1170 = phi_3623_;
-                                                                let _e1187 = ((((_e1152 * (_e1170.x - _e298)) + (_e1157 * (_e1170.y - _e337))) + (_e1160 * (_e1170.z - _e375))) / (((_e1152 * _e323) + (_e1157 * _e361)) + (_e1160 * _e399)));
-                                                                let _e1189 = select(_e1069, _e1187, (_e1187 < _e1069));
-                                                                let _e1191 = select(_e1061, _e1189, (_e1189 > _e1061));
-                                                                if (_e1191 >= _e449) {
-                                                                    let _e1193 = (_e1191 <= _e845);
-                                                                    if _e1193 {
-                                                                        let _e1194 = (1f / _e1012);
-                                                                        phi_3663_ = type_22(_e1191, (_e1006 * _e1194), (_e1010 * _e1194), _e874);
-                                                                    } else {
-                                                                        phi_3663_ = type_22();
-                                                                    }
-                                                                    let _e1199 = phi_3663_;
-                                                                    phi_3665_ = _e1199;
-                                                                    phi_3666_ = select(true, false, _e1193);
-                                                                } else {
-                                                                    phi_3665_ = type_22();
-                                                                    phi_3666_ = true;
-                                                                }
-                                                                let _e1202 = phi_3665_;
-                                                                let _e1204 = phi_3666_;
-                                                                if _e1204 {
-                                                                    phi_3670_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_3670_ = _e1202;
-                                                                }
-                                                                let _e1206 = phi_3670_;
-                                                                phi_3671_ = _e1206;
-                                                            }
-                                                            let _e1208 = phi_3671_;
-                                                            phi_3672_ = _e1208;
-                                                            phi_3673_ = _e1078;
-                                                        }
-                                                        let _e1210 = phi_3672_;
-                                                        let _e1212 = phi_3673_;
-                                                        phi_3677_ = _e1210;
-                                                        phi_3678_ = _e1212;
-                                                    }
-                                                    let _e1214 = phi_3677_;
-                                                    let _e1216 = phi_3678_;
-                                                    phi_3682_ = _e1214;
-                                                    phi_3683_ = _e1216;
-                                                } else {
-                                                    phi_3682_ = type_22();
-                                                    phi_3683_ = true;
-                                                }
-                                                let _e1218 = phi_3682_;
-                                                let _e1220 = phi_3683_;
-                                                if _e1220 {
-                                                    phi_3687_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_3687_ = _e1218;
-                                                }
-                                                let _e1222 = phi_3687_;
-                                                if (_e1222.member_3 != 4294967295u) {
-                                                    if (_e874 != 4294967295u) {
-                                                        phi_3699_ = type_4(0u, 8u);
-                                                        phi_3702_ = _e1222;
-                                                        loop {
-                                                            let _e1227 = phi_3699_;
-                                                            let _e1229 = phi_3702_;
-                                                            if (_e1227.member < _e1227.member_1) {
-                                                                phi_3700_ = type_4((_e1227.member + 1u), _e1227.member_1);
-                                                                phi_3725_ = type_4(1u, _e1227.member);
-                                                            } else {
-                                                                phi_3700_ = _e1227;
-                                                                phi_3725_ = type_4(0u, type_4().member_1);
-                                                            }
-                                                            let _e1242 = phi_3700_;
-                                                            let _e1244 = phi_3725_;
-                                                            let _e1248 = (bitcast<i32>(_e1244.member) != 0i);
-                                                            if _e1248 {
-                                                                let _e1249 = (_e1244.member_1 < 8u);
-                                                                if _e1249 {
-                                                                } else {
-                                                                    phi_4974_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1254 = local_2[_e1244.member_1].member;
-                                                                if (_e1229.member < _e1254) {
-                                                                    phi_3758_ = true;
-                                                                } else {
-                                                                    let _e1256 = local_2[_e1244.member_1].member;
-                                                                    if (_e1229.member == _e1256) {
-                                                                        let _e1261 = local_2[_e1244.member_1].member_3;
-                                                                        phi_3757_ = (_e1229.member_3 < _e1261);
-                                                                    } else {
-                                                                        phi_3757_ = false;
-                                                                    }
-                                                                    let _e1264 = phi_3757_;
-                                                                    phi_3758_ = _e1264;
-                                                                }
-                                                                let _e1266 = phi_3758_;
-                                                                if _e1266 {
-                                                                    if _e1249 {
-                                                                    } else {
-                                                                        phi_4974_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1267 = local_2[_e1244.member_1];
-                                                                    local_2[_e1244.member_1] = type_22(_e1229.member, _e1229.member_1, _e1229.member_2, _e1229.member_3);
-                                                                    phi_3779_ = type_22(_e1267.member, _e1267.member_1, _e1267.member_2, _e1267.member_3);
-                                                                } else {
-                                                                    phi_3779_ = _e1229;
-                                                                }
-                                                                let _e1278 = phi_3779_;
-                                                                phi_3703_ = _e1278;
-                                                            } else {
-                                                                phi_3703_ = type_22();
-                                                            }
-                                                            let _e1280 = phi_3703_;
-                                                            continue;
-                                                            continuing {
-                                                                phi_3699_ = _e1242;
-                                                                phi_3702_ = _e1280;
-                                                                phi_4974_ = _e843;
-                                                                break if !(_e1248);
-                                                            }
-                                                        }
-                                                        let _e1283 = phi_4974_;
-                                                        phi_5126_ = _e845;
-                                                        phi_5037_ = _e1283;
-                                                        if _e1283 {
-                                                            break;
-                                                        }
-                                                        let _e1286 = local_2[7u].member_3;
-                                                        if (_e1286 != 4294967295u) {
-                                                            let _e1290 = local_2[7u].member;
-                                                            phi_5189_ = _e1290;
-                                                        } else {
-                                                            phi_5189_ = _e845;
-                                                        }
-                                                        let _e1292 = phi_5189_;
-                                                        phi_5188_ = _e1292;
-                                                        phi_5040_ = _e1283;
-                                                    } else {
-                                                        phi_5188_ = _e845;
-                                                        phi_5040_ = _e843;
-                                                    }
-                                                    let _e1294 = phi_5188_;
-                                                    let _e1296 = phi_5040_;
-                                                    phi_5187_ = _e1294;
-                                                    phi_5039_ = _e1296;
-                                                } else {
-                                                    phi_5187_ = _e845;
-                                                    phi_5039_ = _e843;
-                                                }
-                                                let _e1298 = phi_5187_;
-                                                let _e1300 = phi_5039_;
-                                                phi_5186_ = _e1298;
-                                                phi_5038_ = _e1300;
-                                            } else {
-                                                phi_5186_ = _e845;
-                                                phi_5038_ = _e843;
-                                            }
-                                            let _e1302 = phi_5186_;
-                                            let _e1304 = phi_5038_;
-                                            continue;
-                                            continuing {
-                                                phi_4983_ = _e1304;
-                                                phi_4973_ = _e1302;
-                                                phi_2976_ = _e860;
-                                                phi_5126_ = _e1302;
-                                                phi_5037_ = _e1304;
-                                                break if !(_e866);
-                                            }
-                                        }
-                                        let _e1307 = phi_5126_;
-                                        let _e1309 = phi_5037_;
-                                        phi_5042_ = _e1309;
-                                        if _e1309 {
-                                            break;
-                                        }
-                                        phi_5091_ = _e1307;
-                                        phi_5046_ = _e1309;
-                                        phi_4635_ = _e518;
-                                        phi_4636_ = false;
-                                        phi_4637_ = _e522;
-                                    } else {
-                                        local_1 = array<f32, 3>(_e518.member.member[0], _e518.member.member[1], _e518.member.member[2]);
-                                        local = array<f32, 3>(_e518.member.member_1[0], _e518.member.member_1[1], _e518.member.member_1[2]);
-                                        let _e542 = (_e518.member_1 < _e87);
-                                        if _e542 {
-                                            if _e542 {
-                                            } else {
-                                                phi_5042_ = true;
-                                                break;
-                                            }
-                                            let _e544 = global_5.member[_e518.member_1];
-                                            phi_3824_ = _e544;
-                                        } else {
-                                            phi_3824_ = type_43(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
-                                        }
-                                        let _e546 = phi_3824_;
-                                        let _e548 = array<u32, 3>(_e249, _e248, _e250);
-                                        local_10 = _e548;
-                                        local_6 = array<f32, 3>(0f, 0f, 0f);
-                                        local_5 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_3833_ = type_4(0u, 3u);
-                                        loop {
-                                            let _e550 = phi_3833_;
-                                            if (_e550.member < _e550.member_1) {
-                                                phi_3834_ = type_4((_e550.member + 1u), _e550.member_1);
-                                                phi_3857_ = type_4(1u, _e550.member);
-                                            } else {
-                                                phi_3834_ = _e550;
-                                                phi_3857_ = type_4(0u, type_4().member_1);
-                                            }
-                                            let _e563 = phi_3834_;
-                                            let _e565 = phi_3857_;
-                                            let _e569 = (bitcast<i32>(_e565.member) != 0i);
-                                            if _e569 {
-                                                let _e570 = (_e565.member_1 < 3u);
-                                                if _e570 {
-                                                } else {
-                                                    phi_4884_ = true;
-                                                    break;
-                                                }
-                                                let _e572 = local_10[_e565.member_1];
-                                                if _e570 {
-                                                } else {
-                                                    phi_4884_ = true;
-                                                    break;
-                                                }
-                                                let _e574 = local_1[_e565.member_1];
-                                                if _e570 {
-                                                } else {
-                                                    phi_4884_ = true;
-                                                    break;
-                                                }
-                                                let _e576 = local[_e565.member_1];
-                                                let _e579 = ((10u * _e572) & 31u);
-                                                let _e582 = ((_e546.member[0] >> bitcast<u32>(_e579)) & 1023u);
-                                                let _e587 = bitcast<f32>((bitcast<u32>(((_e576 - _e574) * 0.0009775171f)) ^ _e121));
-                                                let _e593 = (_e574 + bitcast<f32>((bitcast<u32>((f32(_e582) * _e587)) ^ _e121)));
-                                                if _e570 {
-                                                } else {
-                                                    phi_4884_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e565.member_1] = select(select(_e576, _e593, (_e593 < _e576)), _e576, (_e582 == 1023u));
-                                                let _e602 = ((_e546.member[1] >> bitcast<u32>(_e579)) & 1023u);
-                                                let _e608 = (_e574 + bitcast<f32>((bitcast<u32>((f32(_e602) * _e587)) ^ _e121)));
-                                                if _e570 {
-                                                } else {
-                                                    phi_4884_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e565.member_1] = select(select(_e576, _e608, (_e608 < _e576)), _e576, (_e602 == 1023u));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_3833_ = _e563;
-                                                phi_4884_ = _e480;
-                                                break if !(_e569);
-                                            }
-                                        }
-                                        let _e616 = phi_4884_;
-                                        phi_5042_ = _e616;
-                                        if _e616 {
-                                            break;
-                                        }
-                                        let _e617 = local_5;
-                                        let _e618 = local_6;
-                                        local_9 = _e548;
-                                        local_8 = array<f32, 3>(0f, 0f, 0f);
-                                        local_7 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_3987_ = type_4(0u, 3u);
-                                        loop {
-                                            let _e627 = phi_3987_;
-                                            if (_e627.member < _e627.member_1) {
-                                                phi_3988_ = type_4((_e627.member + 1u), _e627.member_1);
-                                                phi_4011_ = type_4(1u, _e627.member);
-                                            } else {
-                                                phi_3988_ = _e627;
-                                                phi_4011_ = type_4(0u, type_4().member_1);
-                                            }
-                                            let _e640 = phi_3988_;
-                                            let _e642 = phi_4011_;
-                                            let _e646 = (bitcast<i32>(_e642.member) != 0i);
-                                            if _e646 {
-                                                let _e647 = (_e642.member_1 < 3u);
-                                                if _e647 {
-                                                } else {
-                                                    phi_4944_ = true;
-                                                    break;
-                                                }
-                                                let _e649 = local_9[_e642.member_1];
-                                                if _e647 {
-                                                } else {
-                                                    phi_4944_ = true;
-                                                    break;
-                                                }
-                                                let _e651 = local_1[_e642.member_1];
-                                                if _e647 {
-                                                } else {
-                                                    phi_4944_ = true;
-                                                    break;
-                                                }
-                                                let _e653 = local[_e642.member_1];
-                                                let _e656 = ((10u * _e649) & 31u);
-                                                let _e659 = ((_e546.member_1[0] >> bitcast<u32>(_e656)) & 1023u);
-                                                let _e664 = bitcast<f32>((bitcast<u32>(((_e653 - _e651) * 0.0009775171f)) ^ _e121));
-                                                let _e670 = (_e651 + bitcast<f32>((bitcast<u32>((f32(_e659) * _e664)) ^ _e121)));
-                                                if _e647 {
-                                                } else {
-                                                    phi_4944_ = true;
-                                                    break;
-                                                }
-                                                local_8[_e642.member_1] = select(select(_e653, _e670, (_e670 < _e653)), _e653, (_e659 == 1023u));
-                                                let _e679 = ((_e546.member_1[1] >> bitcast<u32>(_e656)) & 1023u);
-                                                let _e685 = (_e651 + bitcast<f32>((bitcast<u32>((f32(_e679) * _e664)) ^ _e121)));
-                                                if _e647 {
-                                                } else {
-                                                    phi_4944_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e642.member_1] = select(select(_e653, _e685, (_e685 < _e653)), _e653, (_e679 == 1023u));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_3987_ = _e640;
-                                                phi_4944_ = _e616;
-                                                break if !(_e646);
-                                            }
-                                        }
-                                        let _e693 = phi_4944_;
-                                        phi_5042_ = _e693;
-                                        if _e693 {
-                                            break;
-                                        }
-                                        let _e694 = local_7;
-                                        let _e695 = local_8;
-                                        let _e706 = type_52(type_49(array<f32, 3>(_e618[0], _e618[1], _e618[2]), array<f32, 3>(_e617[0], _e617[1], _e617[2])), _e546.member_2);
-                                        let _e711 = type_52(type_49(array<f32, 3>(_e695[0], _e695[1], _e695[2]), array<f32, 3>(_e694[0], _e694[1], _e694[2])), _e546.member_3);
-                                        let _e716 = ((_e618[0] - _e321) * _e326);
-                                        let _e717 = ((_e695[0] - _e321) * _e326);
-                                        let _e718 = ((_e617[0] - _e322) * _e326);
-                                        let _e719 = ((_e694[0] - _e322) * _e326);
-                                        let _e724 = ((_e618[1] - _e359) * _e364);
-                                        let _e725 = ((_e695[1] - _e359) * _e364);
-                                        let _e726 = ((_e617[1] - _e360) * _e364);
-                                        let _e727 = ((_e694[1] - _e360) * _e364);
-                                        let _e732 = ((_e618[2] - _e397) * _e402);
-                                        let _e733 = ((_e695[2] - _e397) * _e402);
-                                        let _e734 = ((_e617[2] - _e398) * _e402);
-                                        let _e735 = ((_e694[2] - _e398) * _e402);
-                                        let _e737 = select(_e734, _e732, (_e732 < _e734));
-                                        let _e739 = select(_e735, _e733, (_e733 < _e735));
-                                        let _e741 = select(_e734, _e732, (_e732 > _e734));
-                                        let _e743 = select(_e735, _e733, (_e733 > _e735));
-                                        let _e745 = select(_e718, _e716, (_e716 < _e718));
-                                        let _e747 = select(_e719, _e717, (_e717 < _e719));
-                                        let _e749 = select(_e726, _e724, (_e724 < _e726));
-                                        let _e751 = select(_e727, _e725, (_e725 < _e727));
-                                        let _e753 = select(_e749, _e745, (_e745 > _e749));
-                                        let _e755 = select(_e751, _e747, (_e747 > _e751));
-                                        let _e757 = select(_e737, _e753, (_e753 > _e737));
-                                        let _e759 = select(_e739, _e755, (_e755 > _e739));
-                                        let _e761 = select(_e718, _e716, (_e716 > _e718));
-                                        let _e763 = select(_e719, _e717, (_e717 > _e719));
-                                        let _e765 = select(_e726, _e724, (_e724 > _e726));
-                                        let _e767 = select(_e727, _e725, (_e725 > _e727));
-                                        let _e769 = select(_e765, _e761, (_e761 < _e765));
-                                        let _e771 = select(_e767, _e763, (_e763 < _e767));
-                                        let _e776 = -(_e737);
-                                        let _e777 = -(_e739);
-                                        let _e784 = (select(_e741, _e769, (_e769 < _e741)) + (select(_e776, _e741, (_e741 > _e776)) * 0.0000019073523f));
-                                        let _e785 = (select(_e743, _e771, (_e771 < _e743)) + (select(_e777, _e743, (_e743 > _e777)) * 0.0000019073523f));
-                                        let _e787 = select(_e449, _e757, (_e757 > _e449));
-                                        let _e789 = select(_e449, _e759, (_e759 > _e449));
-                                        let _e794 = (_e787 <= select(_e482, _e784, (_e784 < _e482)));
-                                        let _e795 = (_e789 <= select(_e482, _e785, (_e785 < _e482)));
-                                        let _e796 = (_e787 <= _e789);
-                                        if _e794 {
-                                            if _e795 {
-                                                if _e796 {
-                                                    phi_4575_ = _e711;
-                                                } else {
-                                                    phi_4575_ = _e706;
-                                                }
-                                                let _e798 = phi_4575_;
-                                                let _e799 = (_e522 % 128u);
-                                                let _e800 = (_e799 < 128u);
-                                                if _e800 {
-                                                } else {
-                                                    phi_5042_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e799] = type_52(type_49(array<f32, 3>(_e798.member.member[0], _e798.member.member[1], _e798.member.member[2]), array<f32, 3>(_e798.member.member_1[0], _e798.member.member_1[1], _e798.member.member_1[2])), _e798.member_1);
-                                                if _e800 {
-                                                } else {
-                                                    phi_5042_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e799] = select(_e789, _e787, (_e787 > _e789));
-                                                if _e796 {
-                                                    phi_4614_ = _e706;
-                                                } else {
-                                                    phi_4614_ = _e711;
-                                                }
-                                                let _e821 = phi_4614_;
-                                                phi_4615_ = _e821;
-                                                phi_4616_ = (_e522 + 1u);
-                                            } else {
-                                                phi_4615_ = type_52();
-                                                phi_4616_ = u32();
-                                            }
-                                            let _e823 = phi_4615_;
-                                            let _e825 = phi_4616_;
-                                            phi_4618_ = _e823;
-                                            phi_4619_ = _e825;
-                                            phi_4620_ = select(true, false, _e795);
-                                        } else {
-                                            phi_4618_ = type_52();
-                                            phi_4619_ = u32();
-                                            phi_4620_ = true;
-                                        }
-                                        let _e828 = phi_4618_;
-                                        let _e830 = phi_4619_;
-                                        let _e832 = phi_4620_;
-                                        if _e832 {
-                                            if _e794 {
-                                                phi_4627_ = _e706;
-                                            } else {
-                                                phi_4627_ = _e711;
-                                            }
-                                            let _e834 = phi_4627_;
-                                            phi_4632_ = _e834;
-                                            phi_4633_ = select(_e795, true, _e794);
-                                        } else {
-                                            phi_4632_ = _e828;
-                                            phi_4633_ = _e520;
-                                        }
-                                        let _e837 = phi_4632_;
-                                        let _e839 = phi_4633_;
-                                        phi_5091_ = _e482;
-                                        phi_5046_ = _e693;
-                                        phi_4635_ = _e837;
-                                        phi_4636_ = _e839;
-                                        phi_4637_ = select(_e830, _e522, _e832);
-                                    }
-                                    let _e1311 = phi_5091_;
-                                    let _e1313 = phi_5046_;
-                                    let _e1315 = phi_4635_;
-                                    let _e1317 = phi_4636_;
-                                    let _e1319 = phi_4637_;
-                                    phi_5090_ = _e1311;
-                                    phi_5045_ = _e1313;
-                                    phi_4638_ = _e1315;
-                                    phi_4639_ = (_e486 - 1u);
-                                    phi_4640_ = _e1317;
-                                    phi_4641_ = _e1319;
-                                } else {
-                                    phi_5090_ = _e482;
-                                    phi_5045_ = _e480;
-                                    phi_4638_ = _e518;
-                                    phi_4639_ = _e486;
-                                    phi_4640_ = _e520;
-                                    phi_4641_ = _e522;
-                                }
-                                let _e1321 = phi_5090_;
-                                let _e1323 = phi_5045_;
-                                let _e1325 = phi_4638_;
-                                let _e1327 = phi_4639_;
-                                let _e1329 = phi_4640_;
-                                let _e1331 = phi_4641_;
-                                phi_5089_ = _e1321;
-                                phi_5044_ = _e1323;
-                                phi_4642_ = _e1325;
-                                phi_4643_ = _e1327;
-                                phi_4644_ = _e1329;
-                                phi_4645_ = _e1331;
-                            } else {
-                                phi_5089_ = _e482;
-                                phi_5044_ = _e480;
-                                phi_4642_ = type_52();
-                                phi_4643_ = u32();
-                                phi_4644_ = bool();
-                                phi_4645_ = u32();
-                            }
-                            let _e1333 = phi_5089_;
-                            let _e1335 = phi_5044_;
-                            let _e1337 = phi_4642_;
-                            let _e1339 = phi_4643_;
-                            let _e1341 = phi_4644_;
-                            let _e1343 = phi_4645_;
-                            phi_5088_ = _e1333;
-                            phi_5043_ = _e1335;
-                            phi_2893_ = _e1337;
-                            phi_2896_ = _e1339;
-                            phi_2898_ = _e1341;
-                            phi_2900_ = _e1343;
-                            phi_4646_ = _e494;
-                        } else {
-                            phi_5088_ = _e482;
-                            phi_5043_ = _e480;
-                            phi_2893_ = type_52();
-                            phi_2896_ = u32();
-                            phi_2898_ = bool();
-                            phi_2900_ = u32();
-                            phi_4646_ = false;
-                        }
-                        let _e1345 = phi_5088_;
-                        let _e1347 = phi_5043_;
-                        let _e1349 = phi_2893_;
-                        let _e1351 = phi_2896_;
-                        let _e1353 = phi_2898_;
-                        let _e1355 = phi_2900_;
-                        let _e1357 = phi_4646_;
-                        continue;
-                        continuing {
-                            phi_4891_ = _e1347;
-                            phi_4882_ = _e1345;
-                            phi_2892_ = _e1349;
-                            phi_2895_ = _e1351;
-                            phi_2897_ = _e1353;
-                            phi_2899_ = _e1355;
-                            phi_5042_ = _e1347;
-                            break if !(_e1357);
-                        }
-                    }
-                    let _e1360 = phi_5042_;
-                    if _e1360 {
-                        break;
-                    }
-                    phi_4653_ = type_4(0u, 8u);
-                    loop {
-                        let _e1362 = phi_4653_;
-                        if (_e1362.member < _e1362.member_1) {
-                            phi_4654_ = type_4((_e1362.member + 1u), _e1362.member_1);
-                            phi_4677_ = type_4(1u, _e1362.member);
-                        } else {
-                            phi_4654_ = _e1362;
-                            phi_4677_ = type_4(0u, type_4().member_1);
-                        }
-                        let _e1375 = phi_4654_;
-                        let _e1377 = phi_4677_;
-                        let _e1381 = (bitcast<i32>(_e1377.member) != 0i);
-                        if _e1381 {
-                            let _e1382 = (_e1377.member_1 < 8u);
-                            if _e1382 {
-                            } else {
-                                phi_5081_ = true;
-                                break;
-                            }
-                            let _e1384 = local_2[_e1377.member_1];
-                            if (_e1384.member_3 != 4294967295u) {
-                                let _e1390 = -(_e416);
-                                let _e1391 = (_e1390 / 3i);
-                                let _e1398 = bitcast<f32>((bitcast<u32>((_e1391 + 127i)) << bitcast<u32>(23i)));
-                                let _e1406 = (((_e1384.member * _e1398) * _e1398) * bitcast<f32>((bitcast<u32>(((_e1390 - (2i * _e1391)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1408 = select(340282350000000000000000000000000000000f, _e1406, (_e1406 < 340282350000000000000000000000000000000f));
-                                phi_4743_ = type_22(select(-340282350000000000000000000000000000000f, _e1408, (_e1408 > -340282350000000000000000000000000000000f)), _e1384.member_1, _e1384.member_2, _e1384.member_3);
-                            } else {
-                                phi_4743_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                            }
-                            let _e1413 = phi_4743_;
-                            if _e1382 {
-                            } else {
-                                phi_5081_ = true;
-                                break;
-                            }
-                            local_2[_e1377.member_1] = type_22(_e1413.member, _e1413.member_1, _e1413.member_2, _e1413.member_3);
-                        }
-                        continue;
-                        continuing {
-                            phi_4653_ = _e1375;
-                            phi_5081_ = _e1360;
-                            break if !(_e1381);
-                        }
-                    }
-                    let _e1421 = phi_5081_;
-                    if _e1421 {
-                        break;
-                    }
-                    let _e1422 = local_2;
-                    if _e137 {
+                    let _e474 = local_17[_e461];
+                    if _e466 {
                     } else {
                         break;
                     }
-                    global_6.member[_e135] = array<type_22, 8>(type_22(_e1422[0].member, _e1422[0].member_1, _e1422[0].member_2, _e1422[0].member_3), type_22(_e1422[1].member, _e1422[1].member_1, _e1422[1].member_2, _e1422[1].member_3), type_22(_e1422[2].member, _e1422[2].member_1, _e1422[2].member_2, _e1422[2].member_3), type_22(_e1422[3].member, _e1422[3].member_1, _e1422[3].member_2, _e1422[3].member_3), type_22(_e1422[4].member, _e1422[4].member_1, _e1422[4].member_2, _e1422[4].member_3), type_22(_e1422[5].member, _e1422[5].member_1, _e1422[5].member_2, _e1422[5].member_3), type_22(_e1422[6].member, _e1422[6].member_1, _e1422[6].member_2, _e1422[6].member_3), type_22(_e1422[7].member, _e1422[7].member_1, _e1422[7].member_2, _e1422[7].member_3));
+                    let _e476 = local_17[_e465];
+                    phi_2932_ = false;
+                    phi_2923_ = _e451;
+                    phi_840_ = type_53(type_51(array<f32, 3>(_e460, _e464, _e468), array<f32, 3>(_e472, _e474, _e476)), select(0u, 2147483648u, (_e91 == 0u)));
+                    phi_843_ = ((3u * _e91) + 1u);
+                    phi_845_ = (_e453 <= _e451);
+                    phi_847_ = 0u;
+                    loop {
+                        let _e484 = phi_2932_;
+                        let _e486 = phi_2923_;
+                        let _e488 = phi_840_;
+                        let _e490 = phi_843_;
+                        let _e492 = phi_845_;
+                        let _e494 = phi_847_;
+                        if _e492 {
+                            phi_858_ = true;
+                        } else {
+                            phi_858_ = (_e494 > 0u);
+                        }
+                        let _e497 = phi_858_;
+                        if _e497 {
+                            let _e498 = (_e490 > 0u);
+                            if _e498 {
+                                if _e492 {
+                                    phi_945_ = _e488;
+                                    phi_946_ = _e492;
+                                    phi_947_ = _e494;
+                                } else {
+                                    let _e499 = (_e494 - 1u);
+                                    let _e500 = (_e499 % 128u);
+                                    let _e501 = (_e500 < 128u);
+                                    if _e501 {
+                                    } else {
+                                        phi_3083_ = true;
+                                        break;
+                                    }
+                                    let _e503 = local_6[_e500];
+                                    if _e501 {
+                                    } else {
+                                        phi_3083_ = true;
+                                        break;
+                                    }
+                                    let _e505 = local_5[_e500];
+                                    if _e501 {
+                                    } else {
+                                        phi_3083_ = true;
+                                        break;
+                                    }
+                                    let _e507 = local_4[_e500];
+                                    if _e501 {
+                                    } else {
+                                        phi_3083_ = true;
+                                        break;
+                                    }
+                                    let _e509 = local_3[_e500];
+                                    if _e501 {
+                                    } else {
+                                        phi_3083_ = true;
+                                        break;
+                                    }
+                                    let _e512 = local_2[_e500];
+                                    if _e501 {
+                                    } else {
+                                        phi_3083_ = true;
+                                        break;
+                                    }
+                                    let _e514 = local_1[_e500];
+                                    if _e501 {
+                                    } else {
+                                        phi_3083_ = true;
+                                        break;
+                                    }
+                                    let _e516 = local[_e500];
+                                    if _e501 {
+                                    } else {
+                                        phi_3083_ = true;
+                                        break;
+                                    }
+                                    let _e521 = local_10[_e500];
+                                    phi_945_ = type_53(type_51(array<f32, 3>(_e505, _e507, _e509), array<f32, 3>(_e512, _e514, _e516)), _e503);
+                                    phi_946_ = (_e521 <= _e486);
+                                    phi_947_ = _e499;
+                                }
+                                let _e524 = phi_945_;
+                                let _e526 = phi_946_;
+                                let _e528 = phi_947_;
+                                if _e526 {
+                                    if ((_e524.member_1 & 2147483648u) != 0u) {
+                                        phi_3024_ = _e484;
+                                        phi_3014_ = _e486;
+                                        phi_965_ = type_4(0u, ((_e524.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        loop {
+                                            let _e852 = phi_3024_;
+                                            let _e854 = phi_3014_;
+                                            let _e856 = phi_965_;
+                                            if (_e856.member < _e856.member_1) {
+                                                phi_966_ = type_4((_e856.member + 1u), _e856.member_1);
+                                                phi_989_ = type_4(1u, _e856.member);
+                                            } else {
+                                                phi_966_ = _e856;
+                                                phi_989_ = type_4(0u, type_4().member_1);
+                                            }
+                                            let _e869 = phi_966_;
+                                            let _e871 = phi_989_;
+                                            let _e875 = (bitcast<i32>(_e871.member) != 0i);
+                                            if _e875 {
+                                                let _e876 = ((_e524.member_1 & 268435455u) + _e871.member_1);
+                                                let _e877 = (_e876 < _e93);
+                                                if _e877 {
+                                                    if _e877 {
+                                                    } else {
+                                                        phi_3167_ = _e854;
+                                                        phi_3078_ = true;
+                                                        break;
+                                                    }
+                                                    let _e881 = global_2.member[_e876].member_1;
+                                                    phi_1010_ = _e881;
+                                                } else {
+                                                    phi_1010_ = 4294967295u;
+                                                }
+                                                let _e883 = phi_1010_;
+                                                if (_e876 >= _e93) {
+                                                    phi_1099_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                } else {
+                                                    if _e877 {
+                                                    } else {
+                                                        phi_3167_ = _e854;
+                                                        phi_3078_ = true;
+                                                        break;
+                                                    }
+                                                    if (_e457 < 9u) {
+                                                    } else {
+                                                        phi_3167_ = _e854;
+                                                        phi_3078_ = true;
+                                                        break;
+                                                    }
+                                                    let _e890 = global_2.member[_e876].member[_e457];
+                                                    if (_e461 < 9u) {
+                                                    } else {
+                                                        phi_3167_ = _e854;
+                                                        phi_3078_ = true;
+                                                        break;
+                                                    }
+                                                    let _e896 = global_2.member[_e876].member[_e461];
+                                                    if (_e465 < 9u) {
+                                                    } else {
+                                                        phi_3167_ = _e854;
+                                                        phi_3078_ = true;
+                                                        break;
+                                                    }
+                                                    let _e902 = global_2.member[_e876].member[_e465];
+                                                    let _e904 = (3u + _e457);
+                                                    if (_e904 < 9u) {
+                                                    } else {
+                                                        phi_3167_ = _e854;
+                                                        phi_3078_ = true;
+                                                        break;
+                                                    }
+                                                    let _e910 = global_2.member[_e876].member[_e904];
+                                                    let _e911 = (3u + _e461);
+                                                    if (_e911 < 9u) {
+                                                    } else {
+                                                        phi_3167_ = _e854;
+                                                        phi_3078_ = true;
+                                                        break;
+                                                    }
+                                                    let _e917 = global_2.member[_e876].member[_e911];
+                                                    let _e918 = (3u + _e465);
+                                                    if (_e918 < 9u) {
+                                                    } else {
+                                                        phi_3167_ = _e854;
+                                                        phi_3078_ = true;
+                                                        break;
+                                                    }
+                                                    let _e924 = global_2.member[_e876].member[_e918];
+                                                    let _e926 = (6u + _e457);
+                                                    if (_e926 < 9u) {
+                                                    } else {
+                                                        phi_3167_ = _e854;
+                                                        phi_3078_ = true;
+                                                        break;
+                                                    }
+                                                    let _e932 = global_2.member[_e876].member[_e926];
+                                                    let _e933 = (6u + _e461);
+                                                    if (_e933 < 9u) {
+                                                    } else {
+                                                        phi_3167_ = _e854;
+                                                        phi_3078_ = true;
+                                                        break;
+                                                    }
+                                                    let _e939 = global_2.member[_e876].member[_e933];
+                                                    let _e940 = (6u + _e465);
+                                                    if (_e940 < 9u) {
+                                                    } else {
+                                                        phi_3167_ = _e854;
+                                                        phi_3078_ = true;
+                                                        break;
+                                                    }
+                                                    let _e946 = global_2.member[_e876].member[_e940];
+                                                    phi_1099_ = array<array<f32, 3>, 3>(array<f32, 3>(_e890, _e896, _e902), array<f32, 3>(_e910, _e917, _e924), array<f32, 3>(_e932, _e939, _e946));
+                                                }
+                                                let _e950 = phi_1099_;
+                                                let _e957 = (_e950[0][2] - _e379);
+                                                let _e960 = (((_e950[0][0] - _e302) * _e403) - (_e957 * _e327));
+                                                let _e963 = (((_e950[0][1] - _e341) * _e403) - (_e957 * _e365));
+                                                let _e970 = (_e950[1][2] - _e379);
+                                                let _e973 = (((_e950[1][0] - _e302) * _e403) - (_e970 * _e327));
+                                                let _e976 = (((_e950[1][1] - _e341) * _e403) - (_e970 * _e365));
+                                                let _e983 = (_e950[2][2] - _e379);
+                                                let _e986 = (((_e950[2][0] - _e302) * _e403) - (_e983 * _e327));
+                                                let _e989 = (((_e950[2][1] - _e341) * _e403) - (_e983 * _e365));
+                                                let _e990 = (_e986 * _e976);
+                                                let _e991 = (_e989 * _e973);
+                                                let _e992 = (_e960 * _e989);
+                                                let _e993 = (_e963 * _e986);
+                                                let _e994 = (_e973 * _e963);
+                                                let _e995 = (_e976 * _e960);
+                                                let _e1000 = (((_e990 >= _e991) && (_e992 >= _e993)) && (_e994 >= _e995));
+                                                if (_e1000 || (((_e990 <= _e991) && (_e992 <= _e993)) && (_e994 <= _e995))) {
+                                                    let _e1007 = select(-1f, 1f, _e1000);
+                                                    let _e1009 = ((_e990 - _e991) * _e1007);
+                                                    let _e1011 = select(0f, _e1009, (_e1009 > 0f));
+                                                    let _e1013 = ((_e992 - _e993) * _e1007);
+                                                    let _e1015 = select(0f, _e1013, (_e1013 > 0f));
+                                                    let _e1017 = ((_e994 - _e995) * _e1007);
+                                                    let _e1019 = select(0f, _e1017, (_e1017 > 0f));
+                                                    let _e1021 = ((_e1011 + _e1015) + _e1019);
+                                                    if (_e1021 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1666_ = type_22();
+                                                        phi_1667_ = true;
+                                                    } else {
+                                                        let _e1024 = select(_e950[1][0], _e950[0][0], (_e950[0][0] < _e950[1][0]));
+                                                        let _e1028 = select(_e950[1][0], _e950[0][0], (_e950[0][0] > _e950[1][0]));
+                                                        let _e1032 = select(_e950[1][1], _e950[0][1], (_e950[0][1] < _e950[1][1]));
+                                                        let _e1036 = select(_e950[1][1], _e950[0][1], (_e950[0][1] > _e950[1][1]));
+                                                        let _e1040 = select(_e950[1][2], _e950[0][2], (_e950[0][2] < _e950[1][2]));
+                                                        let _e1044 = select(_e950[1][2], _e950[0][2], (_e950[0][2] > _e950[1][2]));
+                                                        let _e1049 = ((select(_e950[2][0], _e1024, (_e1024 < _e950[2][0])) - _e325) * _e330);
+                                                        let _e1050 = ((select(_e950[2][0], _e1028, (_e1028 > _e950[2][0])) - _e326) * _e330);
+                                                        let _e1053 = ((select(_e950[2][1], _e1032, (_e1032 < _e950[2][1])) - _e363) * _e368);
+                                                        let _e1054 = ((select(_e950[2][1], _e1036, (_e1036 > _e950[2][1])) - _e364) * _e368);
+                                                        let _e1057 = ((select(_e950[2][2], _e1040, (_e1040 < _e950[2][2])) - _e401) * _e406);
+                                                        let _e1058 = ((select(_e950[2][2], _e1044, (_e1044 > _e950[2][2])) - _e402) * _e406);
+                                                        let _e1060 = select(_e1058, _e1057, (_e1057 < _e1058));
+                                                        let _e1062 = select(_e1058, _e1057, (_e1057 > _e1058));
+                                                        let _e1064 = select(_e1050, _e1049, (_e1049 < _e1050));
+                                                        let _e1066 = select(_e1054, _e1053, (_e1053 < _e1054));
+                                                        let _e1068 = select(_e1066, _e1064, (_e1064 > _e1066));
+                                                        let _e1070 = select(_e1060, _e1068, (_e1068 > _e1060));
+                                                        let _e1072 = select(_e1050, _e1049, (_e1049 > _e1050));
+                                                        let _e1074 = select(_e1054, _e1053, (_e1053 > _e1054));
+                                                        let _e1076 = select(_e1074, _e1072, (_e1072 < _e1074));
+                                                        let _e1078 = select(_e1062, _e1076, (_e1076 < _e1062));
+                                                        let _e1079 = -(_e1060);
+                                                        let _e1085 = select(_e453, _e1070, (_e1070 > _e453));
+                                                        if (_e1085 > (_e1078 + (select(_e1079, _e1062, (_e1062 > _e1079)) * 0.0000019073523f))) {
+                                                            phi_1661_ = type_22();
+                                                            phi_1662_ = true;
+                                                        } else {
+                                                            let _e1087 = (_e1085 > _e854);
+                                                            if _e1087 {
+                                                                phi_1660_ = type_22();
+                                                            } else {
+                                                                let _e1091 = (_e950[1][0] - _e950[0][0]);
+                                                                let _e1092 = (_e950[1][1] - _e950[0][1]);
+                                                                let _e1093 = (_e950[1][2] - _e950[0][2]);
+                                                                let _e1094 = vec3<f32>(_e1091, _e1092, _e1093);
+                                                                let _e1095 = (_e950[2][0] - _e950[1][0]);
+                                                                let _e1096 = (_e950[2][1] - _e950[1][1]);
+                                                                let _e1097 = (_e950[2][2] - _e950[1][2]);
+                                                                let _e1098 = vec3<f32>(_e1095, _e1096, _e1097);
+                                                                let _e1099 = (_e950[0][0] - _e950[2][0]);
+                                                                let _e1100 = (_e950[0][1] - _e950[2][1]);
+                                                                let _e1101 = (_e950[0][2] - _e950[2][2]);
+                                                                let _e1102 = vec3<f32>(_e1099, _e1100, _e1101);
+                                                                let _e1105 = bitcast<f32>((bitcast<u32>(_e1091) & 2147483647u));
+                                                                let _e1108 = bitcast<f32>((bitcast<u32>(_e1092) & 2147483647u));
+                                                                let _e1110 = select(_e1108, _e1105, (_e1105 > _e1108));
+                                                                let _e1113 = bitcast<f32>((bitcast<u32>(_e1093) & 2147483647u));
+                                                                let _e1115 = select(_e1113, _e1110, (_e1110 > _e1113));
+                                                                let _e1118 = bitcast<f32>((bitcast<u32>(_e1095) & 2147483647u));
+                                                                let _e1121 = bitcast<f32>((bitcast<u32>(_e1096) & 2147483647u));
+                                                                let _e1123 = select(_e1121, _e1118, (_e1118 > _e1121));
+                                                                let _e1126 = bitcast<f32>((bitcast<u32>(_e1097) & 2147483647u));
+                                                                let _e1128 = select(_e1126, _e1123, (_e1123 > _e1126));
+                                                                let _e1131 = bitcast<f32>((bitcast<u32>(_e1099) & 2147483647u));
+                                                                let _e1134 = bitcast<f32>((bitcast<u32>(_e1100) & 2147483647u));
+                                                                let _e1136 = select(_e1134, _e1131, (_e1131 > _e1134));
+                                                                let _e1139 = bitcast<f32>((bitcast<u32>(_e1101) & 2147483647u));
+                                                                let _e1141 = select(_e1139, _e1136, (_e1136 > _e1139));
+                                                                let _e1143 = select(_e1128, _e1115, (_e1115 > _e1128));
+                                                                let _e1145 = select(_e1141, _e1143, (_e1143 > _e1141));
+                                                                if (_e1115 == _e1145) {
+                                                                    phi_1571_ = _e1098;
+                                                                    phi_1572_ = _e1102;
+                                                                } else {
+                                                                    let _e1148 = vec3((_e1128 == _e1145));
+                                                                    phi_1571_ = select(_e1094, _e1102, _e1148);
+                                                                    phi_1572_ = select(_e1098, _e1094, _e1148);
+                                                                }
+                                                                let _e1152 = phi_1571_;
+                                                                let _e1154 = phi_1572_;
+                                                                let _e1161 = ((_e1152.y * _e1154.z) - (_e1154.y * _e1152.z));
+                                                                let _e1166 = ((_e1152.z * _e1154.x) - (_e1154.z * _e1152.x));
+                                                                let _e1169 = ((_e1152.x * _e1154.y) - (_e1154.x * _e1152.y));
+                                                                if (_e1011 >= _e1015) {
+                                                                    phi_1603_ = select(true, false, (_e1011 >= _e1019));
+                                                                } else {
+                                                                    phi_1603_ = true;
+                                                                }
+                                                                let _e1174 = phi_1603_;
+                                                                if _e1174 {
+                                                                    phi_1612_ = select(vec3<f32>(_e950[2][0], _e950[2][1], _e950[2][2]), vec3<f32>(_e950[1][0], _e950[1][1], _e950[1][2]), vec3((_e1015 >= _e1019)));
+                                                                } else {
+                                                                    phi_1612_ = vec3<f32>(_e950[0][0], _e950[0][1], _e950[0][2]);
+                                                                }
+                                                                let _e1179 = phi_1612_;
+                                                                let _e1196 = ((((_e1161 * (_e1179.x - _e302)) + (_e1166 * (_e1179.y - _e341))) + (_e1169 * (_e1179.z - _e379))) / (((_e1161 * _e327) + (_e1166 * _e365)) + (_e1169 * _e403)));
+                                                                let _e1198 = select(_e1078, _e1196, (_e1196 < _e1078));
+                                                                let _e1200 = select(_e1070, _e1198, (_e1198 > _e1070));
+                                                                if (_e1200 >= _e453) {
+                                                                    let _e1202 = (_e1200 <= _e854);
+                                                                    if _e1202 {
+                                                                        let _e1203 = (1f / _e1021);
+                                                                        phi_1652_ = type_22(_e1200, (_e1015 * _e1203), (_e1019 * _e1203), _e883);
+                                                                    } else {
+                                                                        phi_1652_ = type_22();
+                                                                    }
+                                                                    let _e1208 = phi_1652_;
+                                                                    phi_1654_ = _e1208;
+                                                                    phi_1655_ = select(true, false, _e1202);
+                                                                } else {
+                                                                    phi_1654_ = type_22();
+                                                                    phi_1655_ = true;
+                                                                }
+                                                                let _e1211 = phi_1654_;
+                                                                let _e1213 = phi_1655_;
+                                                                if _e1213 {
+                                                                    phi_1659_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                } else {
+                                                                    phi_1659_ = _e1211;
+                                                                }
+                                                                let _e1215 = phi_1659_;
+                                                                phi_1660_ = _e1215;
+                                                            }
+                                                            let _e1217 = phi_1660_;
+                                                            phi_1661_ = _e1217;
+                                                            phi_1662_ = _e1087;
+                                                        }
+                                                        let _e1219 = phi_1661_;
+                                                        let _e1221 = phi_1662_;
+                                                        phi_1666_ = _e1219;
+                                                        phi_1667_ = _e1221;
+                                                    }
+                                                    let _e1223 = phi_1666_;
+                                                    let _e1225 = phi_1667_;
+                                                    phi_1671_ = _e1223;
+                                                    phi_1672_ = _e1225;
+                                                } else {
+                                                    phi_1671_ = type_22();
+                                                    phi_1672_ = true;
+                                                }
+                                                let _e1227 = phi_1671_;
+                                                let _e1229 = phi_1672_;
+                                                if _e1229 {
+                                                    phi_1676_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                } else {
+                                                    phi_1676_ = _e1227;
+                                                }
+                                                let _e1231 = phi_1676_;
+                                                if (_e1231.member_3 != 4294967295u) {
+                                                    if (_e883 != 4294967295u) {
+                                                        phi_1688_ = type_4(0u, 8u);
+                                                        phi_1691_ = _e1231;
+                                                        loop {
+                                                            let _e1236 = phi_1688_;
+                                                            let _e1238 = phi_1691_;
+                                                            if (_e1236.member < _e1236.member_1) {
+                                                                phi_1689_ = type_4((_e1236.member + 1u), _e1236.member_1);
+                                                                phi_1714_ = type_4(1u, _e1236.member);
+                                                            } else {
+                                                                phi_1689_ = _e1236;
+                                                                phi_1714_ = type_4(0u, type_4().member_1);
+                                                            }
+                                                            let _e1251 = phi_1689_;
+                                                            let _e1253 = phi_1714_;
+                                                            let _e1257 = (bitcast<i32>(_e1253.member) != 0i);
+                                                            if _e1257 {
+                                                                let _e1258 = (_e1253.member_1 < 8u);
+                                                                if _e1258 {
+                                                                } else {
+                                                                    phi_3015_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1263 = local_9[_e1253.member_1].member;
+                                                                if (_e1238.member < _e1263) {
+                                                                    phi_1747_ = true;
+                                                                } else {
+                                                                    let _e1265 = local_9[_e1253.member_1].member;
+                                                                    if (_e1238.member == _e1265) {
+                                                                        let _e1270 = local_9[_e1253.member_1].member_3;
+                                                                        phi_1746_ = (_e1238.member_3 < _e1270);
+                                                                    } else {
+                                                                        phi_1746_ = false;
+                                                                    }
+                                                                    let _e1273 = phi_1746_;
+                                                                    phi_1747_ = _e1273;
+                                                                }
+                                                                let _e1275 = phi_1747_;
+                                                                if _e1275 {
+                                                                    if _e1258 {
+                                                                    } else {
+                                                                        phi_3015_ = true;
+                                                                        break;
+                                                                    }
+                                                                    let _e1276 = local_9[_e1253.member_1];
+                                                                    local_9[_e1253.member_1] = type_22(_e1238.member, _e1238.member_1, _e1238.member_2, _e1238.member_3);
+                                                                    phi_1768_ = type_22(_e1276.member, _e1276.member_1, _e1276.member_2, _e1276.member_3);
+                                                                } else {
+                                                                    phi_1768_ = _e1238;
+                                                                }
+                                                                let _e1287 = phi_1768_;
+                                                                phi_1692_ = _e1287;
+                                                            } else {
+                                                                phi_1692_ = type_22();
+                                                            }
+                                                            let _e1289 = phi_1692_;
+                                                            continue;
+                                                            continuing {
+                                                                phi_1688_ = _e1251;
+                                                                phi_1691_ = _e1289;
+                                                                phi_3015_ = _e852;
+                                                                break if !(_e1257);
+                                                            }
+                                                        }
+                                                        let _e1292 = phi_3015_;
+                                                        phi_3167_ = _e854;
+                                                        phi_3078_ = _e1292;
+                                                        if _e1292 {
+                                                            break;
+                                                        }
+                                                        let _e1295 = local_9[7u].member_3;
+                                                        if (_e1295 != 4294967295u) {
+                                                            let _e1299 = local_9[7u].member;
+                                                            phi_3230_ = _e1299;
+                                                        } else {
+                                                            phi_3230_ = _e854;
+                                                        }
+                                                        let _e1301 = phi_3230_;
+                                                        phi_3229_ = _e1301;
+                                                        phi_3081_ = _e1292;
+                                                    } else {
+                                                        phi_3229_ = _e854;
+                                                        phi_3081_ = _e852;
+                                                    }
+                                                    let _e1303 = phi_3229_;
+                                                    let _e1305 = phi_3081_;
+                                                    phi_3228_ = _e1303;
+                                                    phi_3080_ = _e1305;
+                                                } else {
+                                                    phi_3228_ = _e854;
+                                                    phi_3080_ = _e852;
+                                                }
+                                                let _e1307 = phi_3228_;
+                                                let _e1309 = phi_3080_;
+                                                phi_3227_ = _e1307;
+                                                phi_3079_ = _e1309;
+                                            } else {
+                                                phi_3227_ = _e854;
+                                                phi_3079_ = _e852;
+                                            }
+                                            let _e1311 = phi_3227_;
+                                            let _e1313 = phi_3079_;
+                                            continue;
+                                            continuing {
+                                                phi_3024_ = _e1313;
+                                                phi_3014_ = _e1311;
+                                                phi_965_ = _e869;
+                                                phi_3167_ = _e1311;
+                                                phi_3078_ = _e1313;
+                                                break if !(_e875);
+                                            }
+                                        }
+                                        let _e1316 = phi_3167_;
+                                        let _e1318 = phi_3078_;
+                                        phi_3083_ = _e1318;
+                                        if _e1318 {
+                                            break;
+                                        }
+                                        phi_3132_ = _e1316;
+                                        phi_3087_ = _e1318;
+                                        phi_2662_ = _e524;
+                                        phi_2663_ = false;
+                                        phi_2664_ = _e528;
+                                    } else {
+                                        local_8 = array<f32, 3>(_e524.member.member[0], _e524.member.member[1], _e524.member.member[2]);
+                                        local_7 = array<f32, 3>(_e524.member.member_1[0], _e524.member.member_1[1], _e524.member.member_1[2]);
+                                        let _e548 = (_e524.member_1 < _e91);
+                                        if _e548 {
+                                            if _e548 {
+                                            } else {
+                                                phi_3083_ = true;
+                                                break;
+                                            }
+                                            let _e550 = global_5.member[_e524.member_1];
+                                            phi_1813_ = _e550;
+                                        } else {
+                                            phi_1813_ = type_44(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                        }
+                                        let _e552 = phi_1813_;
+                                        let _e554 = array<u32, 3>(_e253, _e252, _e254);
+                                        local_16 = _e554;
+                                        local_12 = array<f32, 3>(0f, 0f, 0f);
+                                        local_11 = array<f32, 3>(0f, 0f, 0f);
+                                        phi_1822_ = type_4(0u, 3u);
+                                        loop {
+                                            let _e556 = phi_1822_;
+                                            if (_e556.member < _e556.member_1) {
+                                                phi_1823_ = type_4((_e556.member + 1u), _e556.member_1);
+                                                phi_1846_ = type_4(1u, _e556.member);
+                                            } else {
+                                                phi_1823_ = _e556;
+                                                phi_1846_ = type_4(0u, type_4().member_1);
+                                            }
+                                            let _e569 = phi_1823_;
+                                            let _e571 = phi_1846_;
+                                            let _e575 = (bitcast<i32>(_e571.member) != 0i);
+                                            if _e575 {
+                                                let _e576 = (_e571.member_1 < 3u);
+                                                if _e576 {
+                                                } else {
+                                                    phi_2925_ = true;
+                                                    break;
+                                                }
+                                                let _e578 = local_16[_e571.member_1];
+                                                if _e576 {
+                                                } else {
+                                                    phi_2925_ = true;
+                                                    break;
+                                                }
+                                                let _e580 = local_8[_e571.member_1];
+                                                if _e576 {
+                                                } else {
+                                                    phi_2925_ = true;
+                                                    break;
+                                                }
+                                                let _e582 = local_7[_e571.member_1];
+                                                let _e585 = ((10u * _e578) & 31u);
+                                                let _e588 = ((_e552.member[0] >> bitcast<u32>(_e585)) & 1023u);
+                                                let _e593 = bitcast<f32>((bitcast<u32>(((_e582 - _e580) * 0.0009775171f)) ^ _e125));
+                                                let _e599 = (_e580 + bitcast<f32>((bitcast<u32>((f32(_e588) * _e593)) ^ _e125)));
+                                                if _e576 {
+                                                } else {
+                                                    phi_2925_ = true;
+                                                    break;
+                                                }
+                                                local_12[_e571.member_1] = select(select(_e582, _e599, (_e599 < _e582)), _e582, (_e588 == 1023u));
+                                                let _e608 = ((_e552.member[1] >> bitcast<u32>(_e585)) & 1023u);
+                                                let _e614 = (_e580 + bitcast<f32>((bitcast<u32>((f32(_e608) * _e593)) ^ _e125)));
+                                                if _e576 {
+                                                } else {
+                                                    phi_2925_ = true;
+                                                    break;
+                                                }
+                                                local_11[_e571.member_1] = select(select(_e582, _e614, (_e614 < _e582)), _e582, (_e608 == 1023u));
+                                            }
+                                            continue;
+                                            continuing {
+                                                phi_1822_ = _e569;
+                                                phi_2925_ = _e484;
+                                                break if !(_e575);
+                                            }
+                                        }
+                                        let _e622 = phi_2925_;
+                                        phi_3083_ = _e622;
+                                        if _e622 {
+                                            break;
+                                        }
+                                        let _e623 = local_11;
+                                        let _e624 = local_12;
+                                        local_15 = _e554;
+                                        local_14 = array<f32, 3>(0f, 0f, 0f);
+                                        local_13 = array<f32, 3>(0f, 0f, 0f);
+                                        phi_1976_ = type_4(0u, 3u);
+                                        loop {
+                                            let _e633 = phi_1976_;
+                                            if (_e633.member < _e633.member_1) {
+                                                phi_1977_ = type_4((_e633.member + 1u), _e633.member_1);
+                                                phi_2000_ = type_4(1u, _e633.member);
+                                            } else {
+                                                phi_1977_ = _e633;
+                                                phi_2000_ = type_4(0u, type_4().member_1);
+                                            }
+                                            let _e646 = phi_1977_;
+                                            let _e648 = phi_2000_;
+                                            let _e652 = (bitcast<i32>(_e648.member) != 0i);
+                                            if _e652 {
+                                                let _e653 = (_e648.member_1 < 3u);
+                                                if _e653 {
+                                                } else {
+                                                    phi_2985_ = true;
+                                                    break;
+                                                }
+                                                let _e655 = local_15[_e648.member_1];
+                                                if _e653 {
+                                                } else {
+                                                    phi_2985_ = true;
+                                                    break;
+                                                }
+                                                let _e657 = local_8[_e648.member_1];
+                                                if _e653 {
+                                                } else {
+                                                    phi_2985_ = true;
+                                                    break;
+                                                }
+                                                let _e659 = local_7[_e648.member_1];
+                                                let _e662 = ((10u * _e655) & 31u);
+                                                let _e665 = ((_e552.member_1[0] >> bitcast<u32>(_e662)) & 1023u);
+                                                let _e670 = bitcast<f32>((bitcast<u32>(((_e659 - _e657) * 0.0009775171f)) ^ _e125));
+                                                let _e676 = (_e657 + bitcast<f32>((bitcast<u32>((f32(_e665) * _e670)) ^ _e125)));
+                                                if _e653 {
+                                                } else {
+                                                    phi_2985_ = true;
+                                                    break;
+                                                }
+                                                local_14[_e648.member_1] = select(select(_e659, _e676, (_e676 < _e659)), _e659, (_e665 == 1023u));
+                                                let _e685 = ((_e552.member_1[1] >> bitcast<u32>(_e662)) & 1023u);
+                                                let _e691 = (_e657 + bitcast<f32>((bitcast<u32>((f32(_e685) * _e670)) ^ _e125)));
+                                                if _e653 {
+                                                } else {
+                                                    phi_2985_ = true;
+                                                    break;
+                                                }
+                                                local_13[_e648.member_1] = select(select(_e659, _e691, (_e691 < _e659)), _e659, (_e685 == 1023u));
+                                            }
+                                            continue;
+                                            continuing {
+                                                phi_1976_ = _e646;
+                                                phi_2985_ = _e622;
+                                                break if !(_e652);
+                                            }
+                                        }
+                                        let _e699 = phi_2985_;
+                                        phi_3083_ = _e699;
+                                        if _e699 {
+                                            break;
+                                        }
+                                        let _e700 = local_13;
+                                        let _e701 = local_14;
+                                        let _e712 = type_53(type_51(array<f32, 3>(_e624[0], _e624[1], _e624[2]), array<f32, 3>(_e623[0], _e623[1], _e623[2])), _e552.member_2);
+                                        let _e717 = type_53(type_51(array<f32, 3>(_e701[0], _e701[1], _e701[2]), array<f32, 3>(_e700[0], _e700[1], _e700[2])), _e552.member_3);
+                                        let _e722 = ((_e624[0] - _e325) * _e330);
+                                        let _e723 = ((_e701[0] - _e325) * _e330);
+                                        let _e724 = ((_e623[0] - _e326) * _e330);
+                                        let _e725 = ((_e700[0] - _e326) * _e330);
+                                        let _e730 = ((_e624[1] - _e363) * _e368);
+                                        let _e731 = ((_e701[1] - _e363) * _e368);
+                                        let _e732 = ((_e623[1] - _e364) * _e368);
+                                        let _e733 = ((_e700[1] - _e364) * _e368);
+                                        let _e738 = ((_e624[2] - _e401) * _e406);
+                                        let _e739 = ((_e701[2] - _e401) * _e406);
+                                        let _e740 = ((_e623[2] - _e402) * _e406);
+                                        let _e741 = ((_e700[2] - _e402) * _e406);
+                                        let _e743 = select(_e740, _e738, (_e738 < _e740));
+                                        let _e745 = select(_e741, _e739, (_e739 < _e741));
+                                        let _e747 = select(_e740, _e738, (_e738 > _e740));
+                                        let _e749 = select(_e741, _e739, (_e739 > _e741));
+                                        let _e751 = select(_e724, _e722, (_e722 < _e724));
+                                        let _e753 = select(_e725, _e723, (_e723 < _e725));
+                                        let _e755 = select(_e732, _e730, (_e730 < _e732));
+                                        let _e757 = select(_e733, _e731, (_e731 < _e733));
+                                        let _e759 = select(_e755, _e751, (_e751 > _e755));
+                                        let _e761 = select(_e757, _e753, (_e753 > _e757));
+                                        let _e763 = select(_e743, _e759, (_e759 > _e743));
+                                        let _e765 = select(_e745, _e761, (_e761 > _e745));
+                                        let _e767 = select(_e724, _e722, (_e722 > _e724));
+                                        let _e769 = select(_e725, _e723, (_e723 > _e725));
+                                        let _e771 = select(_e732, _e730, (_e730 > _e732));
+                                        let _e773 = select(_e733, _e731, (_e731 > _e733));
+                                        let _e775 = select(_e771, _e767, (_e767 < _e771));
+                                        let _e777 = select(_e773, _e769, (_e769 < _e773));
+                                        let _e782 = -(_e743);
+                                        let _e783 = -(_e745);
+                                        let _e790 = (select(_e747, _e775, (_e775 < _e747)) + (select(_e782, _e747, (_e747 > _e782)) * 0.0000019073523f));
+                                        let _e791 = (select(_e749, _e777, (_e777 < _e749)) + (select(_e783, _e749, (_e749 > _e783)) * 0.0000019073523f));
+                                        let _e793 = select(_e453, _e763, (_e763 > _e453));
+                                        let _e795 = select(_e453, _e765, (_e765 > _e453));
+                                        let _e800 = (_e793 <= select(_e486, _e790, (_e790 < _e486)));
+                                        let _e801 = (_e795 <= select(_e486, _e791, (_e791 < _e486)));
+                                        let _e802 = (_e793 <= _e795);
+                                        if _e800 {
+                                            if _e801 {
+                                                if _e802 {
+                                                    phi_2564_ = _e717;
+                                                } else {
+                                                    phi_2564_ = _e712;
+                                                }
+                                                let _e804 = phi_2564_;
+                                                let _e812 = (_e528 % 128u);
+                                                let _e813 = (_e812 < 128u);
+                                                if _e813 {
+                                                } else {
+                                                    phi_3083_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e812] = _e804.member_1;
+                                                if _e813 {
+                                                } else {
+                                                    phi_3083_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e812] = _e804.member.member[0];
+                                                if _e813 {
+                                                } else {
+                                                    phi_3083_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e812] = _e804.member.member[1];
+                                                if _e813 {
+                                                } else {
+                                                    phi_3083_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e812] = _e804.member.member[2];
+                                                if _e813 {
+                                                } else {
+                                                    phi_3083_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e812] = _e804.member.member_1[0];
+                                                if _e813 {
+                                                } else {
+                                                    phi_3083_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e812] = _e804.member.member_1[1];
+                                                if _e813 {
+                                                } else {
+                                                    phi_3083_ = true;
+                                                    break;
+                                                }
+                                                local[_e812] = _e804.member.member_1[2];
+                                                if _e813 {
+                                                } else {
+                                                    phi_3083_ = true;
+                                                    break;
+                                                }
+                                                local_10[_e812] = select(_e795, _e793, (_e793 > _e795));
+                                                if _e802 {
+                                                    phi_2641_ = _e712;
+                                                } else {
+                                                    phi_2641_ = _e717;
+                                                }
+                                                let _e830 = phi_2641_;
+                                                phi_2642_ = _e830;
+                                                phi_2643_ = (_e528 + 1u);
+                                            } else {
+                                                phi_2642_ = type_53();
+                                                phi_2643_ = u32();
+                                            }
+                                            let _e832 = phi_2642_;
+                                            let _e834 = phi_2643_;
+                                            phi_2645_ = _e832;
+                                            phi_2646_ = _e834;
+                                            phi_2647_ = select(true, false, _e801);
+                                        } else {
+                                            phi_2645_ = type_53();
+                                            phi_2646_ = u32();
+                                            phi_2647_ = true;
+                                        }
+                                        let _e837 = phi_2645_;
+                                        let _e839 = phi_2646_;
+                                        let _e841 = phi_2647_;
+                                        if _e841 {
+                                            if _e800 {
+                                                phi_2654_ = _e712;
+                                            } else {
+                                                phi_2654_ = _e717;
+                                            }
+                                            let _e843 = phi_2654_;
+                                            phi_2659_ = _e843;
+                                            phi_2660_ = select(_e801, true, _e800);
+                                        } else {
+                                            phi_2659_ = _e837;
+                                            phi_2660_ = _e526;
+                                        }
+                                        let _e846 = phi_2659_;
+                                        let _e848 = phi_2660_;
+                                        phi_3132_ = _e486;
+                                        phi_3087_ = _e699;
+                                        phi_2662_ = _e846;
+                                        phi_2663_ = _e848;
+                                        phi_2664_ = select(_e839, _e528, _e841);
+                                    }
+                                    let _e1320 = phi_3132_;
+                                    let _e1322 = phi_3087_;
+                                    let _e1324 = phi_2662_;
+                                    let _e1326 = phi_2663_;
+                                    let _e1328 = phi_2664_;
+                                    phi_3131_ = _e1320;
+                                    phi_3086_ = _e1322;
+                                    phi_2665_ = _e1324;
+                                    phi_2666_ = (_e490 - 1u);
+                                    phi_2667_ = _e1326;
+                                    phi_2668_ = _e1328;
+                                } else {
+                                    phi_3131_ = _e486;
+                                    phi_3086_ = _e484;
+                                    phi_2665_ = _e524;
+                                    phi_2666_ = _e490;
+                                    phi_2667_ = _e526;
+                                    phi_2668_ = _e528;
+                                }
+                                let _e1330 = phi_3131_;
+                                let _e1332 = phi_3086_;
+                                let _e1334 = phi_2665_;
+                                let _e1336 = phi_2666_;
+                                let _e1338 = phi_2667_;
+                                let _e1340 = phi_2668_;
+                                phi_3130_ = _e1330;
+                                phi_3085_ = _e1332;
+                                phi_2669_ = _e1334;
+                                phi_2670_ = _e1336;
+                                phi_2671_ = _e1338;
+                                phi_2672_ = _e1340;
+                            } else {
+                                phi_3130_ = _e486;
+                                phi_3085_ = _e484;
+                                phi_2669_ = type_53();
+                                phi_2670_ = u32();
+                                phi_2671_ = bool();
+                                phi_2672_ = u32();
+                            }
+                            let _e1342 = phi_3130_;
+                            let _e1344 = phi_3085_;
+                            let _e1346 = phi_2669_;
+                            let _e1348 = phi_2670_;
+                            let _e1350 = phi_2671_;
+                            let _e1352 = phi_2672_;
+                            phi_3129_ = _e1342;
+                            phi_3084_ = _e1344;
+                            phi_841_ = _e1346;
+                            phi_844_ = _e1348;
+                            phi_846_ = _e1350;
+                            phi_848_ = _e1352;
+                            phi_2673_ = _e498;
+                        } else {
+                            phi_3129_ = _e486;
+                            phi_3084_ = _e484;
+                            phi_841_ = type_53();
+                            phi_844_ = u32();
+                            phi_846_ = bool();
+                            phi_848_ = u32();
+                            phi_2673_ = false;
+                        }
+                        let _e1354 = phi_3129_;
+                        let _e1356 = phi_3084_;
+                        let _e1358 = phi_841_;
+                        let _e1360 = phi_844_;
+                        let _e1362 = phi_846_;
+                        let _e1364 = phi_848_;
+                        let _e1366 = phi_2673_;
+                        continue;
+                        continuing {
+                            phi_2932_ = _e1356;
+                            phi_2923_ = _e1354;
+                            phi_840_ = _e1358;
+                            phi_843_ = _e1360;
+                            phi_845_ = _e1362;
+                            phi_847_ = _e1364;
+                            phi_3083_ = _e1356;
+                            break if !(_e1366);
+                        }
+                    }
+                    let _e1369 = phi_3083_;
+                    if _e1369 {
+                        break;
+                    }
+                    phi_2680_ = type_4(0u, 8u);
+                    loop {
+                        let _e1371 = phi_2680_;
+                        if (_e1371.member < _e1371.member_1) {
+                            phi_2681_ = type_4((_e1371.member + 1u), _e1371.member_1);
+                            phi_2704_ = type_4(1u, _e1371.member);
+                        } else {
+                            phi_2681_ = _e1371;
+                            phi_2704_ = type_4(0u, type_4().member_1);
+                        }
+                        let _e1384 = phi_2681_;
+                        let _e1386 = phi_2704_;
+                        let _e1390 = (bitcast<i32>(_e1386.member) != 0i);
+                        if _e1390 {
+                            let _e1391 = (_e1386.member_1 < 8u);
+                            if _e1391 {
+                            } else {
+                                phi_3122_ = true;
+                                break;
+                            }
+                            let _e1393 = local_9[_e1386.member_1];
+                            if (_e1393.member_3 != 4294967295u) {
+                                let _e1399 = -(_e420);
+                                let _e1400 = (_e1399 / 3i);
+                                let _e1407 = bitcast<f32>((bitcast<u32>((_e1400 + 127i)) << bitcast<u32>(23i)));
+                                let _e1415 = (((_e1393.member * _e1407) * _e1407) * bitcast<f32>((bitcast<u32>(((_e1399 - (2i * _e1400)) + 127i)) << bitcast<u32>(23i))));
+                                let _e1417 = select(340282350000000000000000000000000000000f, _e1415, (_e1415 < 340282350000000000000000000000000000000f));
+                                phi_2770_ = type_22(select(-340282350000000000000000000000000000000f, _e1417, (_e1417 > -340282350000000000000000000000000000000f)), _e1393.member_1, _e1393.member_2, _e1393.member_3);
+                            } else {
+                                phi_2770_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            }
+                            let _e1422 = phi_2770_;
+                            if _e1391 {
+                            } else {
+                                phi_3122_ = true;
+                                break;
+                            }
+                            local_9[_e1386.member_1] = type_22(_e1422.member, _e1422.member_1, _e1422.member_2, _e1422.member_3);
+                        }
+                        continue;
+                        continuing {
+                            phi_2680_ = _e1384;
+                            phi_3122_ = _e1369;
+                            break if !(_e1390);
+                        }
+                    }
+                    let _e1430 = phi_3122_;
+                    if _e1430 {
+                        break;
+                    }
+                    let _e1431 = local_9;
+                    if _e141 {
+                    } else {
+                        break;
+                    }
+                    global_6.member[_e139] = array<type_22, 8>(type_22(_e1431[0].member, _e1431[0].member_1, _e1431[0].member_2, _e1431[0].member_3), type_22(_e1431[1].member, _e1431[1].member_1, _e1431[1].member_2, _e1431[1].member_3), type_22(_e1431[2].member, _e1431[2].member_1, _e1431[2].member_2, _e1431[2].member_3), type_22(_e1431[3].member, _e1431[3].member_1, _e1431[3].member_2, _e1431[3].member_3), type_22(_e1431[4].member, _e1431[4].member_1, _e1431[4].member_2, _e1431[4].member_3), type_22(_e1431[5].member, _e1431[5].member_1, _e1431[5].member_2, _e1431[5].member_3), type_22(_e1431[6].member, _e1431[6].member_1, _e1431[6].member_2, _e1431[6].member_3), type_22(_e1431[7].member, _e1431[7].member_1, _e1431[7].member_2, _e1431[7].member_3));
                 }
             }
             break;

@@ -39,27 +39,27 @@ struct type_29 {
     member_1: vec4<f32>,
 }
 
-struct type_36 {
+struct type_37 {
     member: array<type_26>,
 }
 
-struct type_40 {
+struct type_41 {
     member: array<array<type_25, 8>>,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_51 {
+struct type_52 {
     member: type_29,
     member_1: u32,
 }
 
-struct type_54 {
+struct type_53 {
     member: array<vec4<f32>, 3>,
-    member_1: type_51,
-    member_2: type_51,
+    member_1: type_52,
+    member_2: type_52,
 }
 
 var<private> global: vec3<u32>;
@@ -68,20 +68,26 @@ var<uniform> global_1: type_12;
 @group(0) @binding(3) 
 var<storage> global_2: type_19;
 @group(0) @binding(1) 
-var<uniform> global_3: type_46;
+var<uniform> global_3: type_47;
 @group(0) @binding(2) 
 var<storage> global_4: type_9;
 @group(0) @binding(4) 
-var<storage> global_5: type_36;
+var<storage> global_5: type_37;
 @group(0) @binding(5) 
-var<storage, read_write> global_6: type_40;
+var<storage, read_write> global_6: type_41;
 
 fn function_() {
     var local: array<i32, 3>;
     var local_1: array<i32, 3>;
-    var local_2: array<type_25, 8>;
+    var local_2: array<f32, 128>;
     var local_3: array<f32, 128>;
-    var local_4: array<type_51, 128>;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<f32, 128>;
+    var local_7: array<f32, 128>;
+    var local_8: array<u32, 128>;
+    var local_9: array<type_25, 8>;
+    var local_10: array<f32, 128>;
     var phi_387_: i32;
     var phi_388_: i32;
     var phi_398_: bool;
@@ -111,1250 +117,1328 @@ fn function_() {
     var phi_656_: f32;
     var phi_756_: f32;
     var phi_757_: f32;
-    var phi_4580_: bool;
-    var phi_4493_: f32;
-    var phi_1930_: type_51;
-    var phi_1933_: u32;
-    var phi_1935_: bool;
-    var phi_1937_: u32;
-    var phi_1948_: bool;
-    var phi_1986_: type_51;
-    var phi_1987_: bool;
-    var phi_1988_: u32;
-    var phi_3684_: u32;
-    var phi_3685_: u32;
-    var phi_3695_: u32;
-    var phi_3697_: u32;
-    var phi_3698_: bool;
-    var phi_3718_: u32;
-    var phi_3719_: u32;
-    var phi_3723_: type_54;
-    var phi_4068_: type_51;
-    var phi_4101_: type_51;
-    var phi_4102_: type_51;
-    var phi_4103_: u32;
-    var phi_4105_: type_51;
-    var phi_4106_: u32;
-    var phi_4107_: bool;
-    var phi_4116_: type_51;
-    var phi_4121_: type_51;
-    var phi_4122_: bool;
-    var phi_4577_: bool;
-    var phi_4567_: f32;
-    var phi_2006_: type_4;
-    var phi_2007_: type_4;
-    var phi_2030_: type_4;
-    var phi_2051_: u32;
-    var phi_2140_: array<array<f32, 3>, 3>;
-    var phi_2612_: vec3<f32>;
-    var phi_2613_: vec3<f32>;
-    var phi_2644_: bool;
-    var phi_2653_: vec3<f32>;
-    var phi_2693_: type_25;
-    var phi_2695_: type_25;
-    var phi_2696_: bool;
-    var phi_2700_: type_25;
-    var phi_2701_: type_25;
-    var phi_2702_: type_25;
-    var phi_2703_: bool;
-    var phi_2707_: type_25;
-    var phi_2708_: bool;
-    var phi_2712_: type_25;
-    var phi_2713_: bool;
-    var phi_2717_: type_25;
-    var phi_2729_: type_4;
-    var phi_2732_: type_25;
-    var phi_2730_: type_4;
-    var phi_2755_: type_4;
-    var phi_2787_: bool;
-    var phi_2788_: bool;
-    var phi_2809_: type_25;
-    var phi_2733_: type_25;
-    var phi_4568_: bool;
-    var phi_4902_: f32;
-    var phi_4901_: f32;
-    var phi_4685_: bool;
-    var phi_4900_: f32;
-    var phi_4684_: bool;
-    var phi_4899_: f32;
-    var phi_4683_: bool;
-    var phi_4839_: f32;
-    var phi_4682_: bool;
-    var phi_4804_: f32;
-    var phi_4691_: bool;
-    var phi_4124_: type_51;
-    var phi_4125_: bool;
-    var phi_4126_: u32;
-    var phi_4803_: f32;
-    var phi_4690_: bool;
-    var phi_4127_: type_51;
-    var phi_4128_: u32;
-    var phi_4129_: bool;
-    var phi_4130_: u32;
-    var phi_4802_: f32;
-    var phi_4689_: bool;
-    var phi_4131_: type_51;
-    var phi_4132_: u32;
-    var phi_4133_: bool;
-    var phi_4134_: u32;
-    var phi_4801_: f32;
-    var phi_4688_: bool;
-    var phi_1931_: type_51;
-    var phi_1934_: u32;
-    var phi_1936_: bool;
-    var phi_1938_: u32;
-    var phi_4135_: bool;
-    var phi_4687_: bool;
-    var phi_4142_: type_4;
-    var phi_4143_: type_4;
-    var phi_4166_: type_4;
-    var phi_4232_: type_25;
-    var phi_4794_: bool;
+    var phi_3656_: bool;
+    var phi_3569_: f32;
+    var phi_899_: type_52;
+    var phi_902_: u32;
+    var phi_904_: bool;
+    var phi_906_: u32;
+    var phi_917_: bool;
+    var phi_1004_: type_52;
+    var phi_1005_: bool;
+    var phi_1006_: u32;
+    var phi_2702_: u32;
+    var phi_2703_: u32;
+    var phi_2713_: u32;
+    var phi_2715_: u32;
+    var phi_2716_: bool;
+    var phi_2736_: u32;
+    var phi_2737_: u32;
+    var phi_2741_: type_53;
+    var phi_3086_: type_52;
+    var phi_3163_: type_52;
+    var phi_3164_: type_52;
+    var phi_3165_: u32;
+    var phi_3167_: type_52;
+    var phi_3168_: u32;
+    var phi_3169_: bool;
+    var phi_3178_: type_52;
+    var phi_3183_: type_52;
+    var phi_3184_: bool;
+    var phi_3653_: bool;
+    var phi_3643_: f32;
+    var phi_1024_: type_4;
+    var phi_1025_: type_4;
+    var phi_1048_: type_4;
+    var phi_1069_: u32;
+    var phi_1158_: array<array<f32, 3>, 3>;
+    var phi_1630_: vec3<f32>;
+    var phi_1631_: vec3<f32>;
+    var phi_1662_: bool;
+    var phi_1671_: vec3<f32>;
+    var phi_1711_: type_25;
+    var phi_1713_: type_25;
+    var phi_1714_: bool;
+    var phi_1718_: type_25;
+    var phi_1719_: type_25;
+    var phi_1720_: type_25;
+    var phi_1721_: bool;
+    var phi_1725_: type_25;
+    var phi_1726_: bool;
+    var phi_1730_: type_25;
+    var phi_1731_: bool;
+    var phi_1735_: type_25;
+    var phi_1747_: type_4;
+    var phi_1750_: type_25;
+    var phi_1748_: type_4;
+    var phi_1773_: type_4;
+    var phi_1805_: bool;
+    var phi_1806_: bool;
+    var phi_1827_: type_25;
+    var phi_1751_: type_25;
+    var phi_3644_: bool;
+    var phi_3978_: f32;
+    var phi_3977_: f32;
+    var phi_3761_: bool;
+    var phi_3976_: f32;
+    var phi_3760_: bool;
+    var phi_3975_: f32;
+    var phi_3759_: bool;
+    var phi_3915_: f32;
+    var phi_3758_: bool;
+    var phi_3880_: f32;
+    var phi_3767_: bool;
+    var phi_3186_: type_52;
+    var phi_3187_: bool;
+    var phi_3188_: u32;
+    var phi_3879_: f32;
+    var phi_3766_: bool;
+    var phi_3189_: type_52;
+    var phi_3190_: u32;
+    var phi_3191_: bool;
+    var phi_3192_: u32;
+    var phi_3878_: f32;
+    var phi_3765_: bool;
+    var phi_3193_: type_52;
+    var phi_3194_: u32;
+    var phi_3195_: bool;
+    var phi_3196_: u32;
+    var phi_3877_: f32;
+    var phi_3764_: bool;
+    var phi_900_: type_52;
+    var phi_903_: u32;
+    var phi_905_: bool;
+    var phi_907_: u32;
+    var phi_3197_: bool;
+    var phi_3763_: bool;
+    var phi_3204_: type_4;
+    var phi_3205_: type_4;
+    var phi_3228_: type_4;
+    var phi_3294_: type_25;
+    var phi_3870_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e82 = global;
-            let _e84 = arrayLength((&global_4.member));
-            let _e86 = arrayLength((&global_2.member));
-            let _e94 = global_3.member[0u][0u];
-            let _e98 = global_3.member[0u][1u];
-            let _e102 = global_3.member[0u][2u];
-            let _e106 = global_3.member[0u][3u];
-            let _e110 = global_3.member[1u][0u];
-            let _e114 = global_3.member[1u][1u];
-            let _e118 = global_3.member[1u][2u];
-            let _e121 = global_1.member[0u];
-            let _e122 = bitcast<i32>(_e121);
-            let _e134 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e106) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e94), bitcast<i32>(_e98), bitcast<i32>(_e102));
-            local = array<i32, 3>(bitcast<i32>(_e110), bitcast<i32>(_e114), bitcast<i32>(_e118));
-            let _e140 = (_e82.x + (_e82.y * 2097152u));
-            let _e141 = (_e140 < arrayLength((&global_5.member)));
-            if _e141 {
-                let _e142 = (_e140 < arrayLength((&global_6.member)));
-                if _e142 {
-                    if _e141 {
+            let _e86 = global;
+            let _e88 = arrayLength((&global_4.member));
+            let _e90 = arrayLength((&global_2.member));
+            let _e98 = global_3.member[0u][0u];
+            let _e102 = global_3.member[0u][1u];
+            let _e106 = global_3.member[0u][2u];
+            let _e110 = global_3.member[0u][3u];
+            let _e114 = global_3.member[1u][0u];
+            let _e118 = global_3.member[1u][1u];
+            let _e122 = global_3.member[1u][2u];
+            let _e125 = global_1.member[0u];
+            let _e126 = bitcast<i32>(_e125);
+            let _e138 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e110) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e98), bitcast<i32>(_e102), bitcast<i32>(_e106));
+            local = array<i32, 3>(bitcast<i32>(_e114), bitcast<i32>(_e118), bitcast<i32>(_e122));
+            let _e144 = (_e86.x + (_e86.y * 2097152u));
+            let _e145 = (_e144 < arrayLength((&global_5.member)));
+            if _e145 {
+                let _e146 = (_e144 < arrayLength((&global_6.member)));
+                if _e146 {
+                    if _e145 {
                     } else {
                         break;
                     }
-                    let _e150 = global_5.member[_e140].member_2[0u];
-                    let _e152 = (bitcast<u32>(_e150) & 2147483647u);
-                    let _e157 = global_5.member[_e140].member_2[1u];
-                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
-                    let _e164 = global_5.member[_e140].member_2[2u];
-                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
-                    let _e171 = global_5.member[_e140].member[0u];
-                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
-                    let _e178 = global_5.member[_e140].member[1u];
-                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
-                    let _e185 = global_5.member[_e140].member[2u];
-                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
-                    let _e189 = select(_e159, _e152, (_e159 < _e152));
-                    let _e191 = select(_e166, _e189, (_e166 < _e189));
-                    let _e193 = select(_e173, _e191, (_e173 < _e191));
-                    let _e195 = select(_e180, _e193, (_e180 < _e193));
-                    let _e197 = select(_e187, _e195, (_e187 < _e195));
-                    let _e201 = global_5.member[_e140].member_1;
-                    let _e203 = (bitcast<u32>(_e201) & 2147483647u);
-                    let _e210 = global_5.member[_e140].member_3;
-                    let _e216 = (((select(_e203, _e197, (_e203 < _e197)) < 2139095040u) && ((bitcast<u32>(_e210) & 2147483647u) <= 2139095040u)) && (_e191 > 0u));
-                    if _e216 {
-                        let _e219 = (bitcast<u32>(bitcast<f32>(_e191)) & 2147483647u);
-                        if (_e219 >= 8388608u) {
-                            phi_387_ = (bitcast<i32>((_e219 >> bitcast<u32>(23i))) - 127i);
+                    let _e154 = global_5.member[_e144].member_2[0u];
+                    let _e156 = (bitcast<u32>(_e154) & 2147483647u);
+                    let _e161 = global_5.member[_e144].member_2[1u];
+                    let _e163 = (bitcast<u32>(_e161) & 2147483647u);
+                    let _e168 = global_5.member[_e144].member_2[2u];
+                    let _e170 = (bitcast<u32>(_e168) & 2147483647u);
+                    let _e175 = global_5.member[_e144].member[0u];
+                    let _e177 = (bitcast<u32>(_e175) & 2147483647u);
+                    let _e182 = global_5.member[_e144].member[1u];
+                    let _e184 = (bitcast<u32>(_e182) & 2147483647u);
+                    let _e189 = global_5.member[_e144].member[2u];
+                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
+                    let _e193 = select(_e163, _e156, (_e163 < _e156));
+                    let _e195 = select(_e170, _e193, (_e170 < _e193));
+                    let _e197 = select(_e177, _e195, (_e177 < _e195));
+                    let _e199 = select(_e184, _e197, (_e184 < _e197));
+                    let _e201 = select(_e191, _e199, (_e191 < _e199));
+                    let _e205 = global_5.member[_e144].member_1;
+                    let _e207 = (bitcast<u32>(_e205) & 2147483647u);
+                    let _e214 = global_5.member[_e144].member_3;
+                    let _e220 = (((select(_e207, _e201, (_e207 < _e201)) < 2139095040u) && ((bitcast<u32>(_e214) & 2147483647u) <= 2139095040u)) && (_e195 > 0u));
+                    if _e220 {
+                        let _e223 = (bitcast<u32>(bitcast<f32>(_e195)) & 2147483647u);
+                        if (_e223 >= 8388608u) {
+                            phi_387_ = (bitcast<i32>((_e223 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_387_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e219)), 32u, (_e219 == 0u))));
+                            phi_387_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e223)), 32u, (_e223 == 0u))));
                         }
-                        let _e233 = phi_387_;
-                        phi_388_ = _e233;
+                        let _e237 = phi_387_;
+                        phi_388_ = _e237;
                     } else {
                         phi_388_ = 0i;
                     }
-                    let _e235 = phi_388_;
-                    let _e236 = (_e152 == _e191);
-                    if _e236 {
+                    let _e239 = phi_388_;
+                    let _e240 = (_e156 == _e195);
+                    if _e240 {
                         phi_398_ = true;
                     } else {
-                        phi_398_ = (_e159 == _e191);
+                        phi_398_ = (_e163 == _e195);
                     }
-                    let _e239 = phi_398_;
-                    let _e240 = select(1u, 0u, _e236);
-                    if _e239 {
-                        let _e241 = (_e240 + 1u);
-                        phi_408_ = _e241;
-                        phi_409_ = _e241;
-                        phi_411_ = select(true, false, (_e241 == 2u));
+                    let _e243 = phi_398_;
+                    let _e244 = select(1u, 0u, _e240);
+                    if _e243 {
+                        let _e245 = (_e244 + 1u);
+                        phi_408_ = _e245;
+                        phi_409_ = _e245;
+                        phi_411_ = select(true, false, (_e245 == 2u));
                     } else {
                         phi_408_ = u32();
                         phi_409_ = 0u;
                         phi_411_ = true;
                     }
-                    let _e245 = phi_408_;
-                    let _e247 = phi_409_;
-                    let _e249 = phi_411_;
-                    if _e249 {
-                        phi_416_ = (_e247 + 1u);
+                    let _e249 = phi_408_;
+                    let _e251 = phi_409_;
+                    let _e253 = phi_411_;
+                    if _e253 {
+                        phi_416_ = (_e251 + 1u);
                     } else {
                         phi_416_ = 0u;
                     }
-                    let _e253 = phi_416_;
-                    let _e254 = select(_e245, _e247, _e249);
-                    let _e255 = select(_e240, select(2u, _e240, _e239), _e249);
-                    if (_e122 < -126i) {
+                    let _e257 = phi_416_;
+                    let _e258 = select(_e249, _e251, _e253);
+                    let _e259 = select(_e244, select(2u, _e244, _e243), _e253);
+                    if (_e126 < -126i) {
                         phi_429_ = -126i;
                     } else {
-                        phi_429_ = select(_e122, 127i, (_e122 > 127i));
+                        phi_429_ = select(_e126, 127i, (_e126 > 127i));
                     }
-                    let _e260 = phi_429_;
-                    let _e265 = bitcast<f32>((bitcast<u32>((_e260 + 127i)) << bitcast<u32>(23i)));
-                    let _e271 = bitcast<f32>((bitcast<u32>(((_e122 - _e260) + 127i)) << bitcast<u32>(23i)));
-                    let _e272 = -(_e235);
-                    if (_e272 < -126i) {
+                    let _e264 = phi_429_;
+                    let _e269 = bitcast<f32>((bitcast<u32>((_e264 + 127i)) << bitcast<u32>(23i)));
+                    let _e275 = bitcast<f32>((bitcast<u32>(((_e126 - _e264) + 127i)) << bitcast<u32>(23i)));
+                    let _e276 = -(_e239);
+                    if (_e276 < -126i) {
                         phi_449_ = -126i;
                     } else {
-                        phi_449_ = select(_e272, 127i, (_e272 > 127i));
+                        phi_449_ = select(_e276, 127i, (_e276 > 127i));
                     }
-                    let _e277 = phi_449_;
-                    let _e282 = bitcast<f32>((bitcast<u32>((_e277 + 127i)) << bitcast<u32>(23i)));
-                    let _e288 = bitcast<f32>((bitcast<u32>(((_e272 - _e277) + 127i)) << bitcast<u32>(23i)));
-                    let _e292 = global_5.member[_e140].member;
-                    let _e293 = (_e254 == 0u);
-                    if _e293 {
-                        phi_467_ = _e292[0];
+                    let _e281 = phi_449_;
+                    let _e286 = bitcast<f32>((bitcast<u32>((_e281 + 127i)) << bitcast<u32>(23i)));
+                    let _e292 = bitcast<f32>((bitcast<u32>(((_e276 - _e281) + 127i)) << bitcast<u32>(23i)));
+                    let _e296 = global_5.member[_e144].member;
+                    let _e297 = (_e258 == 0u);
+                    if _e297 {
+                        phi_467_ = _e296[0];
                     } else {
-                        phi_467_ = _e292[1];
+                        phi_467_ = _e296[1];
                     }
-                    let _e297 = phi_467_;
-                    let _e298 = (_e254 == 2u);
-                    if _e298 {
-                        phi_473_ = _e292[2];
+                    let _e301 = phi_467_;
+                    let _e302 = (_e258 == 2u);
+                    if _e302 {
+                        phi_473_ = _e296[2];
                     } else {
-                        phi_473_ = _e297;
+                        phi_473_ = _e301;
                     }
-                    let _e301 = phi_473_;
-                    let _e303 = ((_e301 * _e265) * _e271);
-                    let _e304 = global_5.member[_e140].member_2;
-                    if _e293 {
-                        phi_484_ = _e304[0];
+                    let _e305 = phi_473_;
+                    let _e307 = ((_e305 * _e269) * _e275);
+                    let _e308 = global_5.member[_e144].member_2;
+                    if _e297 {
+                        phi_484_ = _e308[0];
                     } else {
-                        phi_484_ = _e304[1];
+                        phi_484_ = _e308[1];
                     }
-                    let _e308 = phi_484_;
-                    if _e298 {
-                        phi_490_ = _e304[2];
+                    let _e312 = phi_484_;
+                    if _e302 {
+                        phi_490_ = _e308[2];
                     } else {
-                        phi_490_ = _e308;
+                        phi_490_ = _e312;
                     }
-                    let _e311 = phi_490_;
-                    let _e313 = ((_e311 * _e282) * _e288);
-                    let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e317 {
-                        let _e321 = (bitcast<f32>((bitcast<u32>(_e303) & 2147483647u)) * 0.00000011920929f);
-                        phi_513_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
+                    let _e315 = phi_490_;
+                    let _e317 = ((_e315 * _e286) * _e292);
+                    let _e321 = (bitcast<f32>((bitcast<u32>(_e317) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e321 {
+                        let _e325 = (bitcast<f32>((bitcast<u32>(_e307) & 2147483647u)) * 0.00000011920929f);
+                        phi_513_ = select(0.00000000000011368684f, _e325, (_e325 > 0.00000000000011368684f));
                     } else {
                         phi_513_ = 0f;
                     }
-                    let _e325 = phi_513_;
-                    let _e326 = (_e303 + _e325);
-                    let _e327 = (_e303 - _e325);
-                    let _e328 = select(_e313, 0f, _e317);
-                    if _e317 {
+                    let _e329 = phi_513_;
+                    let _e330 = (_e307 + _e329);
+                    let _e331 = (_e307 - _e329);
+                    let _e332 = select(_e317, 0f, _e321);
+                    if _e321 {
                         phi_524_ = 38685626000000000000000000f;
                     } else {
-                        phi_524_ = (1f / _e313);
+                        phi_524_ = (1f / _e317);
                     }
-                    let _e331 = phi_524_;
-                    let _e332 = (_e253 == 0u);
-                    if _e332 {
-                        phi_533_ = _e292[0];
+                    let _e335 = phi_524_;
+                    let _e336 = (_e257 == 0u);
+                    if _e336 {
+                        phi_533_ = _e296[0];
                     } else {
-                        phi_533_ = _e292[1];
+                        phi_533_ = _e296[1];
                     }
-                    let _e336 = phi_533_;
-                    let _e337 = (_e253 == 2u);
-                    if _e337 {
-                        phi_539_ = _e292[2];
+                    let _e340 = phi_533_;
+                    let _e341 = (_e257 == 2u);
+                    if _e341 {
+                        phi_539_ = _e296[2];
                     } else {
-                        phi_539_ = _e336;
+                        phi_539_ = _e340;
                     }
-                    let _e340 = phi_539_;
-                    let _e342 = ((_e340 * _e265) * _e271);
-                    if _e332 {
-                        phi_550_ = _e304[0];
+                    let _e344 = phi_539_;
+                    let _e346 = ((_e344 * _e269) * _e275);
+                    if _e336 {
+                        phi_550_ = _e308[0];
                     } else {
-                        phi_550_ = _e304[1];
+                        phi_550_ = _e308[1];
                     }
-                    let _e346 = phi_550_;
-                    if _e337 {
-                        phi_556_ = _e304[2];
+                    let _e350 = phi_550_;
+                    if _e341 {
+                        phi_556_ = _e308[2];
                     } else {
-                        phi_556_ = _e346;
+                        phi_556_ = _e350;
                     }
-                    let _e349 = phi_556_;
-                    let _e351 = ((_e349 * _e282) * _e288);
-                    let _e355 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e355 {
-                        let _e359 = (bitcast<f32>((bitcast<u32>(_e342) & 2147483647u)) * 0.00000011920929f);
-                        phi_579_ = select(0.00000000000011368684f, _e359, (_e359 > 0.00000000000011368684f));
+                    let _e353 = phi_556_;
+                    let _e355 = ((_e353 * _e286) * _e292);
+                    let _e359 = (bitcast<f32>((bitcast<u32>(_e355) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e359 {
+                        let _e363 = (bitcast<f32>((bitcast<u32>(_e346) & 2147483647u)) * 0.00000011920929f);
+                        phi_579_ = select(0.00000000000011368684f, _e363, (_e363 > 0.00000000000011368684f));
                     } else {
                         phi_579_ = 0f;
                     }
-                    let _e363 = phi_579_;
-                    let _e364 = (_e342 + _e363);
-                    let _e365 = (_e342 - _e363);
-                    let _e366 = select(_e351, 0f, _e355);
-                    if _e355 {
+                    let _e367 = phi_579_;
+                    let _e368 = (_e346 + _e367);
+                    let _e369 = (_e346 - _e367);
+                    let _e370 = select(_e355, 0f, _e359);
+                    if _e359 {
                         phi_590_ = 38685626000000000000000000f;
                     } else {
-                        phi_590_ = (1f / _e351);
+                        phi_590_ = (1f / _e355);
                     }
-                    let _e369 = phi_590_;
-                    let _e370 = (_e255 == 0u);
-                    if _e370 {
-                        phi_599_ = _e292[0];
+                    let _e373 = phi_590_;
+                    let _e374 = (_e259 == 0u);
+                    if _e374 {
+                        phi_599_ = _e296[0];
                     } else {
-                        phi_599_ = _e292[1];
+                        phi_599_ = _e296[1];
                     }
-                    let _e374 = phi_599_;
-                    let _e375 = (_e255 == 2u);
-                    if _e375 {
-                        phi_605_ = _e292[2];
+                    let _e378 = phi_599_;
+                    let _e379 = (_e259 == 2u);
+                    if _e379 {
+                        phi_605_ = _e296[2];
                     } else {
-                        phi_605_ = _e374;
+                        phi_605_ = _e378;
                     }
-                    let _e378 = phi_605_;
-                    let _e380 = ((_e378 * _e265) * _e271);
-                    if _e370 {
-                        phi_616_ = _e304[0];
+                    let _e382 = phi_605_;
+                    let _e384 = ((_e382 * _e269) * _e275);
+                    if _e374 {
+                        phi_616_ = _e308[0];
                     } else {
-                        phi_616_ = _e304[1];
+                        phi_616_ = _e308[1];
                     }
-                    let _e384 = phi_616_;
-                    if _e375 {
-                        phi_622_ = _e304[2];
+                    let _e388 = phi_616_;
+                    if _e379 {
+                        phi_622_ = _e308[2];
                     } else {
-                        phi_622_ = _e384;
+                        phi_622_ = _e388;
                     }
-                    let _e387 = phi_622_;
-                    let _e389 = ((_e387 * _e282) * _e288);
-                    let _e393 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e393 {
-                        let _e397 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) * 0.00000011920929f);
-                        phi_645_ = select(0.00000000000011368684f, _e397, (_e397 > 0.00000000000011368684f));
+                    let _e391 = phi_622_;
+                    let _e393 = ((_e391 * _e286) * _e292);
+                    let _e397 = (bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e397 {
+                        let _e401 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) * 0.00000011920929f);
+                        phi_645_ = select(0.00000000000011368684f, _e401, (_e401 > 0.00000000000011368684f));
                     } else {
                         phi_645_ = 0f;
                     }
-                    let _e401 = phi_645_;
-                    let _e402 = (_e380 + _e401);
-                    let _e403 = (_e380 - _e401);
-                    let _e404 = select(_e389, 0f, _e393);
-                    if _e393 {
+                    let _e405 = phi_645_;
+                    let _e406 = (_e384 + _e405);
+                    let _e407 = (_e384 - _e405);
+                    let _e408 = select(_e393, 0f, _e397);
+                    if _e397 {
                         phi_656_ = 38685626000000000000000000f;
                     } else {
-                        phi_656_ = (1f / _e389);
+                        phi_656_ = (1f / _e393);
                     }
-                    let _e407 = phi_656_;
-                    let _e410 = bitcast<f32>((bitcast<u32>(_e303) & 2147483647u));
-                    let _e413 = bitcast<f32>((bitcast<u32>(_e342) & 2147483647u));
-                    let _e415 = select(_e413, _e410, (_e410 > _e413));
-                    let _e418 = bitcast<f32>((bitcast<u32>(_e380) & 2147483647u));
-                    let _e421 = (_e122 + _e235);
-                    if (_e216 && (select(_e418, _e415, (_e415 > _e418)) <= 1099511600000f)) {
-                        let _e424 = (_e421 / 3i);
-                        let _e431 = bitcast<f32>((bitcast<u32>((_e424 + 127i)) << bitcast<u32>(23i)));
-                        let _e438 = bitcast<f32>((bitcast<u32>(((_e421 - (2i * _e424)) + 127i)) << bitcast<u32>(23i)));
-                        let _e439 = (((_e201 * _e431) * _e431) * _e438);
-                        let _e441 = select(340282350000000000000000000000000000000f, _e439, (_e439 < 340282350000000000000000000000000000000f));
-                        let _e446 = (((_e210 * _e431) * _e431) * _e438);
-                        let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
-                        phi_756_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
-                        phi_757_ = select(-340282350000000000000000000000000000000f, _e441, (_e441 > -340282350000000000000000000000000000000f));
+                    let _e411 = phi_656_;
+                    let _e414 = bitcast<f32>((bitcast<u32>(_e307) & 2147483647u));
+                    let _e417 = bitcast<f32>((bitcast<u32>(_e346) & 2147483647u));
+                    let _e419 = select(_e417, _e414, (_e414 > _e417));
+                    let _e422 = bitcast<f32>((bitcast<u32>(_e384) & 2147483647u));
+                    let _e425 = (_e126 + _e239);
+                    if (_e220 && (select(_e422, _e419, (_e419 > _e422)) <= 1099511600000f)) {
+                        let _e428 = (_e425 / 3i);
+                        let _e435 = bitcast<f32>((bitcast<u32>((_e428 + 127i)) << bitcast<u32>(23i)));
+                        let _e442 = bitcast<f32>((bitcast<u32>(((_e425 - (2i * _e428)) + 127i)) << bitcast<u32>(23i)));
+                        let _e443 = (((_e205 * _e435) * _e435) * _e442);
+                        let _e445 = select(340282350000000000000000000000000000000f, _e443, (_e443 < 340282350000000000000000000000000000000f));
+                        let _e450 = (((_e214 * _e435) * _e435) * _e442);
+                        let _e452 = select(340282350000000000000000000000000000000f, _e450, (_e450 < 340282350000000000000000000000000000000f));
+                        phi_756_ = select(-340282350000000000000000000000000000000f, _e452, (_e452 > -340282350000000000000000000000000000000f));
+                        phi_757_ = select(-340282350000000000000000000000000000000f, _e445, (_e445 > -340282350000000000000000000000000000000f));
                     } else {
                         phi_756_ = 0f;
                         phi_757_ = 1f;
                     }
-                    let _e452 = phi_756_;
-                    let _e454 = phi_757_;
-                    local_2 = array<type_25, 8>(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
-                    local_4 = array<type_51, 128>(type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u));
+                    let _e456 = phi_756_;
+                    let _e458 = phi_757_;
+                    local_9 = array<type_25, 8>(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
+                    local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e457 = (_e254 % 3u);
-                    let _e458 = (_e457 < 3u);
-                    if _e458 {
+                    local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    let _e461 = (_e258 % 3u);
+                    let _e462 = (_e461 < 3u);
+                    if _e462 {
                     } else {
                         break;
                     }
-                    let _e460 = local_1[_e457];
-                    let _e463 = (_e253 % 3u);
-                    let _e464 = (_e463 < 3u);
-                    if _e464 {
+                    let _e464 = local_1[_e461];
+                    let _e467 = (_e257 % 3u);
+                    let _e468 = (_e467 < 3u);
+                    if _e468 {
                     } else {
                         break;
                     }
-                    let _e466 = local_1[_e463];
-                    let _e469 = (_e255 % 3u);
-                    let _e470 = (_e469 < 3u);
-                    if _e470 {
+                    let _e470 = local_1[_e467];
+                    let _e473 = (_e259 % 3u);
+                    let _e474 = (_e473 < 3u);
+                    if _e474 {
                     } else {
                         break;
                     }
-                    let _e472 = local_1[_e469];
-                    if _e458 {
+                    let _e476 = local_1[_e473];
+                    if _e462 {
                     } else {
                         break;
                     }
-                    let _e477 = local[_e457];
-                    if _e464 {
+                    let _e481 = local[_e461];
+                    if _e468 {
                     } else {
                         break;
                     }
-                    let _e481 = local[_e463];
-                    if _e470 {
+                    let _e485 = local[_e467];
+                    if _e474 {
                     } else {
                         break;
                     }
-                    let _e485 = local[_e469];
-                    phi_4580_ = false;
-                    phi_4493_ = _e452;
-                    phi_1930_ = type_51(type_29(vec4<f32>((f32(_e460) * _e134), (f32(_e466) * _e134), (f32(_e472) * _e134), 0f), vec4<f32>((f32(_e477) * _e134), (f32(_e481) * _e134), (f32(_e485) * _e134), 0f)), select(0u, 2147483648u, (_e84 == 0u)));
-                    phi_1933_ = ((3u * _e84) + 1u);
-                    phi_1935_ = (_e454 <= _e452);
-                    phi_1937_ = 0u;
+                    let _e489 = local[_e473];
+                    phi_3656_ = false;
+                    phi_3569_ = _e456;
+                    phi_899_ = type_52(type_29(vec4<f32>((f32(_e464) * _e138), (f32(_e470) * _e138), (f32(_e476) * _e138), 0f), vec4<f32>((f32(_e481) * _e138), (f32(_e485) * _e138), (f32(_e489) * _e138), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
+                    phi_902_ = ((3u * _e88) + 1u);
+                    phi_904_ = (_e458 <= _e456);
+                    phi_906_ = 0u;
                     loop {
-                        let _e495 = phi_4580_;
-                        let _e497 = phi_4493_;
-                        let _e499 = phi_1930_;
-                        let _e501 = phi_1933_;
-                        let _e503 = phi_1935_;
-                        let _e505 = phi_1937_;
-                        if _e503 {
-                            phi_1948_ = true;
+                        let _e499 = phi_3656_;
+                        let _e501 = phi_3569_;
+                        let _e503 = phi_899_;
+                        let _e505 = phi_902_;
+                        let _e507 = phi_904_;
+                        let _e509 = phi_906_;
+                        if _e507 {
+                            phi_917_ = true;
                         } else {
-                            phi_1948_ = (_e505 > 0u);
+                            phi_917_ = (_e509 > 0u);
                         }
-                        let _e508 = phi_1948_;
-                        if _e508 {
-                            let _e509 = (_e501 > 0u);
-                            if _e509 {
-                                if _e503 {
-                                    phi_1986_ = _e499;
-                                    phi_1987_ = _e503;
-                                    phi_1988_ = _e505;
+                        let _e512 = phi_917_;
+                        if _e512 {
+                            let _e513 = (_e505 > 0u);
+                            if _e513 {
+                                if _e507 {
+                                    phi_1004_ = _e503;
+                                    phi_1005_ = _e507;
+                                    phi_1006_ = _e509;
                                 } else {
-                                    let _e510 = (_e505 - 1u);
-                                    let _e511 = (_e510 % 128u);
-                                    let _e512 = (_e511 < 128u);
-                                    if _e512 {
+                                    let _e514 = (_e509 - 1u);
+                                    let _e515 = (_e514 % 128u);
+                                    let _e516 = (_e515 < 128u);
+                                    if _e516 {
                                     } else {
-                                        phi_4687_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e514 = local_4[_e511];
-                                    if _e512 {
+                                    let _e518 = local_7[_e515];
+                                    if _e516 {
                                     } else {
-                                        phi_4687_ = true;
+                                        phi_3763_ = true;
                                         break;
                                     }
-                                    let _e522 = local_3[_e511];
-                                    phi_1986_ = type_51(type_29(_e514.member.member, _e514.member.member_1), _e514.member_1);
-                                    phi_1987_ = (_e522 <= _e497);
-                                    phi_1988_ = _e510;
+                                    let _e520 = local_6[_e515];
+                                    if _e516 {
+                                    } else {
+                                        phi_3763_ = true;
+                                        break;
+                                    }
+                                    let _e522 = local_5[_e515];
+                                    if _e516 {
+                                    } else {
+                                        phi_3763_ = true;
+                                        break;
+                                    }
+                                    let _e524 = local_4[_e515];
+                                    if _e516 {
+                                    } else {
+                                        phi_3763_ = true;
+                                        break;
+                                    }
+                                    let _e526 = local_3[_e515];
+                                    if _e516 {
+                                    } else {
+                                        phi_3763_ = true;
+                                        break;
+                                    }
+                                    let _e528 = local_2[_e515];
+                                    if _e516 {
+                                    } else {
+                                        phi_3763_ = true;
+                                        break;
+                                    }
+                                    let _e533 = local_8[_e515];
+                                    if _e516 {
+                                    } else {
+                                        phi_3763_ = true;
+                                        break;
+                                    }
+                                    let _e536 = local_10[_e515];
+                                    phi_1004_ = type_52(type_29(vec4<f32>(_e518, _e520, _e522, 0f), vec4<f32>(_e524, _e526, _e528, 0f)), _e533);
+                                    phi_1005_ = (_e536 <= _e501);
+                                    phi_1006_ = _e514;
                                 }
-                                let _e525 = phi_1986_;
-                                let _e527 = phi_1987_;
-                                let _e529 = phi_1988_;
-                                if _e527 {
-                                    if ((_e525.member_1 & 2147483648u) != 0u) {
-                                        phi_4577_ = _e495;
-                                        phi_4567_ = _e497;
-                                        phi_2006_ = type_4(0u, ((_e525.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e539 = phi_1004_;
+                                let _e541 = phi_1005_;
+                                let _e543 = phi_1006_;
+                                if _e541 {
+                                    if ((_e539.member_1 & 2147483648u) != 0u) {
+                                        phi_3653_ = _e499;
+                                        phi_3643_ = _e501;
+                                        phi_1024_ = type_4(0u, ((_e539.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e974 = phi_4577_;
-                                            let _e976 = phi_4567_;
-                                            let _e978 = phi_2006_;
-                                            if (_e978.member < _e978.member_1) {
-                                                phi_2007_ = type_4((_e978.member + 1u), _e978.member_1);
-                                                phi_2030_ = type_4(1u, _e978.member);
+                                            let _e1007 = phi_3653_;
+                                            let _e1009 = phi_3643_;
+                                            let _e1011 = phi_1024_;
+                                            if (_e1011.member < _e1011.member_1) {
+                                                phi_1025_ = type_4((_e1011.member + 1u), _e1011.member_1);
+                                                phi_1048_ = type_4(1u, _e1011.member);
                                             } else {
-                                                phi_2007_ = _e978;
-                                                phi_2030_ = type_4(0u, type_4().member_1);
+                                                phi_1025_ = _e1011;
+                                                phi_1048_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e991 = phi_2007_;
-                                            let _e993 = phi_2030_;
-                                            let _e997 = (bitcast<i32>(_e993.member) != 0i);
-                                            if _e997 {
-                                                let _e998 = ((_e525.member_1 & 268435455u) + _e993.member_1);
-                                                let _e999 = (_e998 < _e86);
-                                                if _e999 {
-                                                    if _e999 {
+                                            let _e1024 = phi_1025_;
+                                            let _e1026 = phi_1048_;
+                                            let _e1030 = (bitcast<i32>(_e1026.member) != 0i);
+                                            if _e1030 {
+                                                let _e1031 = ((_e539.member_1 & 268435455u) + _e1026.member_1);
+                                                let _e1032 = (_e1031 < _e90);
+                                                if _e1032 {
+                                                    if _e1032 {
                                                     } else {
-                                                        phi_4839_ = _e976;
-                                                        phi_4682_ = true;
+                                                        phi_3915_ = _e1009;
+                                                        phi_3758_ = true;
                                                         break;
                                                     }
-                                                    let _e1003 = global_2.member[_e998].member_1;
-                                                    phi_2051_ = _e1003;
+                                                    let _e1036 = global_2.member[_e1031].member_1;
+                                                    phi_1069_ = _e1036;
                                                 } else {
-                                                    phi_2051_ = 4294967295u;
+                                                    phi_1069_ = 4294967295u;
                                                 }
-                                                let _e1005 = phi_2051_;
-                                                if (_e998 >= _e86) {
-                                                    phi_2140_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1038 = phi_1069_;
+                                                if (_e1031 >= _e90) {
+                                                    phi_1158_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e999 {
+                                                    if _e1032 {
                                                     } else {
-                                                        phi_4839_ = _e976;
-                                                        phi_4682_ = true;
+                                                        phi_3915_ = _e1009;
+                                                        phi_3758_ = true;
                                                         break;
                                                     }
-                                                    if (_e457 < 9u) {
+                                                    if (_e461 < 9u) {
                                                     } else {
-                                                        phi_4839_ = _e976;
-                                                        phi_4682_ = true;
+                                                        phi_3915_ = _e1009;
+                                                        phi_3758_ = true;
                                                         break;
                                                     }
-                                                    let _e1012 = global_2.member[_e998].member[_e457];
-                                                    if (_e463 < 9u) {
+                                                    let _e1045 = global_2.member[_e1031].member[_e461];
+                                                    if (_e467 < 9u) {
                                                     } else {
-                                                        phi_4839_ = _e976;
-                                                        phi_4682_ = true;
+                                                        phi_3915_ = _e1009;
+                                                        phi_3758_ = true;
                                                         break;
                                                     }
-                                                    let _e1018 = global_2.member[_e998].member[_e463];
-                                                    if (_e469 < 9u) {
+                                                    let _e1051 = global_2.member[_e1031].member[_e467];
+                                                    if (_e473 < 9u) {
                                                     } else {
-                                                        phi_4839_ = _e976;
-                                                        phi_4682_ = true;
+                                                        phi_3915_ = _e1009;
+                                                        phi_3758_ = true;
                                                         break;
                                                     }
-                                                    let _e1024 = global_2.member[_e998].member[_e469];
-                                                    let _e1026 = (3u + _e457);
-                                                    if (_e1026 < 9u) {
+                                                    let _e1057 = global_2.member[_e1031].member[_e473];
+                                                    let _e1059 = (3u + _e461);
+                                                    if (_e1059 < 9u) {
                                                     } else {
-                                                        phi_4839_ = _e976;
-                                                        phi_4682_ = true;
+                                                        phi_3915_ = _e1009;
+                                                        phi_3758_ = true;
                                                         break;
                                                     }
-                                                    let _e1032 = global_2.member[_e998].member[_e1026];
-                                                    let _e1033 = (3u + _e463);
-                                                    if (_e1033 < 9u) {
+                                                    let _e1065 = global_2.member[_e1031].member[_e1059];
+                                                    let _e1066 = (3u + _e467);
+                                                    if (_e1066 < 9u) {
                                                     } else {
-                                                        phi_4839_ = _e976;
-                                                        phi_4682_ = true;
+                                                        phi_3915_ = _e1009;
+                                                        phi_3758_ = true;
                                                         break;
                                                     }
-                                                    let _e1039 = global_2.member[_e998].member[_e1033];
-                                                    let _e1040 = (3u + _e469);
-                                                    if (_e1040 < 9u) {
+                                                    let _e1072 = global_2.member[_e1031].member[_e1066];
+                                                    let _e1073 = (3u + _e473);
+                                                    if (_e1073 < 9u) {
                                                     } else {
-                                                        phi_4839_ = _e976;
-                                                        phi_4682_ = true;
+                                                        phi_3915_ = _e1009;
+                                                        phi_3758_ = true;
                                                         break;
                                                     }
-                                                    let _e1046 = global_2.member[_e998].member[_e1040];
-                                                    let _e1048 = (6u + _e457);
-                                                    if (_e1048 < 9u) {
+                                                    let _e1079 = global_2.member[_e1031].member[_e1073];
+                                                    let _e1081 = (6u + _e461);
+                                                    if (_e1081 < 9u) {
                                                     } else {
-                                                        phi_4839_ = _e976;
-                                                        phi_4682_ = true;
+                                                        phi_3915_ = _e1009;
+                                                        phi_3758_ = true;
                                                         break;
                                                     }
-                                                    let _e1054 = global_2.member[_e998].member[_e1048];
-                                                    let _e1055 = (6u + _e463);
-                                                    if (_e1055 < 9u) {
+                                                    let _e1087 = global_2.member[_e1031].member[_e1081];
+                                                    let _e1088 = (6u + _e467);
+                                                    if (_e1088 < 9u) {
                                                     } else {
-                                                        phi_4839_ = _e976;
-                                                        phi_4682_ = true;
+                                                        phi_3915_ = _e1009;
+                                                        phi_3758_ = true;
                                                         break;
                                                     }
-                                                    let _e1061 = global_2.member[_e998].member[_e1055];
-                                                    let _e1062 = (6u + _e469);
-                                                    if (_e1062 < 9u) {
+                                                    let _e1094 = global_2.member[_e1031].member[_e1088];
+                                                    let _e1095 = (6u + _e473);
+                                                    if (_e1095 < 9u) {
                                                     } else {
-                                                        phi_4839_ = _e976;
-                                                        phi_4682_ = true;
+                                                        phi_3915_ = _e1009;
+                                                        phi_3758_ = true;
                                                         break;
                                                     }
-                                                    let _e1068 = global_2.member[_e998].member[_e1062];
-                                                    phi_2140_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1012, _e1018, _e1024), array<f32, 3>(_e1032, _e1039, _e1046), array<f32, 3>(_e1054, _e1061, _e1068));
+                                                    let _e1101 = global_2.member[_e1031].member[_e1095];
+                                                    phi_1158_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1045, _e1051, _e1057), array<f32, 3>(_e1065, _e1072, _e1079), array<f32, 3>(_e1087, _e1094, _e1101));
                                                 }
-                                                let _e1072 = phi_2140_;
-                                                let _e1079 = (_e1072[0][2] - _e380);
-                                                let _e1082 = (((_e1072[0][0] - _e303) * _e404) - (_e1079 * _e328));
-                                                let _e1085 = (((_e1072[0][1] - _e342) * _e404) - (_e1079 * _e366));
-                                                let _e1092 = (_e1072[1][2] - _e380);
-                                                let _e1095 = (((_e1072[1][0] - _e303) * _e404) - (_e1092 * _e328));
-                                                let _e1098 = (((_e1072[1][1] - _e342) * _e404) - (_e1092 * _e366));
-                                                let _e1105 = (_e1072[2][2] - _e380);
-                                                let _e1108 = (((_e1072[2][0] - _e303) * _e404) - (_e1105 * _e328));
-                                                let _e1111 = (((_e1072[2][1] - _e342) * _e404) - (_e1105 * _e366));
-                                                let _e1112 = (_e1108 * _e1098);
-                                                let _e1113 = (_e1111 * _e1095);
-                                                let _e1114 = (_e1082 * _e1111);
-                                                let _e1115 = (_e1085 * _e1108);
-                                                let _e1116 = (_e1095 * _e1085);
-                                                let _e1117 = (_e1098 * _e1082);
-                                                let _e1122 = (((_e1112 >= _e1113) && (_e1114 >= _e1115)) && (_e1116 >= _e1117));
-                                                if (_e1122 || (((_e1112 <= _e1113) && (_e1114 <= _e1115)) && (_e1116 <= _e1117))) {
-                                                    let _e1129 = select(-1f, 1f, _e1122);
-                                                    let _e1131 = ((_e1112 - _e1113) * _e1129);
-                                                    let _e1133 = select(0f, _e1131, (_e1131 > 0f));
-                                                    let _e1135 = ((_e1114 - _e1115) * _e1129);
-                                                    let _e1137 = select(0f, _e1135, (_e1135 > 0f));
-                                                    let _e1139 = ((_e1116 - _e1117) * _e1129);
-                                                    let _e1141 = select(0f, _e1139, (_e1139 > 0f));
-                                                    let _e1143 = ((_e1133 + _e1137) + _e1141);
-                                                    if (_e1143 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2707_ = type_25();
-                                                        phi_2708_ = true;
+                                                let _e1105 = phi_1158_;
+                                                let _e1112 = (_e1105[0][2] - _e384);
+                                                let _e1115 = (((_e1105[0][0] - _e307) * _e408) - (_e1112 * _e332));
+                                                let _e1118 = (((_e1105[0][1] - _e346) * _e408) - (_e1112 * _e370));
+                                                let _e1125 = (_e1105[1][2] - _e384);
+                                                let _e1128 = (((_e1105[1][0] - _e307) * _e408) - (_e1125 * _e332));
+                                                let _e1131 = (((_e1105[1][1] - _e346) * _e408) - (_e1125 * _e370));
+                                                let _e1138 = (_e1105[2][2] - _e384);
+                                                let _e1141 = (((_e1105[2][0] - _e307) * _e408) - (_e1138 * _e332));
+                                                let _e1144 = (((_e1105[2][1] - _e346) * _e408) - (_e1138 * _e370));
+                                                let _e1145 = (_e1141 * _e1131);
+                                                let _e1146 = (_e1144 * _e1128);
+                                                let _e1147 = (_e1115 * _e1144);
+                                                let _e1148 = (_e1118 * _e1141);
+                                                let _e1149 = (_e1128 * _e1118);
+                                                let _e1150 = (_e1131 * _e1115);
+                                                let _e1155 = (((_e1145 >= _e1146) && (_e1147 >= _e1148)) && (_e1149 >= _e1150));
+                                                if (_e1155 || (((_e1145 <= _e1146) && (_e1147 <= _e1148)) && (_e1149 <= _e1150))) {
+                                                    let _e1162 = select(-1f, 1f, _e1155);
+                                                    let _e1164 = ((_e1145 - _e1146) * _e1162);
+                                                    let _e1166 = select(0f, _e1164, (_e1164 > 0f));
+                                                    let _e1168 = ((_e1147 - _e1148) * _e1162);
+                                                    let _e1170 = select(0f, _e1168, (_e1168 > 0f));
+                                                    let _e1172 = ((_e1149 - _e1150) * _e1162);
+                                                    let _e1174 = select(0f, _e1172, (_e1172 > 0f));
+                                                    let _e1176 = ((_e1166 + _e1170) + _e1174);
+                                                    if (_e1176 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1725_ = type_25();
+                                                        phi_1726_ = true;
                                                     } else {
-                                                        let _e1146 = select(_e1072[1][0], _e1072[0][0], (_e1072[0][0] < _e1072[1][0]));
-                                                        let _e1150 = select(_e1072[1][0], _e1072[0][0], (_e1072[0][0] > _e1072[1][0]));
-                                                        let _e1154 = select(_e1072[1][1], _e1072[0][1], (_e1072[0][1] < _e1072[1][1]));
-                                                        let _e1158 = select(_e1072[1][1], _e1072[0][1], (_e1072[0][1] > _e1072[1][1]));
-                                                        let _e1162 = select(_e1072[1][2], _e1072[0][2], (_e1072[0][2] < _e1072[1][2]));
-                                                        let _e1166 = select(_e1072[1][2], _e1072[0][2], (_e1072[0][2] > _e1072[1][2]));
-                                                        let _e1171 = ((select(_e1072[2][0], _e1146, (_e1146 < _e1072[2][0])) - _e326) * _e331);
-                                                        let _e1172 = ((select(_e1072[2][0], _e1150, (_e1150 > _e1072[2][0])) - _e327) * _e331);
-                                                        let _e1175 = ((select(_e1072[2][1], _e1154, (_e1154 < _e1072[2][1])) - _e364) * _e369);
-                                                        let _e1176 = ((select(_e1072[2][1], _e1158, (_e1158 > _e1072[2][1])) - _e365) * _e369);
-                                                        let _e1179 = ((select(_e1072[2][2], _e1162, (_e1162 < _e1072[2][2])) - _e402) * _e407);
-                                                        let _e1180 = ((select(_e1072[2][2], _e1166, (_e1166 > _e1072[2][2])) - _e403) * _e407);
-                                                        let _e1182 = select(_e1180, _e1179, (_e1179 < _e1180));
-                                                        let _e1184 = select(_e1180, _e1179, (_e1179 > _e1180));
-                                                        let _e1186 = select(_e1172, _e1171, (_e1171 < _e1172));
-                                                        let _e1188 = select(_e1176, _e1175, (_e1175 < _e1176));
-                                                        let _e1190 = select(_e1188, _e1186, (_e1186 > _e1188));
-                                                        let _e1192 = select(_e1182, _e1190, (_e1190 > _e1182));
-                                                        let _e1194 = select(_e1172, _e1171, (_e1171 > _e1172));
-                                                        let _e1196 = select(_e1176, _e1175, (_e1175 > _e1176));
-                                                        let _e1198 = select(_e1196, _e1194, (_e1194 < _e1196));
-                                                        let _e1200 = select(_e1184, _e1198, (_e1198 < _e1184));
-                                                        let _e1201 = -(_e1182);
-                                                        let _e1207 = select(_e454, _e1192, (_e1192 > _e454));
-                                                        if (_e1207 > (_e1200 + (select(_e1201, _e1184, (_e1184 > _e1201)) * 0.0000019073523f))) {
-                                                            phi_2702_ = type_25();
-                                                            phi_2703_ = true;
+                                                        let _e1179 = select(_e1105[1][0], _e1105[0][0], (_e1105[0][0] < _e1105[1][0]));
+                                                        let _e1183 = select(_e1105[1][0], _e1105[0][0], (_e1105[0][0] > _e1105[1][0]));
+                                                        let _e1187 = select(_e1105[1][1], _e1105[0][1], (_e1105[0][1] < _e1105[1][1]));
+                                                        let _e1191 = select(_e1105[1][1], _e1105[0][1], (_e1105[0][1] > _e1105[1][1]));
+                                                        let _e1195 = select(_e1105[1][2], _e1105[0][2], (_e1105[0][2] < _e1105[1][2]));
+                                                        let _e1199 = select(_e1105[1][2], _e1105[0][2], (_e1105[0][2] > _e1105[1][2]));
+                                                        let _e1204 = ((select(_e1105[2][0], _e1179, (_e1179 < _e1105[2][0])) - _e330) * _e335);
+                                                        let _e1205 = ((select(_e1105[2][0], _e1183, (_e1183 > _e1105[2][0])) - _e331) * _e335);
+                                                        let _e1208 = ((select(_e1105[2][1], _e1187, (_e1187 < _e1105[2][1])) - _e368) * _e373);
+                                                        let _e1209 = ((select(_e1105[2][1], _e1191, (_e1191 > _e1105[2][1])) - _e369) * _e373);
+                                                        let _e1212 = ((select(_e1105[2][2], _e1195, (_e1195 < _e1105[2][2])) - _e406) * _e411);
+                                                        let _e1213 = ((select(_e1105[2][2], _e1199, (_e1199 > _e1105[2][2])) - _e407) * _e411);
+                                                        let _e1215 = select(_e1213, _e1212, (_e1212 < _e1213));
+                                                        let _e1217 = select(_e1213, _e1212, (_e1212 > _e1213));
+                                                        let _e1219 = select(_e1205, _e1204, (_e1204 < _e1205));
+                                                        let _e1221 = select(_e1209, _e1208, (_e1208 < _e1209));
+                                                        let _e1223 = select(_e1221, _e1219, (_e1219 > _e1221));
+                                                        let _e1225 = select(_e1215, _e1223, (_e1223 > _e1215));
+                                                        let _e1227 = select(_e1205, _e1204, (_e1204 > _e1205));
+                                                        let _e1229 = select(_e1209, _e1208, (_e1208 > _e1209));
+                                                        let _e1231 = select(_e1229, _e1227, (_e1227 < _e1229));
+                                                        let _e1233 = select(_e1217, _e1231, (_e1231 < _e1217));
+                                                        let _e1234 = -(_e1215);
+                                                        let _e1240 = select(_e458, _e1225, (_e1225 > _e458));
+                                                        if (_e1240 > (_e1233 + (select(_e1234, _e1217, (_e1217 > _e1234)) * 0.0000019073523f))) {
+                                                            phi_1720_ = type_25();
+                                                            phi_1721_ = true;
                                                         } else {
-                                                            let _e1209 = (_e1207 > _e976);
-                                                            if _e1209 {
-                                                                phi_2701_ = type_25();
+                                                            let _e1242 = (_e1240 > _e1009);
+                                                            if _e1242 {
+                                                                phi_1719_ = type_25();
                                                             } else {
-                                                                let _e1213 = (_e1072[1][0] - _e1072[0][0]);
-                                                                let _e1214 = (_e1072[1][1] - _e1072[0][1]);
-                                                                let _e1215 = (_e1072[1][2] - _e1072[0][2]);
-                                                                let _e1216 = vec3<f32>(_e1213, _e1214, _e1215);
-                                                                let _e1217 = (_e1072[2][0] - _e1072[1][0]);
-                                                                let _e1218 = (_e1072[2][1] - _e1072[1][1]);
-                                                                let _e1219 = (_e1072[2][2] - _e1072[1][2]);
-                                                                let _e1220 = vec3<f32>(_e1217, _e1218, _e1219);
-                                                                let _e1221 = (_e1072[0][0] - _e1072[2][0]);
-                                                                let _e1222 = (_e1072[0][1] - _e1072[2][1]);
-                                                                let _e1223 = (_e1072[0][2] - _e1072[2][2]);
-                                                                let _e1224 = vec3<f32>(_e1221, _e1222, _e1223);
-                                                                let _e1227 = bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u));
-                                                                let _e1230 = bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u));
-                                                                let _e1232 = select(_e1230, _e1227, (_e1227 > _e1230));
-                                                                let _e1235 = bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u));
-                                                                let _e1237 = select(_e1235, _e1232, (_e1232 > _e1235));
-                                                                let _e1240 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
-                                                                let _e1243 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
-                                                                let _e1245 = select(_e1243, _e1240, (_e1240 > _e1243));
-                                                                let _e1248 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
-                                                                let _e1250 = select(_e1248, _e1245, (_e1245 > _e1248));
-                                                                let _e1253 = bitcast<f32>((bitcast<u32>(_e1221) & 2147483647u));
-                                                                let _e1256 = bitcast<f32>((bitcast<u32>(_e1222) & 2147483647u));
-                                                                let _e1258 = select(_e1256, _e1253, (_e1253 > _e1256));
-                                                                let _e1261 = bitcast<f32>((bitcast<u32>(_e1223) & 2147483647u));
-                                                                let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
-                                                                let _e1265 = select(_e1250, _e1237, (_e1237 > _e1250));
-                                                                let _e1267 = select(_e1263, _e1265, (_e1265 > _e1263));
-                                                                if (_e1237 == _e1267) {
-                                                                    phi_2612_ = _e1220;
-                                                                    phi_2613_ = _e1224;
+                                                                let _e1246 = (_e1105[1][0] - _e1105[0][0]);
+                                                                let _e1247 = (_e1105[1][1] - _e1105[0][1]);
+                                                                let _e1248 = (_e1105[1][2] - _e1105[0][2]);
+                                                                let _e1249 = vec3<f32>(_e1246, _e1247, _e1248);
+                                                                let _e1250 = (_e1105[2][0] - _e1105[1][0]);
+                                                                let _e1251 = (_e1105[2][1] - _e1105[1][1]);
+                                                                let _e1252 = (_e1105[2][2] - _e1105[1][2]);
+                                                                let _e1253 = vec3<f32>(_e1250, _e1251, _e1252);
+                                                                let _e1254 = (_e1105[0][0] - _e1105[2][0]);
+                                                                let _e1255 = (_e1105[0][1] - _e1105[2][1]);
+                                                                let _e1256 = (_e1105[0][2] - _e1105[2][2]);
+                                                                let _e1257 = vec3<f32>(_e1254, _e1255, _e1256);
+                                                                let _e1260 = bitcast<f32>((bitcast<u32>(_e1246) & 2147483647u));
+                                                                let _e1263 = bitcast<f32>((bitcast<u32>(_e1247) & 2147483647u));
+                                                                let _e1265 = select(_e1263, _e1260, (_e1260 > _e1263));
+                                                                let _e1268 = bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u));
+                                                                let _e1270 = select(_e1268, _e1265, (_e1265 > _e1268));
+                                                                let _e1273 = bitcast<f32>((bitcast<u32>(_e1250) & 2147483647u));
+                                                                let _e1276 = bitcast<f32>((bitcast<u32>(_e1251) & 2147483647u));
+                                                                let _e1278 = select(_e1276, _e1273, (_e1273 > _e1276));
+                                                                let _e1281 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
+                                                                let _e1283 = select(_e1281, _e1278, (_e1278 > _e1281));
+                                                                let _e1286 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
+                                                                let _e1289 = bitcast<f32>((bitcast<u32>(_e1255) & 2147483647u));
+                                                                let _e1291 = select(_e1289, _e1286, (_e1286 > _e1289));
+                                                                let _e1294 = bitcast<f32>((bitcast<u32>(_e1256) & 2147483647u));
+                                                                let _e1296 = select(_e1294, _e1291, (_e1291 > _e1294));
+                                                                let _e1298 = select(_e1283, _e1270, (_e1270 > _e1283));
+                                                                let _e1300 = select(_e1296, _e1298, (_e1298 > _e1296));
+                                                                if (_e1270 == _e1300) {
+                                                                    phi_1630_ = _e1253;
+                                                                    phi_1631_ = _e1257;
                                                                 } else {
-                                                                    let _e1270 = vec3((_e1250 == _e1267));
-                                                                    phi_2612_ = select(_e1216, _e1224, _e1270);
-                                                                    phi_2613_ = select(_e1220, _e1216, _e1270);
+                                                                    let _e1303 = vec3((_e1283 == _e1300));
+                                                                    phi_1630_ = select(_e1249, _e1257, _e1303);
+                                                                    phi_1631_ = select(_e1253, _e1249, _e1303);
                                                                 }
-                                                                let _e1274 = phi_2612_;
-                                                                let _e1276 = phi_2613_;
-                                                                let _e1283 = ((_e1274.y * _e1276.z) - (_e1276.y * _e1274.z));
-                                                                let _e1288 = ((_e1274.z * _e1276.x) - (_e1276.z * _e1274.x));
-                                                                let _e1291 = ((_e1274.x * _e1276.y) - (_e1276.x * _e1274.y));
-                                                                if (_e1133 >= _e1137) {
-                                                                    phi_2644_ = select(true, false, (_e1133 >= _e1141));
+                                                                let _e1307 = phi_1630_;
+                                                                let _e1309 = phi_1631_;
+                                                                let _e1316 = ((_e1307.y * _e1309.z) - (_e1309.y * _e1307.z));
+                                                                let _e1321 = ((_e1307.z * _e1309.x) - (_e1309.z * _e1307.x));
+                                                                let _e1324 = ((_e1307.x * _e1309.y) - (_e1309.x * _e1307.y));
+                                                                if (_e1166 >= _e1170) {
+                                                                    phi_1662_ = select(true, false, (_e1166 >= _e1174));
                                                                 } else {
-                                                                    phi_2644_ = true;
+                                                                    phi_1662_ = true;
                                                                 }
-                                                                let _e1296 = phi_2644_;
-                                                                if _e1296 {
-                                                                    phi_2653_ = select(vec3<f32>(_e1072[2][0], _e1072[2][1], _e1072[2][2]), vec3<f32>(_e1072[1][0], _e1072[1][1], _e1072[1][2]), vec3((_e1137 >= _e1141)));
+                                                                let _e1329 = phi_1662_;
+                                                                if _e1329 {
+                                                                    phi_1671_ = select(vec3<f32>(_e1105[2][0], _e1105[2][1], _e1105[2][2]), vec3<f32>(_e1105[1][0], _e1105[1][1], _e1105[1][2]), vec3((_e1170 >= _e1174)));
                                                                 } else {
-                                                                    phi_2653_ = vec3<f32>(_e1072[0][0], _e1072[0][1], _e1072[0][2]);
+                                                                    phi_1671_ = vec3<f32>(_e1105[0][0], _e1105[0][1], _e1105[0][2]);
                                                                 }
-                                                                let _e1301 = phi_2653_;
-                                                                let _e1318 = ((((_e1283 * (_e1301.x - _e303)) + (_e1288 * (_e1301.y - _e342))) + (_e1291 * (_e1301.z - _e380))) / (((_e1283 * _e328) + (_e1288 * _e366)) + (_e1291 * _e404)));
-                                                                let _e1320 = select(_e1200, _e1318, (_e1318 < _e1200));
-                                                                let _e1322 = select(_e1192, _e1320, (_e1320 > _e1192));
-                                                                if (_e1322 >= _e454) {
-                                                                    let _e1324 = (_e1322 <= _e976);
-                                                                    if _e1324 {
-                                                                        let _e1325 = (1f / _e1143);
-                                                                        phi_2693_ = type_25(_e1322, (_e1137 * _e1325), (_e1141 * _e1325), _e1005);
+                                                                let _e1334 = phi_1671_;
+                                                                let _e1351 = ((((_e1316 * (_e1334.x - _e307)) + (_e1321 * (_e1334.y - _e346))) + (_e1324 * (_e1334.z - _e384))) / (((_e1316 * _e332) + (_e1321 * _e370)) + (_e1324 * _e408)));
+                                                                let _e1353 = select(_e1233, _e1351, (_e1351 < _e1233));
+                                                                let _e1355 = select(_e1225, _e1353, (_e1353 > _e1225));
+                                                                if (_e1355 >= _e458) {
+                                                                    let _e1357 = (_e1355 <= _e1009);
+                                                                    if _e1357 {
+                                                                        let _e1358 = (1f / _e1176);
+                                                                        phi_1711_ = type_25(_e1355, (_e1170 * _e1358), (_e1174 * _e1358), _e1038);
                                                                     } else {
-                                                                        phi_2693_ = type_25();
+                                                                        phi_1711_ = type_25();
                                                                     }
-                                                                    let _e1330 = phi_2693_;
-                                                                    phi_2695_ = _e1330;
-                                                                    phi_2696_ = select(true, false, _e1324);
+                                                                    let _e1363 = phi_1711_;
+                                                                    phi_1713_ = _e1363;
+                                                                    phi_1714_ = select(true, false, _e1357);
                                                                 } else {
-                                                                    phi_2695_ = type_25();
-                                                                    phi_2696_ = true;
+                                                                    phi_1713_ = type_25();
+                                                                    phi_1714_ = true;
                                                                 }
-                                                                let _e1333 = phi_2695_;
-                                                                let _e1335 = phi_2696_;
-                                                                if _e1335 {
-                                                                    phi_2700_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1366 = phi_1713_;
+                                                                let _e1368 = phi_1714_;
+                                                                if _e1368 {
+                                                                    phi_1718_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_2700_ = _e1333;
+                                                                    phi_1718_ = _e1366;
                                                                 }
-                                                                let _e1337 = phi_2700_;
-                                                                phi_2701_ = _e1337;
+                                                                let _e1370 = phi_1718_;
+                                                                phi_1719_ = _e1370;
                                                             }
-                                                            let _e1339 = phi_2701_;
-                                                            phi_2702_ = _e1339;
-                                                            phi_2703_ = _e1209;
+                                                            let _e1372 = phi_1719_;
+                                                            phi_1720_ = _e1372;
+                                                            phi_1721_ = _e1242;
                                                         }
-                                                        let _e1341 = phi_2702_;
-                                                        let _e1343 = phi_2703_;
-                                                        phi_2707_ = _e1341;
-                                                        phi_2708_ = _e1343;
+                                                        let _e1374 = phi_1720_;
+                                                        let _e1376 = phi_1721_;
+                                                        phi_1725_ = _e1374;
+                                                        phi_1726_ = _e1376;
                                                     }
-                                                    let _e1345 = phi_2707_;
-                                                    let _e1347 = phi_2708_;
-                                                    phi_2712_ = _e1345;
-                                                    phi_2713_ = _e1347;
+                                                    let _e1378 = phi_1725_;
+                                                    let _e1380 = phi_1726_;
+                                                    phi_1730_ = _e1378;
+                                                    phi_1731_ = _e1380;
                                                 } else {
-                                                    phi_2712_ = type_25();
-                                                    phi_2713_ = true;
+                                                    phi_1730_ = type_25();
+                                                    phi_1731_ = true;
                                                 }
-                                                let _e1349 = phi_2712_;
-                                                let _e1351 = phi_2713_;
-                                                if _e1351 {
-                                                    phi_2717_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1382 = phi_1730_;
+                                                let _e1384 = phi_1731_;
+                                                if _e1384 {
+                                                    phi_1735_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2717_ = _e1349;
+                                                    phi_1735_ = _e1382;
                                                 }
-                                                let _e1353 = phi_2717_;
-                                                if (_e1353.member_3 != 4294967295u) {
-                                                    if (_e1005 != 4294967295u) {
-                                                        phi_2729_ = type_4(0u, 8u);
-                                                        phi_2732_ = _e1353;
+                                                let _e1386 = phi_1735_;
+                                                if (_e1386.member_3 != 4294967295u) {
+                                                    if (_e1038 != 4294967295u) {
+                                                        phi_1747_ = type_4(0u, 8u);
+                                                        phi_1750_ = _e1386;
                                                         loop {
-                                                            let _e1358 = phi_2729_;
-                                                            let _e1360 = phi_2732_;
-                                                            if (_e1358.member < _e1358.member_1) {
-                                                                phi_2730_ = type_4((_e1358.member + 1u), _e1358.member_1);
-                                                                phi_2755_ = type_4(1u, _e1358.member);
+                                                            let _e1391 = phi_1747_;
+                                                            let _e1393 = phi_1750_;
+                                                            if (_e1391.member < _e1391.member_1) {
+                                                                phi_1748_ = type_4((_e1391.member + 1u), _e1391.member_1);
+                                                                phi_1773_ = type_4(1u, _e1391.member);
                                                             } else {
-                                                                phi_2730_ = _e1358;
-                                                                phi_2755_ = type_4(0u, type_4().member_1);
+                                                                phi_1748_ = _e1391;
+                                                                phi_1773_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1373 = phi_2730_;
-                                                            let _e1375 = phi_2755_;
-                                                            let _e1379 = (bitcast<i32>(_e1375.member) != 0i);
-                                                            if _e1379 {
-                                                                let _e1380 = (_e1375.member_1 < 8u);
-                                                                if _e1380 {
+                                                            let _e1406 = phi_1748_;
+                                                            let _e1408 = phi_1773_;
+                                                            let _e1412 = (bitcast<i32>(_e1408.member) != 0i);
+                                                            if _e1412 {
+                                                                let _e1413 = (_e1408.member_1 < 8u);
+                                                                if _e1413 {
                                                                 } else {
-                                                                    phi_4568_ = true;
+                                                                    phi_3644_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1385 = local_2[_e1375.member_1].member;
-                                                                if (_e1360.member < _e1385) {
-                                                                    phi_2788_ = true;
+                                                                let _e1418 = local_9[_e1408.member_1].member;
+                                                                if (_e1393.member < _e1418) {
+                                                                    phi_1806_ = true;
                                                                 } else {
-                                                                    let _e1387 = local_2[_e1375.member_1].member;
-                                                                    if (_e1360.member == _e1387) {
-                                                                        let _e1392 = local_2[_e1375.member_1].member_3;
-                                                                        phi_2787_ = (_e1360.member_3 < _e1392);
+                                                                    let _e1420 = local_9[_e1408.member_1].member;
+                                                                    if (_e1393.member == _e1420) {
+                                                                        let _e1425 = local_9[_e1408.member_1].member_3;
+                                                                        phi_1805_ = (_e1393.member_3 < _e1425);
                                                                     } else {
-                                                                        phi_2787_ = false;
+                                                                        phi_1805_ = false;
                                                                     }
-                                                                    let _e1395 = phi_2787_;
-                                                                    phi_2788_ = _e1395;
+                                                                    let _e1428 = phi_1805_;
+                                                                    phi_1806_ = _e1428;
                                                                 }
-                                                                let _e1397 = phi_2788_;
-                                                                if _e1397 {
-                                                                    if _e1380 {
+                                                                let _e1430 = phi_1806_;
+                                                                if _e1430 {
+                                                                    if _e1413 {
                                                                     } else {
-                                                                        phi_4568_ = true;
+                                                                        phi_3644_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1398 = local_2[_e1375.member_1];
-                                                                    local_2[_e1375.member_1] = type_25(_e1360.member, _e1360.member_1, _e1360.member_2, _e1360.member_3);
-                                                                    phi_2809_ = type_25(_e1398.member, _e1398.member_1, _e1398.member_2, _e1398.member_3);
+                                                                    let _e1431 = local_9[_e1408.member_1];
+                                                                    local_9[_e1408.member_1] = type_25(_e1393.member, _e1393.member_1, _e1393.member_2, _e1393.member_3);
+                                                                    phi_1827_ = type_25(_e1431.member, _e1431.member_1, _e1431.member_2, _e1431.member_3);
                                                                 } else {
-                                                                    phi_2809_ = _e1360;
+                                                                    phi_1827_ = _e1393;
                                                                 }
-                                                                let _e1409 = phi_2809_;
-                                                                phi_2733_ = _e1409;
+                                                                let _e1442 = phi_1827_;
+                                                                phi_1751_ = _e1442;
                                                             } else {
-                                                                phi_2733_ = type_25();
+                                                                phi_1751_ = type_25();
                                                             }
-                                                            let _e1411 = phi_2733_;
+                                                            let _e1444 = phi_1751_;
                                                             continue;
                                                             continuing {
-                                                                phi_2729_ = _e1373;
-                                                                phi_2732_ = _e1411;
-                                                                phi_4568_ = _e974;
-                                                                break if !(_e1379);
+                                                                phi_1747_ = _e1406;
+                                                                phi_1750_ = _e1444;
+                                                                phi_3644_ = _e1007;
+                                                                break if !(_e1412);
                                                             }
                                                         }
-                                                        let _e1414 = phi_4568_;
-                                                        phi_4839_ = _e976;
-                                                        phi_4682_ = _e1414;
-                                                        if _e1414 {
+                                                        let _e1447 = phi_3644_;
+                                                        phi_3915_ = _e1009;
+                                                        phi_3758_ = _e1447;
+                                                        if _e1447 {
                                                             break;
                                                         }
-                                                        let _e1417 = local_2[7u].member_3;
-                                                        if (_e1417 != 4294967295u) {
-                                                            let _e1421 = local_2[7u].member;
-                                                            phi_4902_ = _e1421;
+                                                        let _e1450 = local_9[7u].member_3;
+                                                        if (_e1450 != 4294967295u) {
+                                                            let _e1454 = local_9[7u].member;
+                                                            phi_3978_ = _e1454;
                                                         } else {
-                                                            phi_4902_ = _e976;
+                                                            phi_3978_ = _e1009;
                                                         }
-                                                        let _e1423 = phi_4902_;
-                                                        phi_4901_ = _e1423;
-                                                        phi_4685_ = _e1414;
+                                                        let _e1456 = phi_3978_;
+                                                        phi_3977_ = _e1456;
+                                                        phi_3761_ = _e1447;
                                                     } else {
-                                                        phi_4901_ = _e976;
-                                                        phi_4685_ = _e974;
+                                                        phi_3977_ = _e1009;
+                                                        phi_3761_ = _e1007;
                                                     }
-                                                    let _e1425 = phi_4901_;
-                                                    let _e1427 = phi_4685_;
-                                                    phi_4900_ = _e1425;
-                                                    phi_4684_ = _e1427;
+                                                    let _e1458 = phi_3977_;
+                                                    let _e1460 = phi_3761_;
+                                                    phi_3976_ = _e1458;
+                                                    phi_3760_ = _e1460;
                                                 } else {
-                                                    phi_4900_ = _e976;
-                                                    phi_4684_ = _e974;
+                                                    phi_3976_ = _e1009;
+                                                    phi_3760_ = _e1007;
                                                 }
-                                                let _e1429 = phi_4900_;
-                                                let _e1431 = phi_4684_;
-                                                phi_4899_ = _e1429;
-                                                phi_4683_ = _e1431;
+                                                let _e1462 = phi_3976_;
+                                                let _e1464 = phi_3760_;
+                                                phi_3975_ = _e1462;
+                                                phi_3759_ = _e1464;
                                             } else {
-                                                phi_4899_ = _e976;
-                                                phi_4683_ = _e974;
+                                                phi_3975_ = _e1009;
+                                                phi_3759_ = _e1007;
                                             }
-                                            let _e1433 = phi_4899_;
-                                            let _e1435 = phi_4683_;
+                                            let _e1466 = phi_3975_;
+                                            let _e1468 = phi_3759_;
                                             continue;
                                             continuing {
-                                                phi_4577_ = _e1435;
-                                                phi_4567_ = _e1433;
-                                                phi_2006_ = _e991;
-                                                phi_4839_ = _e1433;
-                                                phi_4682_ = _e1435;
-                                                break if !(_e997);
+                                                phi_3653_ = _e1468;
+                                                phi_3643_ = _e1466;
+                                                phi_1024_ = _e1024;
+                                                phi_3915_ = _e1466;
+                                                phi_3758_ = _e1468;
+                                                break if !(_e1030);
                                             }
                                         }
-                                        let _e1438 = phi_4839_;
-                                        let _e1440 = phi_4682_;
-                                        phi_4687_ = _e1440;
-                                        if _e1440 {
+                                        let _e1471 = phi_3915_;
+                                        let _e1473 = phi_3758_;
+                                        phi_3763_ = _e1473;
+                                        if _e1473 {
                                             break;
                                         }
-                                        phi_4804_ = _e1438;
-                                        phi_4691_ = _e1440;
-                                        phi_4124_ = _e525;
-                                        phi_4125_ = false;
-                                        phi_4126_ = _e529;
+                                        phi_3880_ = _e1471;
+                                        phi_3767_ = _e1473;
+                                        phi_3186_ = _e539;
+                                        phi_3187_ = false;
+                                        phi_3188_ = _e543;
                                     } else {
-                                        if (_e525.member_1 >= _e84) {
-                                            phi_3723_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e539.member_1 >= _e88) {
+                                            phi_2741_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e525.member_1 < _e84) {
+                                            if (_e539.member_1 < _e88) {
                                             } else {
-                                                phi_4687_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e541 = ((1u + _e254) % 4u);
-                                            if (_e541 < 4u) {
-                                            } else {
-                                                phi_4687_ = true;
-                                                break;
-                                            }
-                                            let _e546 = global_4.member[_e525.member_1][_e541];
-                                            let _e548 = ((1u + _e253) % 4u);
-                                            if (_e548 < 4u) {
-                                            } else {
-                                                phi_4687_ = true;
-                                                break;
-                                            }
-                                            let _e553 = global_4.member[_e525.member_1][_e548];
-                                            let _e555 = ((1u + _e255) % 4u);
+                                            let _e555 = ((1u + _e258) % 4u);
                                             if (_e555 < 4u) {
                                             } else {
-                                                phi_4687_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e560 = global_4.member[_e525.member_1][_e555];
-                                            let _e562 = ((_e254 + 1u) % 4u);
+                                            let _e560 = global_4.member[_e539.member_1][_e555];
+                                            let _e562 = ((1u + _e257) % 4u);
                                             if (_e562 < 4u) {
                                             } else {
-                                                phi_4687_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e567 = global_4.member[_e525.member_1][_e562];
-                                            let _e569 = (_e567 >> bitcast<u32>(11u));
-                                            let _e571 = ((_e253 + 1u) % 4u);
-                                            if (_e571 < 4u) {
+                                            let _e567 = global_4.member[_e539.member_1][_e562];
+                                            let _e569 = ((1u + _e259) % 4u);
+                                            if (_e569 < 4u) {
                                             } else {
-                                                phi_4687_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e576 = global_4.member[_e525.member_1][_e571];
-                                            let _e578 = (_e576 >> bitcast<u32>(11u));
-                                            let _e580 = ((_e255 + 1u) % 4u);
-                                            if (_e580 < 4u) {
+                                            let _e574 = global_4.member[_e539.member_1][_e569];
+                                            let _e576 = ((_e258 + 1u) % 4u);
+                                            if (_e576 < 4u) {
                                             } else {
-                                                phi_4687_ = true;
+                                                phi_3763_ = true;
                                                 break;
                                             }
-                                            let _e585 = global_4.member[_e525.member_1][_e580];
-                                            let _e587 = (_e585 >> bitcast<u32>(11u));
-                                            let _e610 = (bitcast<f32>((bitcast<u32>((_e525.member.member_1.x - _e525.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e611 = (bitcast<f32>((bitcast<u32>((_e525.member.member_1.y - _e525.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e612 = (bitcast<f32>((bitcast<u32>((_e525.member.member_1.z - _e525.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e614 = select(_e134, _e610, (_e610 > _e134));
-                                            let _e616 = select(_e134, _e611, (_e611 > _e134));
-                                            let _e618 = select(_e134, _e612, (_e612 > _e134));
-                                            let _e643 = bitcast<u32>((f32(bitcast<i32>((_e546 & 1023u))) * _e614));
-                                            let _e648 = (bitcast<i32>((_e546 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e651 = bitcast<f32>((_e643 & bitcast<u32>(_e648)));
-                                            let _e652 = bitcast<u32>((f32(bitcast<i32>((_e553 & 1023u))) * _e616));
-                                            let _e657 = (bitcast<i32>((_e553 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e660 = bitcast<f32>((_e652 & bitcast<u32>(_e657)));
-                                            let _e661 = bitcast<u32>((f32(bitcast<i32>((_e560 & 1023u))) * _e618));
-                                            let _e666 = (bitcast<i32>((_e560 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e669 = bitcast<f32>((_e661 & bitcast<u32>(_e666)));
-                                            let _e673 = bitcast<f32>((_e643 & bitcast<u32>(~(_e648))));
-                                            let _e677 = bitcast<f32>((_e652 & bitcast<u32>(~(_e657))));
-                                            let _e681 = bitcast<f32>((_e661 & bitcast<u32>(~(_e666))));
-                                            let _e682 = bitcast<u32>((f32(bitcast<i32>((_e569 & 1023u))) * _e614));
-                                            let _e687 = (bitcast<i32>((_e569 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e690 = bitcast<f32>((_e682 & bitcast<u32>(_e687)));
-                                            let _e691 = bitcast<u32>((f32(bitcast<i32>((_e578 & 1023u))) * _e616));
-                                            let _e696 = (bitcast<i32>((_e578 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e699 = bitcast<f32>((_e691 & bitcast<u32>(_e696)));
-                                            let _e700 = bitcast<u32>((f32(bitcast<i32>((_e587 & 1023u))) * _e618));
-                                            let _e705 = (bitcast<i32>((_e587 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e708 = bitcast<f32>((_e700 & bitcast<u32>(_e705)));
-                                            let _e712 = bitcast<f32>((_e682 & bitcast<u32>(~(_e687))));
-                                            let _e716 = bitcast<f32>((_e691 & bitcast<u32>(~(_e696))));
-                                            let _e720 = bitcast<f32>((_e700 & bitcast<u32>(~(_e705))));
-                                            let _e750 = global_4.member[_e525.member_1][0u];
-                                            let _e754 = global_4.member[_e525.member_1][1u];
-                                            let _e758 = global_4.member[_e525.member_1][2u];
-                                            let _e762 = global_4.member[_e525.member_1][3u];
-                                            let _e774 = (((_e754 >> bitcast<u32>(22i)) | ((_e758 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e762 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e775 = (_e750 & 268435455u);
-                                            let _e776 = (_e774 & 268435455u);
-                                            let _e779 = ((_e750 >> bitcast<u32>(28u)) & 7u);
-                                            let _e787 = ((_e750 >> bitcast<u32>(31i)) | (((_e774 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e788 = (_e779 != 0u);
-                                            if (_e779 == 0u) {
-                                                phi_3685_ = _e775;
+                                            let _e581 = global_4.member[_e539.member_1][_e576];
+                                            let _e583 = (_e581 >> bitcast<u32>(11u));
+                                            let _e585 = ((_e257 + 1u) % 4u);
+                                            if (_e585 < 4u) {
                                             } else {
-                                                if (_e779 == 7u) {
-                                                    phi_3684_ = 2147483648u;
-                                                } else {
-                                                    phi_3684_ = ((2147483648u | (_e779 << bitcast<u32>(28u))) | (_e776 & 268435455u));
-                                                }
-                                                let _e797 = phi_3684_;
-                                                phi_3685_ = _e797;
+                                                phi_3763_ = true;
+                                                break;
                                             }
-                                            let _e799 = phi_3685_;
-                                            if _e788 {
-                                                let _e800 = (_e779 != 7u);
-                                                if _e800 {
-                                                    phi_3695_ = (_e776 + _e779);
-                                                } else {
-                                                    phi_3695_ = u32();
-                                                }
-                                                let _e803 = phi_3695_;
-                                                phi_3697_ = _e803;
-                                                phi_3698_ = select(true, false, _e800);
+                                            let _e590 = global_4.member[_e539.member_1][_e585];
+                                            let _e592 = (_e590 >> bitcast<u32>(11u));
+                                            let _e594 = ((_e259 + 1u) % 4u);
+                                            if (_e594 < 4u) {
                                             } else {
-                                                phi_3697_ = u32();
-                                                phi_3698_ = true;
+                                                phi_3763_ = true;
+                                                break;
                                             }
-                                            let _e806 = phi_3697_;
-                                            let _e808 = phi_3698_;
-                                            if (_e787 == 0u) {
-                                                phi_3719_ = (_e775 + select(0u, 1u, !(_e788)));
+                                            let _e599 = global_4.member[_e539.member_1][_e594];
+                                            let _e601 = (_e599 >> bitcast<u32>(11u));
+                                            let _e624 = (bitcast<f32>((bitcast<u32>((_e539.member.member_1.x - _e539.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e625 = (bitcast<f32>((bitcast<u32>((_e539.member.member_1.y - _e539.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e626 = (bitcast<f32>((bitcast<u32>((_e539.member.member_1.z - _e539.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e628 = select(_e138, _e624, (_e624 > _e138));
+                                            let _e630 = select(_e138, _e625, (_e625 > _e138));
+                                            let _e632 = select(_e138, _e626, (_e626 > _e138));
+                                            let _e657 = bitcast<u32>((f32(bitcast<i32>((_e560 & 1023u))) * _e628));
+                                            let _e662 = (bitcast<i32>((_e560 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e665 = bitcast<f32>((_e657 & bitcast<u32>(_e662)));
+                                            let _e666 = bitcast<u32>((f32(bitcast<i32>((_e567 & 1023u))) * _e630));
+                                            let _e671 = (bitcast<i32>((_e567 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e674 = bitcast<f32>((_e666 & bitcast<u32>(_e671)));
+                                            let _e675 = bitcast<u32>((f32(bitcast<i32>((_e574 & 1023u))) * _e632));
+                                            let _e680 = (bitcast<i32>((_e574 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e683 = bitcast<f32>((_e675 & bitcast<u32>(_e680)));
+                                            let _e687 = bitcast<f32>((_e657 & bitcast<u32>(~(_e662))));
+                                            let _e691 = bitcast<f32>((_e666 & bitcast<u32>(~(_e671))));
+                                            let _e695 = bitcast<f32>((_e675 & bitcast<u32>(~(_e680))));
+                                            let _e696 = bitcast<u32>((f32(bitcast<i32>((_e583 & 1023u))) * _e628));
+                                            let _e701 = (bitcast<i32>((_e583 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e704 = bitcast<f32>((_e696 & bitcast<u32>(_e701)));
+                                            let _e705 = bitcast<u32>((f32(bitcast<i32>((_e592 & 1023u))) * _e630));
+                                            let _e710 = (bitcast<i32>((_e592 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e713 = bitcast<f32>((_e705 & bitcast<u32>(_e710)));
+                                            let _e714 = bitcast<u32>((f32(bitcast<i32>((_e601 & 1023u))) * _e632));
+                                            let _e719 = (bitcast<i32>((_e601 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e722 = bitcast<f32>((_e714 & bitcast<u32>(_e719)));
+                                            let _e726 = bitcast<f32>((_e696 & bitcast<u32>(~(_e701))));
+                                            let _e730 = bitcast<f32>((_e705 & bitcast<u32>(~(_e710))));
+                                            let _e734 = bitcast<f32>((_e714 & bitcast<u32>(~(_e719))));
+                                            let _e764 = global_4.member[_e539.member_1][0u];
+                                            let _e768 = global_4.member[_e539.member_1][1u];
+                                            let _e772 = global_4.member[_e539.member_1][2u];
+                                            let _e776 = global_4.member[_e539.member_1][3u];
+                                            let _e788 = (((_e768 >> bitcast<u32>(22i)) | ((_e772 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e776 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e789 = (_e764 & 268435455u);
+                                            let _e790 = (_e788 & 268435455u);
+                                            let _e793 = ((_e764 >> bitcast<u32>(28u)) & 7u);
+                                            let _e801 = ((_e764 >> bitcast<u32>(31i)) | (((_e788 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e802 = (_e793 != 0u);
+                                            if (_e793 == 0u) {
+                                                phi_2703_ = _e789;
                                             } else {
-                                                if (_e787 == 7u) {
-                                                    phi_3718_ = 2147483648u;
+                                                if (_e793 == 7u) {
+                                                    phi_2702_ = 2147483648u;
                                                 } else {
-                                                    phi_3718_ = ((2147483648u | (_e787 << bitcast<u32>(28u))) | (select(_e806, _e776, _e808) & 268435455u));
+                                                    phi_2702_ = ((2147483648u | (_e793 << bitcast<u32>(28u))) | (_e790 & 268435455u));
                                                 }
-                                                let _e821 = phi_3718_;
-                                                phi_3719_ = _e821;
+                                                let _e811 = phi_2702_;
+                                                phi_2703_ = _e811;
                                             }
-                                            let _e823 = phi_3719_;
-                                            phi_3723_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e525.member.member.x + _e651), (_e525.member.member.x + _e673), (_e525.member.member_1.x - _e690), (_e525.member.member_1.x - _e712)), vec4<f32>((_e525.member.member.y + _e660), (_e525.member.member.y + _e677), (_e525.member.member_1.y - _e699), (_e525.member.member_1.y - _e716)), vec4<f32>((_e525.member.member.z + _e669), (_e525.member.member.z + _e681), (_e525.member.member_1.z - _e708), (_e525.member.member_1.z - _e720))), type_51(type_29((_e525.member.member + vec4<f32>(_e651, _e660, _e669, 0f)), (_e525.member.member_1 - vec4<f32>(_e690, _e699, _e708, 0f))), _e799), type_51(type_29((_e525.member.member + vec4<f32>(_e673, _e677, _e681, 0f)), (_e525.member.member_1 - vec4<f32>(_e712, _e716, _e720, 0f))), _e823));
+                                            let _e813 = phi_2703_;
+                                            if _e802 {
+                                                let _e814 = (_e793 != 7u);
+                                                if _e814 {
+                                                    phi_2713_ = (_e790 + _e793);
+                                                } else {
+                                                    phi_2713_ = u32();
+                                                }
+                                                let _e817 = phi_2713_;
+                                                phi_2715_ = _e817;
+                                                phi_2716_ = select(true, false, _e814);
+                                            } else {
+                                                phi_2715_ = u32();
+                                                phi_2716_ = true;
+                                            }
+                                            let _e820 = phi_2715_;
+                                            let _e822 = phi_2716_;
+                                            if (_e801 == 0u) {
+                                                phi_2737_ = (_e789 + select(0u, 1u, !(_e802)));
+                                            } else {
+                                                if (_e801 == 7u) {
+                                                    phi_2736_ = 2147483648u;
+                                                } else {
+                                                    phi_2736_ = ((2147483648u | (_e801 << bitcast<u32>(28u))) | (select(_e820, _e790, _e822) & 268435455u));
+                                                }
+                                                let _e835 = phi_2736_;
+                                                phi_2737_ = _e835;
+                                            }
+                                            let _e837 = phi_2737_;
+                                            phi_2741_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e539.member.member.x + _e665), (_e539.member.member.x + _e687), (_e539.member.member_1.x - _e704), (_e539.member.member_1.x - _e726)), vec4<f32>((_e539.member.member.y + _e674), (_e539.member.member.y + _e691), (_e539.member.member_1.y - _e713), (_e539.member.member_1.y - _e730)), vec4<f32>((_e539.member.member.z + _e683), (_e539.member.member.z + _e695), (_e539.member.member_1.z - _e722), (_e539.member.member_1.z - _e734))), type_52(type_29((_e539.member.member + vec4<f32>(_e665, _e674, _e683, 0f)), (_e539.member.member_1 - vec4<f32>(_e704, _e713, _e722, 0f))), _e813), type_52(type_29((_e539.member.member + vec4<f32>(_e687, _e691, _e695, 0f)), (_e539.member.member_1 - vec4<f32>(_e726, _e730, _e734, 0f))), _e837));
                                         }
-                                        let _e828 = phi_3723_;
-                                        let _e839 = ((_e828.member[0].x - _e326) * _e331);
-                                        let _e840 = ((_e828.member[0].y - _e326) * _e331);
-                                        let _e841 = ((_e828.member[0].z - _e327) * _e331);
-                                        let _e842 = ((_e828.member[0].w - _e327) * _e331);
-                                        let _e852 = ((_e828.member[1].x - _e364) * _e369);
-                                        let _e853 = ((_e828.member[1].y - _e364) * _e369);
-                                        let _e854 = ((_e828.member[1].z - _e365) * _e369);
-                                        let _e855 = ((_e828.member[1].w - _e365) * _e369);
-                                        let _e865 = ((_e828.member[2].x - _e402) * _e407);
-                                        let _e866 = ((_e828.member[2].y - _e402) * _e407);
-                                        let _e867 = ((_e828.member[2].z - _e403) * _e407);
-                                        let _e868 = ((_e828.member[2].w - _e403) * _e407);
-                                        let _e870 = select(_e867, _e865, (_e865 < _e867));
-                                        let _e872 = select(_e868, _e866, (_e866 < _e868));
-                                        let _e874 = select(_e867, _e865, (_e865 > _e867));
-                                        let _e876 = select(_e868, _e866, (_e866 > _e868));
-                                        let _e878 = select(_e841, _e839, (_e839 < _e841));
-                                        let _e880 = select(_e842, _e840, (_e840 < _e842));
-                                        let _e882 = select(_e854, _e852, (_e852 < _e854));
-                                        let _e884 = select(_e855, _e853, (_e853 < _e855));
-                                        let _e886 = select(_e882, _e878, (_e878 > _e882));
-                                        let _e888 = select(_e884, _e880, (_e880 > _e884));
-                                        let _e890 = select(_e870, _e886, (_e886 > _e870));
-                                        let _e892 = select(_e872, _e888, (_e888 > _e872));
-                                        let _e894 = select(_e841, _e839, (_e839 > _e841));
-                                        let _e896 = select(_e842, _e840, (_e840 > _e842));
-                                        let _e898 = select(_e854, _e852, (_e852 > _e854));
-                                        let _e900 = select(_e855, _e853, (_e853 > _e855));
-                                        let _e902 = select(_e898, _e894, (_e894 < _e898));
-                                        let _e904 = select(_e900, _e896, (_e896 < _e900));
-                                        let _e909 = -(_e870);
-                                        let _e910 = -(_e872);
-                                        let _e917 = (select(_e874, _e902, (_e902 < _e874)) + (select(_e909, _e874, (_e874 > _e909)) * 0.0000019073523f));
-                                        let _e918 = (select(_e876, _e904, (_e904 < _e876)) + (select(_e910, _e876, (_e876 > _e910)) * 0.0000019073523f));
-                                        let _e920 = select(_e454, _e890, (_e890 > _e454));
-                                        let _e922 = select(_e454, _e892, (_e892 > _e454));
-                                        let _e927 = (_e920 <= select(_e497, _e917, (_e917 < _e497)));
-                                        let _e928 = (_e922 <= select(_e497, _e918, (_e918 < _e497)));
-                                        let _e929 = (_e920 <= _e922);
-                                        if _e927 {
-                                            if _e928 {
-                                                if _e929 {
-                                                    phi_4068_ = _e828.member_2;
+                                        let _e842 = phi_2741_;
+                                        let _e853 = ((_e842.member[0].x - _e330) * _e335);
+                                        let _e854 = ((_e842.member[0].y - _e330) * _e335);
+                                        let _e855 = ((_e842.member[0].z - _e331) * _e335);
+                                        let _e856 = ((_e842.member[0].w - _e331) * _e335);
+                                        let _e866 = ((_e842.member[1].x - _e368) * _e373);
+                                        let _e867 = ((_e842.member[1].y - _e368) * _e373);
+                                        let _e868 = ((_e842.member[1].z - _e369) * _e373);
+                                        let _e869 = ((_e842.member[1].w - _e369) * _e373);
+                                        let _e879 = ((_e842.member[2].x - _e406) * _e411);
+                                        let _e880 = ((_e842.member[2].y - _e406) * _e411);
+                                        let _e881 = ((_e842.member[2].z - _e407) * _e411);
+                                        let _e882 = ((_e842.member[2].w - _e407) * _e411);
+                                        let _e884 = select(_e881, _e879, (_e879 < _e881));
+                                        let _e886 = select(_e882, _e880, (_e880 < _e882));
+                                        let _e888 = select(_e881, _e879, (_e879 > _e881));
+                                        let _e890 = select(_e882, _e880, (_e880 > _e882));
+                                        let _e892 = select(_e855, _e853, (_e853 < _e855));
+                                        let _e894 = select(_e856, _e854, (_e854 < _e856));
+                                        let _e896 = select(_e868, _e866, (_e866 < _e868));
+                                        let _e898 = select(_e869, _e867, (_e867 < _e869));
+                                        let _e900 = select(_e896, _e892, (_e892 > _e896));
+                                        let _e902 = select(_e898, _e894, (_e894 > _e898));
+                                        let _e904 = select(_e884, _e900, (_e900 > _e884));
+                                        let _e906 = select(_e886, _e902, (_e902 > _e886));
+                                        let _e908 = select(_e855, _e853, (_e853 > _e855));
+                                        let _e910 = select(_e856, _e854, (_e854 > _e856));
+                                        let _e912 = select(_e868, _e866, (_e866 > _e868));
+                                        let _e914 = select(_e869, _e867, (_e867 > _e869));
+                                        let _e916 = select(_e912, _e908, (_e908 < _e912));
+                                        let _e918 = select(_e914, _e910, (_e910 < _e914));
+                                        let _e923 = -(_e884);
+                                        let _e924 = -(_e886);
+                                        let _e931 = (select(_e888, _e916, (_e916 < _e888)) + (select(_e923, _e888, (_e888 > _e923)) * 0.0000019073523f));
+                                        let _e932 = (select(_e890, _e918, (_e918 < _e890)) + (select(_e924, _e890, (_e890 > _e924)) * 0.0000019073523f));
+                                        let _e934 = select(_e458, _e904, (_e904 > _e458));
+                                        let _e936 = select(_e458, _e906, (_e906 > _e458));
+                                        let _e941 = (_e934 <= select(_e501, _e931, (_e931 < _e501)));
+                                        let _e942 = (_e936 <= select(_e501, _e932, (_e932 < _e501)));
+                                        let _e943 = (_e934 <= _e936);
+                                        if _e941 {
+                                            if _e942 {
+                                                if _e943 {
+                                                    phi_3086_ = _e842.member_2;
                                                 } else {
-                                                    phi_4068_ = _e828.member_1;
+                                                    phi_3086_ = _e842.member_1;
                                                 }
-                                                let _e933 = phi_4068_;
-                                                let _e934 = (_e529 % 128u);
-                                                let _e935 = (_e934 < 128u);
-                                                if _e935 {
+                                                let _e947 = phi_3086_;
+                                                let _e969 = (_e543 % 128u);
+                                                let _e970 = (_e969 < 128u);
+                                                if _e970 {
                                                 } else {
-                                                    phi_4687_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_4[_e934] = type_51(type_29(_e933.member.member, _e933.member.member_1), _e933.member_1);
-                                                if _e935 {
+                                                local_8[_e969] = _e947.member_1;
+                                                if _e970 {
                                                 } else {
-                                                    phi_4687_ = true;
+                                                    phi_3763_ = true;
                                                     break;
                                                 }
-                                                local_3[_e934] = select(_e922, _e920, (_e920 > _e922));
-                                                if _e929 {
-                                                    phi_4101_ = _e828.member_1;
+                                                local_7[_e969] = _e947.member.member.x;
+                                                if _e970 {
                                                 } else {
-                                                    phi_4101_ = _e828.member_2;
+                                                    phi_3763_ = true;
+                                                    break;
                                                 }
-                                                let _e950 = phi_4101_;
-                                                phi_4102_ = _e950;
-                                                phi_4103_ = (_e529 + 1u);
+                                                local_6[_e969] = _e947.member.member.y;
+                                                if _e970 {
+                                                } else {
+                                                    phi_3763_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e969] = _e947.member.member.z;
+                                                if _e970 {
+                                                } else {
+                                                    phi_3763_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e969] = _e947.member.member_1.x;
+                                                if _e970 {
+                                                } else {
+                                                    phi_3763_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e969] = _e947.member.member_1.y;
+                                                if _e970 {
+                                                } else {
+                                                    phi_3763_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e969] = _e947.member.member_1.z;
+                                                if _e970 {
+                                                } else {
+                                                    phi_3763_ = true;
+                                                    break;
+                                                }
+                                                local_10[_e969] = select(_e936, _e934, (_e934 > _e936));
+                                                if _e943 {
+                                                    phi_3163_ = _e842.member_1;
+                                                } else {
+                                                    phi_3163_ = _e842.member_2;
+                                                }
+                                                let _e983 = phi_3163_;
+                                                phi_3164_ = _e983;
+                                                phi_3165_ = (_e543 + 1u);
                                             } else {
-                                                phi_4102_ = type_51();
-                                                phi_4103_ = u32();
+                                                phi_3164_ = type_52();
+                                                phi_3165_ = u32();
                                             }
-                                            let _e952 = phi_4102_;
-                                            let _e954 = phi_4103_;
-                                            phi_4105_ = _e952;
-                                            phi_4106_ = _e954;
-                                            phi_4107_ = select(true, false, _e928);
+                                            let _e985 = phi_3164_;
+                                            let _e987 = phi_3165_;
+                                            phi_3167_ = _e985;
+                                            phi_3168_ = _e987;
+                                            phi_3169_ = select(true, false, _e942);
                                         } else {
-                                            phi_4105_ = type_51();
-                                            phi_4106_ = u32();
-                                            phi_4107_ = true;
+                                            phi_3167_ = type_52();
+                                            phi_3168_ = u32();
+                                            phi_3169_ = true;
                                         }
-                                        let _e957 = phi_4105_;
-                                        let _e959 = phi_4106_;
-                                        let _e961 = phi_4107_;
-                                        if _e961 {
-                                            if _e927 {
-                                                phi_4116_ = _e828.member_1;
+                                        let _e990 = phi_3167_;
+                                        let _e992 = phi_3168_;
+                                        let _e994 = phi_3169_;
+                                        if _e994 {
+                                            if _e941 {
+                                                phi_3178_ = _e842.member_1;
                                             } else {
-                                                phi_4116_ = _e828.member_2;
+                                                phi_3178_ = _e842.member_2;
                                             }
-                                            let _e965 = phi_4116_;
-                                            phi_4121_ = _e965;
-                                            phi_4122_ = select(_e928, true, _e927);
+                                            let _e998 = phi_3178_;
+                                            phi_3183_ = _e998;
+                                            phi_3184_ = select(_e942, true, _e941);
                                         } else {
-                                            phi_4121_ = _e957;
-                                            phi_4122_ = _e527;
+                                            phi_3183_ = _e990;
+                                            phi_3184_ = _e541;
                                         }
-                                        let _e968 = phi_4121_;
-                                        let _e970 = phi_4122_;
-                                        phi_4804_ = _e497;
-                                        phi_4691_ = _e495;
-                                        phi_4124_ = _e968;
-                                        phi_4125_ = _e970;
-                                        phi_4126_ = select(_e959, _e529, _e961);
+                                        let _e1001 = phi_3183_;
+                                        let _e1003 = phi_3184_;
+                                        phi_3880_ = _e501;
+                                        phi_3767_ = _e499;
+                                        phi_3186_ = _e1001;
+                                        phi_3187_ = _e1003;
+                                        phi_3188_ = select(_e992, _e543, _e994);
                                     }
-                                    let _e1442 = phi_4804_;
-                                    let _e1444 = phi_4691_;
-                                    let _e1446 = phi_4124_;
-                                    let _e1448 = phi_4125_;
-                                    let _e1450 = phi_4126_;
-                                    phi_4803_ = _e1442;
-                                    phi_4690_ = _e1444;
-                                    phi_4127_ = _e1446;
-                                    phi_4128_ = (_e501 - 1u);
-                                    phi_4129_ = _e1448;
-                                    phi_4130_ = _e1450;
+                                    let _e1475 = phi_3880_;
+                                    let _e1477 = phi_3767_;
+                                    let _e1479 = phi_3186_;
+                                    let _e1481 = phi_3187_;
+                                    let _e1483 = phi_3188_;
+                                    phi_3879_ = _e1475;
+                                    phi_3766_ = _e1477;
+                                    phi_3189_ = _e1479;
+                                    phi_3190_ = (_e505 - 1u);
+                                    phi_3191_ = _e1481;
+                                    phi_3192_ = _e1483;
                                 } else {
-                                    phi_4803_ = _e497;
-                                    phi_4690_ = _e495;
-                                    phi_4127_ = _e525;
-                                    phi_4128_ = _e501;
-                                    phi_4129_ = _e527;
-                                    phi_4130_ = _e529;
+                                    phi_3879_ = _e501;
+                                    phi_3766_ = _e499;
+                                    phi_3189_ = _e539;
+                                    phi_3190_ = _e505;
+                                    phi_3191_ = _e541;
+                                    phi_3192_ = _e543;
                                 }
-                                let _e1452 = phi_4803_;
-                                let _e1454 = phi_4690_;
-                                let _e1456 = phi_4127_;
-                                let _e1458 = phi_4128_;
-                                let _e1460 = phi_4129_;
-                                let _e1462 = phi_4130_;
-                                phi_4802_ = _e1452;
-                                phi_4689_ = _e1454;
-                                phi_4131_ = _e1456;
-                                phi_4132_ = _e1458;
-                                phi_4133_ = _e1460;
-                                phi_4134_ = _e1462;
+                                let _e1485 = phi_3879_;
+                                let _e1487 = phi_3766_;
+                                let _e1489 = phi_3189_;
+                                let _e1491 = phi_3190_;
+                                let _e1493 = phi_3191_;
+                                let _e1495 = phi_3192_;
+                                phi_3878_ = _e1485;
+                                phi_3765_ = _e1487;
+                                phi_3193_ = _e1489;
+                                phi_3194_ = _e1491;
+                                phi_3195_ = _e1493;
+                                phi_3196_ = _e1495;
                             } else {
-                                phi_4802_ = _e497;
-                                phi_4689_ = _e495;
-                                phi_4131_ = type_51();
-                                phi_4132_ = u32();
-                                phi_4133_ = bool();
-                                phi_4134_ = u32();
+                                phi_3878_ = _e501;
+                                phi_3765_ = _e499;
+                                phi_3193_ = type_52();
+                                phi_3194_ = u32();
+                                phi_3195_ = bool();
+                                phi_3196_ = u32();
                             }
-                            let _e1464 = phi_4802_;
-                            let _e1466 = phi_4689_;
-                            let _e1468 = phi_4131_;
-                            let _e1470 = phi_4132_;
-                            let _e1472 = phi_4133_;
-                            let _e1474 = phi_4134_;
-                            phi_4801_ = _e1464;
-                            phi_4688_ = _e1466;
-                            phi_1931_ = _e1468;
-                            phi_1934_ = _e1470;
-                            phi_1936_ = _e1472;
-                            phi_1938_ = _e1474;
-                            phi_4135_ = _e509;
+                            let _e1497 = phi_3878_;
+                            let _e1499 = phi_3765_;
+                            let _e1501 = phi_3193_;
+                            let _e1503 = phi_3194_;
+                            let _e1505 = phi_3195_;
+                            let _e1507 = phi_3196_;
+                            phi_3877_ = _e1497;
+                            phi_3764_ = _e1499;
+                            phi_900_ = _e1501;
+                            phi_903_ = _e1503;
+                            phi_905_ = _e1505;
+                            phi_907_ = _e1507;
+                            phi_3197_ = _e513;
                         } else {
-                            phi_4801_ = _e497;
-                            phi_4688_ = _e495;
-                            phi_1931_ = type_51();
-                            phi_1934_ = u32();
-                            phi_1936_ = bool();
-                            phi_1938_ = u32();
-                            phi_4135_ = false;
+                            phi_3877_ = _e501;
+                            phi_3764_ = _e499;
+                            phi_900_ = type_52();
+                            phi_903_ = u32();
+                            phi_905_ = bool();
+                            phi_907_ = u32();
+                            phi_3197_ = false;
                         }
-                        let _e1476 = phi_4801_;
-                        let _e1478 = phi_4688_;
-                        let _e1480 = phi_1931_;
-                        let _e1482 = phi_1934_;
-                        let _e1484 = phi_1936_;
-                        let _e1486 = phi_1938_;
-                        let _e1488 = phi_4135_;
+                        let _e1509 = phi_3877_;
+                        let _e1511 = phi_3764_;
+                        let _e1513 = phi_900_;
+                        let _e1515 = phi_903_;
+                        let _e1517 = phi_905_;
+                        let _e1519 = phi_907_;
+                        let _e1521 = phi_3197_;
                         continue;
                         continuing {
-                            phi_4580_ = _e1478;
-                            phi_4493_ = _e1476;
-                            phi_1930_ = _e1480;
-                            phi_1933_ = _e1482;
-                            phi_1935_ = _e1484;
-                            phi_1937_ = _e1486;
-                            phi_4687_ = _e1478;
-                            break if !(_e1488);
+                            phi_3656_ = _e1511;
+                            phi_3569_ = _e1509;
+                            phi_899_ = _e1513;
+                            phi_902_ = _e1515;
+                            phi_904_ = _e1517;
+                            phi_906_ = _e1519;
+                            phi_3763_ = _e1511;
+                            break if !(_e1521);
                         }
                     }
-                    let _e1491 = phi_4687_;
-                    if _e1491 {
+                    let _e1524 = phi_3763_;
+                    if _e1524 {
                         break;
                     }
-                    phi_4142_ = type_4(0u, 8u);
+                    phi_3204_ = type_4(0u, 8u);
                     loop {
-                        let _e1493 = phi_4142_;
-                        if (_e1493.member < _e1493.member_1) {
-                            phi_4143_ = type_4((_e1493.member + 1u), _e1493.member_1);
-                            phi_4166_ = type_4(1u, _e1493.member);
+                        let _e1526 = phi_3204_;
+                        if (_e1526.member < _e1526.member_1) {
+                            phi_3205_ = type_4((_e1526.member + 1u), _e1526.member_1);
+                            phi_3228_ = type_4(1u, _e1526.member);
                         } else {
-                            phi_4143_ = _e1493;
-                            phi_4166_ = type_4(0u, type_4().member_1);
+                            phi_3205_ = _e1526;
+                            phi_3228_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1506 = phi_4143_;
-                        let _e1508 = phi_4166_;
-                        let _e1512 = (bitcast<i32>(_e1508.member) != 0i);
-                        if _e1512 {
-                            let _e1513 = (_e1508.member_1 < 8u);
-                            if _e1513 {
+                        let _e1539 = phi_3205_;
+                        let _e1541 = phi_3228_;
+                        let _e1545 = (bitcast<i32>(_e1541.member) != 0i);
+                        if _e1545 {
+                            let _e1546 = (_e1541.member_1 < 8u);
+                            if _e1546 {
                             } else {
-                                phi_4794_ = true;
+                                phi_3870_ = true;
                                 break;
                             }
-                            let _e1515 = local_2[_e1508.member_1];
-                            if (_e1515.member_3 != 4294967295u) {
-                                let _e1521 = -(_e421);
-                                let _e1522 = (_e1521 / 3i);
-                                let _e1529 = bitcast<f32>((bitcast<u32>((_e1522 + 127i)) << bitcast<u32>(23i)));
-                                let _e1537 = (((_e1515.member * _e1529) * _e1529) * bitcast<f32>((bitcast<u32>(((_e1521 - (2i * _e1522)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1539 = select(340282350000000000000000000000000000000f, _e1537, (_e1537 < 340282350000000000000000000000000000000f));
-                                phi_4232_ = type_25(select(-340282350000000000000000000000000000000f, _e1539, (_e1539 > -340282350000000000000000000000000000000f)), _e1515.member_1, _e1515.member_2, _e1515.member_3);
+                            let _e1548 = local_9[_e1541.member_1];
+                            if (_e1548.member_3 != 4294967295u) {
+                                let _e1554 = -(_e425);
+                                let _e1555 = (_e1554 / 3i);
+                                let _e1562 = bitcast<f32>((bitcast<u32>((_e1555 + 127i)) << bitcast<u32>(23i)));
+                                let _e1570 = (((_e1548.member * _e1562) * _e1562) * bitcast<f32>((bitcast<u32>(((_e1554 - (2i * _e1555)) + 127i)) << bitcast<u32>(23i))));
+                                let _e1572 = select(340282350000000000000000000000000000000f, _e1570, (_e1570 < 340282350000000000000000000000000000000f));
+                                phi_3294_ = type_25(select(-340282350000000000000000000000000000000f, _e1572, (_e1572 > -340282350000000000000000000000000000000f)), _e1548.member_1, _e1548.member_2, _e1548.member_3);
                             } else {
-                                phi_4232_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3294_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1544 = phi_4232_;
-                            if _e1513 {
+                            let _e1577 = phi_3294_;
+                            if _e1546 {
                             } else {
-                                phi_4794_ = true;
+                                phi_3870_ = true;
                                 break;
                             }
-                            local_2[_e1508.member_1] = type_25(_e1544.member, _e1544.member_1, _e1544.member_2, _e1544.member_3);
+                            local_9[_e1541.member_1] = type_25(_e1577.member, _e1577.member_1, _e1577.member_2, _e1577.member_3);
                         }
                         continue;
                         continuing {
-                            phi_4142_ = _e1506;
-                            phi_4794_ = _e1491;
-                            break if !(_e1512);
+                            phi_3204_ = _e1539;
+                            phi_3870_ = _e1524;
+                            break if !(_e1545);
                         }
                     }
-                    let _e1552 = phi_4794_;
-                    if _e1552 {
+                    let _e1585 = phi_3870_;
+                    if _e1585 {
                         break;
                     }
-                    let _e1553 = local_2;
-                    if _e142 {
+                    let _e1586 = local_9;
+                    if _e146 {
                     } else {
                         break;
                     }
-                    global_6.member[_e140] = array<type_25, 8>(type_25(_e1553[0].member, _e1553[0].member_1, _e1553[0].member_2, _e1553[0].member_3), type_25(_e1553[1].member, _e1553[1].member_1, _e1553[1].member_2, _e1553[1].member_3), type_25(_e1553[2].member, _e1553[2].member_1, _e1553[2].member_2, _e1553[2].member_3), type_25(_e1553[3].member, _e1553[3].member_1, _e1553[3].member_2, _e1553[3].member_3), type_25(_e1553[4].member, _e1553[4].member_1, _e1553[4].member_2, _e1553[4].member_3), type_25(_e1553[5].member, _e1553[5].member_1, _e1553[5].member_2, _e1553[5].member_3), type_25(_e1553[6].member, _e1553[6].member_1, _e1553[6].member_2, _e1553[6].member_3), type_25(_e1553[7].member, _e1553[7].member_1, _e1553[7].member_2, _e1553[7].member_3));
+                    global_6.member[_e144] = array<type_25, 8>(type_25(_e1586[0].member, _e1586[0].member_1, _e1586[0].member_2, _e1586[0].member_3), type_25(_e1586[1].member, _e1586[1].member_1, _e1586[1].member_2, _e1586[1].member_3), type_25(_e1586[2].member, _e1586[2].member_1, _e1586[2].member_2, _e1586[2].member_3), type_25(_e1586[3].member, _e1586[3].member_1, _e1586[3].member_2, _e1586[3].member_3), type_25(_e1586[4].member, _e1586[4].member_1, _e1586[4].member_2, _e1586[4].member_3), type_25(_e1586[5].member, _e1586[5].member_1, _e1586[5].member_2, _e1586[5].member_3), type_25(_e1586[6].member, _e1586[6].member_1, _e1586[6].member_2, _e1586[6].member_3), type_25(_e1586[7].member, _e1586[7].member_1, _e1586[7].member_2, _e1586[7].member_3));
                 }
             }
             break;

@@ -30,1564 +30,1648 @@ struct type_24 {
     member_1: vec4<f32>,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<type_21>,
 }
 
-struct type_35 {
+struct type_36 {
     member: array<array<type_20, 8>>,
 }
 
-struct type_41 {
+struct type_42 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_48 {
+struct type_49 {
     member: array<array<u32, 7>>,
 }
 
-struct type_54 {
+struct type_55 {
     member: type_24,
     member_1: u32,
 }
 
-struct type_57 {
+struct type_56 {
     member: array<vec4<f32>, 3>,
-    member_1: type_54,
-    member_2: type_54,
+    member_1: type_55,
+    member_2: type_55,
 }
 
 var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_12;
 @group(0) @binding(1) 
-var<uniform> global_2: type_41;
+var<uniform> global_2: type_42;
 @group(0) @binding(4) 
-var<storage> global_3: type_31;
+var<storage> global_3: type_32;
 @group(0) @binding(2) 
-var<storage> global_4: type_48;
+var<storage> global_4: type_49;
 @group(0) @binding(3) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
-var<storage, read_write> global_6: type_35;
+var<storage, read_write> global_6: type_36;
 
 fn function_() {
     var local: array<i32, 3>;
     var local_1: array<i32, 3>;
-    var local_2: array<type_20, 8>;
+    var local_2: array<f32, 128>;
     var local_3: array<f32, 128>;
-    var local_4: array<type_54, 128>;
-    var local_5: array<u32, 3>;
-    var local_6: array<array<f32, 3>, 3>;
-    var local_7: array<f32, 4>;
-    var phi_410_: i32;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<f32, 128>;
+    var local_7: array<f32, 128>;
+    var local_8: array<u32, 128>;
+    var local_9: array<type_20, 8>;
+    var local_10: array<f32, 128>;
+    var local_11: array<u32, 3>;
+    var local_12: array<array<f32, 3>, 3>;
+    var local_13: array<f32, 4>;
     var phi_411_: i32;
-    var phi_421_: bool;
-    var phi_431_: u32;
+    var phi_412_: i32;
+    var phi_422_: bool;
     var phi_432_: u32;
-    var phi_434_: bool;
-    var phi_439_: u32;
-    var phi_452_: i32;
-    var phi_472_: i32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_507_: f32;
-    var phi_513_: f32;
-    var phi_536_: f32;
-    var phi_547_: f32;
-    var phi_556_: f32;
-    var phi_562_: f32;
-    var phi_573_: f32;
-    var phi_579_: f32;
-    var phi_602_: f32;
-    var phi_613_: f32;
-    var phi_622_: f32;
-    var phi_628_: f32;
-    var phi_639_: f32;
-    var phi_645_: f32;
-    var phi_668_: f32;
-    var phi_679_: f32;
-    var phi_779_: f32;
+    var phi_433_: u32;
+    var phi_435_: bool;
+    var phi_440_: u32;
+    var phi_453_: i32;
+    var phi_473_: i32;
+    var phi_491_: f32;
+    var phi_497_: f32;
+    var phi_508_: f32;
+    var phi_514_: f32;
+    var phi_537_: f32;
+    var phi_548_: f32;
+    var phi_557_: f32;
+    var phi_563_: f32;
+    var phi_574_: f32;
+    var phi_580_: f32;
+    var phi_603_: f32;
+    var phi_614_: f32;
+    var phi_623_: f32;
+    var phi_629_: f32;
+    var phi_640_: f32;
+    var phi_646_: f32;
+    var phi_669_: f32;
+    var phi_680_: f32;
     var phi_780_: f32;
-    var phi_4877_: bool;
-    var phi_4776_: f32;
-    var phi_1953_: type_54;
-    var phi_1956_: u32;
-    var phi_1958_: bool;
-    var phi_1960_: u32;
-    var phi_1971_: bool;
-    var phi_2009_: type_54;
-    var phi_2010_: bool;
-    var phi_2011_: u32;
-    var phi_3703_: u32;
-    var phi_3709_: u32;
-    var phi_3963_: u32;
-    var phi_3964_: u32;
-    var phi_3974_: u32;
-    var phi_3976_: u32;
-    var phi_3977_: bool;
-    var phi_3997_: u32;
-    var phi_3998_: u32;
-    var phi_4002_: type_57;
-    var phi_4347_: type_54;
-    var phi_4380_: type_54;
-    var phi_4381_: type_54;
-    var phi_4382_: u32;
-    var phi_4384_: type_54;
-    var phi_4385_: u32;
-    var phi_4386_: bool;
-    var phi_4395_: type_54;
-    var phi_4400_: type_54;
-    var phi_4401_: bool;
-    var phi_4949_: f32;
-    var phi_4874_: bool;
-    var phi_2030_: type_8;
-    var phi_2031_: type_8;
-    var phi_2054_: type_8;
-    var phi_2095_: u32;
-    var phi_2101_: u32;
-    var phi_2111_: u32;
-    var phi_2127_: u32;
-    var phi_2164_: u32;
-    var phi_2170_: u32;
-    var phi_2180_: u32;
-    var phi_4859_: bool;
-    var phi_2196_: type_8;
-    var phi_2197_: type_8;
-    var phi_2220_: type_8;
-    var phi_2243_: u32;
-    var phi_2258_: u32;
-    var phi_2261_: type_8;
-    var phi_2262_: type_8;
-    var phi_2285_: type_8;
-    var phi_2351_: u32;
-    var phi_2331_: u32;
-    var phi_2332_: u32;
-    var phi_2355_: f32;
-    var phi_4852_: bool;
-    var phi_4931_: bool;
-    var phi_4930_: bool;
-    var phi_2856_: vec3<f32>;
-    var phi_2857_: vec3<f32>;
-    var phi_2888_: bool;
-    var phi_2897_: vec3<f32>;
-    var phi_2937_: type_20;
-    var phi_2939_: type_20;
-    var phi_2940_: bool;
-    var phi_2944_: type_20;
-    var phi_2945_: type_20;
-    var phi_2946_: type_20;
-    var phi_2947_: bool;
-    var phi_2951_: type_20;
-    var phi_2952_: bool;
-    var phi_2956_: type_20;
-    var phi_2957_: bool;
-    var phi_2961_: type_20;
-    var phi_2973_: type_8;
-    var phi_2976_: type_20;
-    var phi_2974_: type_8;
-    var phi_2999_: type_8;
-    var phi_3031_: bool;
-    var phi_3032_: bool;
-    var phi_3053_: type_20;
-    var phi_2977_: type_20;
-    var phi_4961_: bool;
-    var phi_5245_: f32;
-    var phi_5244_: f32;
-    var phi_5023_: bool;
-    var phi_5243_: f32;
-    var phi_5022_: bool;
-    var phi_5242_: f32;
-    var phi_5021_: bool;
-    var phi_5182_: f32;
-    var phi_5020_: bool;
-    var phi_5147_: f32;
-    var phi_5029_: bool;
-    var phi_4403_: type_54;
-    var phi_4404_: bool;
-    var phi_4405_: u32;
-    var phi_5146_: f32;
-    var phi_5028_: bool;
-    var phi_4406_: type_54;
-    var phi_4407_: u32;
-    var phi_4408_: bool;
-    var phi_4409_: u32;
-    var phi_5145_: f32;
-    var phi_5027_: bool;
-    var phi_4410_: type_54;
-    var phi_4411_: u32;
-    var phi_4412_: bool;
-    var phi_4413_: u32;
-    var phi_5144_: f32;
-    var phi_5026_: bool;
-    var phi_1954_: type_54;
-    var phi_1957_: u32;
+    var phi_781_: f32;
+    var phi_3954_: bool;
+    var phi_3853_: f32;
+    var phi_923_: type_55;
+    var phi_926_: u32;
+    var phi_928_: bool;
+    var phi_930_: u32;
+    var phi_941_: bool;
+    var phi_1028_: type_55;
+    var phi_1029_: bool;
+    var phi_1030_: u32;
+    var phi_2722_: u32;
+    var phi_2728_: u32;
+    var phi_2982_: u32;
+    var phi_2983_: u32;
+    var phi_2993_: u32;
+    var phi_2995_: u32;
+    var phi_2996_: bool;
+    var phi_3016_: u32;
+    var phi_3017_: u32;
+    var phi_3021_: type_56;
+    var phi_3366_: type_55;
+    var phi_3443_: type_55;
+    var phi_3444_: type_55;
+    var phi_3445_: u32;
+    var phi_3447_: type_55;
+    var phi_3448_: u32;
+    var phi_3449_: bool;
+    var phi_3458_: type_55;
+    var phi_3463_: type_55;
+    var phi_3464_: bool;
+    var phi_4026_: f32;
+    var phi_3951_: bool;
+    var phi_1049_: type_8;
+    var phi_1050_: type_8;
+    var phi_1073_: type_8;
+    var phi_1114_: u32;
+    var phi_1120_: u32;
+    var phi_1130_: u32;
+    var phi_1146_: u32;
+    var phi_1183_: u32;
+    var phi_1189_: u32;
+    var phi_1199_: u32;
+    var phi_3936_: bool;
+    var phi_1215_: type_8;
+    var phi_1216_: type_8;
+    var phi_1239_: type_8;
+    var phi_1262_: u32;
+    var phi_1277_: u32;
+    var phi_1280_: type_8;
+    var phi_1281_: type_8;
+    var phi_1304_: type_8;
+    var phi_1370_: u32;
+    var phi_1350_: u32;
+    var phi_1351_: u32;
+    var phi_1374_: f32;
+    var phi_3929_: bool;
+    var phi_4008_: bool;
+    var phi_4007_: bool;
+    var phi_1875_: vec3<f32>;
+    var phi_1876_: vec3<f32>;
+    var phi_1907_: bool;
+    var phi_1916_: vec3<f32>;
+    var phi_1956_: type_20;
+    var phi_1958_: type_20;
     var phi_1959_: bool;
-    var phi_1961_: u32;
-    var phi_4414_: bool;
-    var phi_5025_: bool;
-    var phi_4421_: type_8;
-    var phi_4422_: type_8;
-    var phi_4445_: type_8;
-    var phi_4511_: type_20;
-    var phi_5137_: bool;
+    var phi_1963_: type_20;
+    var phi_1964_: type_20;
+    var phi_1965_: type_20;
+    var phi_1966_: bool;
+    var phi_1970_: type_20;
+    var phi_1971_: bool;
+    var phi_1975_: type_20;
+    var phi_1976_: bool;
+    var phi_1980_: type_20;
+    var phi_1992_: type_8;
+    var phi_1995_: type_20;
+    var phi_1993_: type_8;
+    var phi_2018_: type_8;
+    var phi_2050_: bool;
+    var phi_2051_: bool;
+    var phi_2072_: type_20;
+    var phi_1996_: type_20;
+    var phi_4038_: bool;
+    var phi_4322_: f32;
+    var phi_4321_: f32;
+    var phi_4100_: bool;
+    var phi_4320_: f32;
+    var phi_4099_: bool;
+    var phi_4319_: f32;
+    var phi_4098_: bool;
+    var phi_4259_: f32;
+    var phi_4097_: bool;
+    var phi_4224_: f32;
+    var phi_4106_: bool;
+    var phi_3466_: type_55;
+    var phi_3467_: bool;
+    var phi_3468_: u32;
+    var phi_4223_: f32;
+    var phi_4105_: bool;
+    var phi_3469_: type_55;
+    var phi_3470_: u32;
+    var phi_3471_: bool;
+    var phi_3472_: u32;
+    var phi_4222_: f32;
+    var phi_4104_: bool;
+    var phi_3473_: type_55;
+    var phi_3474_: u32;
+    var phi_3475_: bool;
+    var phi_3476_: u32;
+    var phi_4221_: f32;
+    var phi_4103_: bool;
+    var phi_924_: type_55;
+    var phi_927_: u32;
+    var phi_929_: bool;
+    var phi_931_: u32;
+    var phi_3477_: bool;
+    var phi_4102_: bool;
+    var phi_3484_: type_8;
+    var phi_3485_: type_8;
+    var phi_3508_: type_8;
+    var phi_3574_: type_20;
+    var phi_4214_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e90 = global;
-            let _e92 = arrayLength((&global_4.member));
-            let _e95 = arrayLength((&global_5.member));
-            let _e103 = global_2.member[0u][0u];
-            let _e107 = global_2.member[0u][1u];
-            let _e111 = global_2.member[0u][2u];
-            let _e115 = global_2.member[0u][3u];
-            let _e119 = global_2.member[1u][0u];
-            let _e123 = global_2.member[1u][1u];
-            let _e127 = global_2.member[1u][2u];
-            let _e130 = global_1.member[0u];
-            let _e131 = bitcast<i32>(_e130);
-            let _e143 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e115) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e103), bitcast<i32>(_e107), bitcast<i32>(_e111));
-            local = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
-            let _e149 = (_e90.x + (_e90.y * 2097152u));
-            let _e150 = (_e149 < arrayLength((&global_3.member)));
-            if _e150 {
-                let _e151 = (_e149 < arrayLength((&global_6.member)));
-                if _e151 {
-                    if _e150 {
+            let _e94 = global;
+            let _e96 = arrayLength((&global_4.member));
+            let _e99 = arrayLength((&global_5.member));
+            let _e107 = global_2.member[0u][0u];
+            let _e111 = global_2.member[0u][1u];
+            let _e115 = global_2.member[0u][2u];
+            let _e119 = global_2.member[0u][3u];
+            let _e123 = global_2.member[1u][0u];
+            let _e127 = global_2.member[1u][1u];
+            let _e131 = global_2.member[1u][2u];
+            let _e134 = global_1.member[0u];
+            let _e135 = bitcast<i32>(_e134);
+            let _e147 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e119) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e107), bitcast<i32>(_e111), bitcast<i32>(_e115));
+            local = array<i32, 3>(bitcast<i32>(_e123), bitcast<i32>(_e127), bitcast<i32>(_e131));
+            let _e153 = (_e94.x + (_e94.y * 2097152u));
+            let _e154 = (_e153 < arrayLength((&global_3.member)));
+            if _e154 {
+                let _e155 = (_e153 < arrayLength((&global_6.member)));
+                if _e155 {
+                    if _e154 {
                     } else {
                         break;
                     }
-                    let _e159 = global_3.member[_e149].member_2[0u];
-                    let _e161 = (bitcast<u32>(_e159) & 2147483647u);
-                    let _e166 = global_3.member[_e149].member_2[1u];
-                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
-                    let _e173 = global_3.member[_e149].member_2[2u];
-                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
-                    let _e180 = global_3.member[_e149].member[0u];
-                    let _e182 = (bitcast<u32>(_e180) & 2147483647u);
-                    let _e187 = global_3.member[_e149].member[1u];
-                    let _e189 = (bitcast<u32>(_e187) & 2147483647u);
-                    let _e194 = global_3.member[_e149].member[2u];
-                    let _e196 = (bitcast<u32>(_e194) & 2147483647u);
-                    let _e198 = select(_e168, _e161, (_e168 < _e161));
-                    let _e200 = select(_e175, _e198, (_e175 < _e198));
-                    let _e202 = select(_e182, _e200, (_e182 < _e200));
-                    let _e204 = select(_e189, _e202, (_e189 < _e202));
-                    let _e206 = select(_e196, _e204, (_e196 < _e204));
-                    let _e210 = global_3.member[_e149].member_1;
-                    let _e212 = (bitcast<u32>(_e210) & 2147483647u);
-                    let _e219 = global_3.member[_e149].member_3;
-                    let _e225 = (((select(_e212, _e206, (_e212 < _e206)) < 2139095040u) && ((bitcast<u32>(_e219) & 2147483647u) <= 2139095040u)) && (_e200 > 0u));
-                    if _e225 {
-                        let _e228 = (bitcast<u32>(bitcast<f32>(_e200)) & 2147483647u);
-                        if (_e228 >= 8388608u) {
-                            phi_410_ = (bitcast<i32>((_e228 >> bitcast<u32>(23i))) - 127i);
+                    let _e163 = global_3.member[_e153].member_2[0u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_3.member[_e153].member_2[1u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_3.member[_e153].member_2[2u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e184 = global_3.member[_e153].member[0u];
+                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                    let _e191 = global_3.member[_e153].member[1u];
+                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
+                    let _e198 = global_3.member[_e153].member[2u];
+                    let _e200 = (bitcast<u32>(_e198) & 2147483647u);
+                    let _e202 = select(_e172, _e165, (_e172 < _e165));
+                    let _e204 = select(_e179, _e202, (_e179 < _e202));
+                    let _e206 = select(_e186, _e204, (_e186 < _e204));
+                    let _e208 = select(_e193, _e206, (_e193 < _e206));
+                    let _e210 = select(_e200, _e208, (_e200 < _e208));
+                    let _e214 = global_3.member[_e153].member_1;
+                    let _e216 = (bitcast<u32>(_e214) & 2147483647u);
+                    let _e223 = global_3.member[_e153].member_3;
+                    let _e229 = (((select(_e216, _e210, (_e216 < _e210)) < 2139095040u) && ((bitcast<u32>(_e223) & 2147483647u) <= 2139095040u)) && (_e204 > 0u));
+                    if _e229 {
+                        let _e232 = (bitcast<u32>(bitcast<f32>(_e204)) & 2147483647u);
+                        if (_e232 >= 8388608u) {
+                            phi_411_ = (bitcast<i32>((_e232 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_410_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u))));
+                            phi_411_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e232)), 32u, (_e232 == 0u))));
                         }
-                        let _e242 = phi_410_;
-                        phi_411_ = _e242;
+                        let _e246 = phi_411_;
+                        phi_412_ = _e246;
                     } else {
-                        phi_411_ = 0i;
+                        phi_412_ = 0i;
                     }
-                    let _e244 = phi_411_;
-                    let _e245 = (_e161 == _e200);
-                    if _e245 {
-                        phi_421_ = true;
+                    let _e248 = phi_412_;
+                    let _e249 = (_e165 == _e204);
+                    if _e249 {
+                        phi_422_ = true;
                     } else {
-                        phi_421_ = (_e168 == _e200);
+                        phi_422_ = (_e172 == _e204);
                     }
-                    let _e248 = phi_421_;
-                    let _e249 = select(1u, 0u, _e245);
-                    if _e248 {
-                        let _e250 = (_e249 + 1u);
-                        phi_431_ = _e250;
-                        phi_432_ = _e250;
-                        phi_434_ = select(true, false, (_e250 == 2u));
+                    let _e252 = phi_422_;
+                    let _e253 = select(1u, 0u, _e249);
+                    if _e252 {
+                        let _e254 = (_e253 + 1u);
+                        phi_432_ = _e254;
+                        phi_433_ = _e254;
+                        phi_435_ = select(true, false, (_e254 == 2u));
                     } else {
-                        phi_431_ = u32();
-                        phi_432_ = 0u;
-                        phi_434_ = true;
+                        phi_432_ = u32();
+                        phi_433_ = 0u;
+                        phi_435_ = true;
                     }
-                    let _e254 = phi_431_;
-                    let _e256 = phi_432_;
-                    let _e258 = phi_434_;
-                    if _e258 {
-                        phi_439_ = (_e256 + 1u);
+                    let _e258 = phi_432_;
+                    let _e260 = phi_433_;
+                    let _e262 = phi_435_;
+                    if _e262 {
+                        phi_440_ = (_e260 + 1u);
                     } else {
-                        phi_439_ = 0u;
+                        phi_440_ = 0u;
                     }
-                    let _e262 = phi_439_;
-                    let _e263 = select(_e254, _e256, _e258);
-                    let _e264 = select(_e249, select(2u, _e249, _e248), _e258);
-                    if (_e131 < -126i) {
-                        phi_452_ = -126i;
+                    let _e266 = phi_440_;
+                    let _e267 = select(_e258, _e260, _e262);
+                    let _e268 = select(_e253, select(2u, _e253, _e252), _e262);
+                    if (_e135 < -126i) {
+                        phi_453_ = -126i;
                     } else {
-                        phi_452_ = select(_e131, 127i, (_e131 > 127i));
+                        phi_453_ = select(_e135, 127i, (_e135 > 127i));
                     }
-                    let _e269 = phi_452_;
-                    let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
-                    let _e280 = bitcast<f32>((bitcast<u32>(((_e131 - _e269) + 127i)) << bitcast<u32>(23i)));
-                    let _e281 = -(_e244);
-                    if (_e281 < -126i) {
-                        phi_472_ = -126i;
+                    let _e273 = phi_453_;
+                    let _e278 = bitcast<f32>((bitcast<u32>((_e273 + 127i)) << bitcast<u32>(23i)));
+                    let _e284 = bitcast<f32>((bitcast<u32>(((_e135 - _e273) + 127i)) << bitcast<u32>(23i)));
+                    let _e285 = -(_e248);
+                    if (_e285 < -126i) {
+                        phi_473_ = -126i;
                     } else {
-                        phi_472_ = select(_e281, 127i, (_e281 > 127i));
+                        phi_473_ = select(_e285, 127i, (_e285 > 127i));
                     }
-                    let _e286 = phi_472_;
-                    let _e291 = bitcast<f32>((bitcast<u32>((_e286 + 127i)) << bitcast<u32>(23i)));
-                    let _e297 = bitcast<f32>((bitcast<u32>(((_e281 - _e286) + 127i)) << bitcast<u32>(23i)));
-                    let _e301 = global_3.member[_e149].member;
-                    let _e302 = (_e263 == 0u);
-                    if _e302 {
-                        phi_490_ = _e301[0];
+                    let _e290 = phi_473_;
+                    let _e295 = bitcast<f32>((bitcast<u32>((_e290 + 127i)) << bitcast<u32>(23i)));
+                    let _e301 = bitcast<f32>((bitcast<u32>(((_e285 - _e290) + 127i)) << bitcast<u32>(23i)));
+                    let _e305 = global_3.member[_e153].member;
+                    let _e306 = (_e267 == 0u);
+                    if _e306 {
+                        phi_491_ = _e305[0];
                     } else {
-                        phi_490_ = _e301[1];
+                        phi_491_ = _e305[1];
                     }
-                    let _e306 = phi_490_;
-                    let _e307 = (_e263 == 2u);
-                    if _e307 {
-                        phi_496_ = _e301[2];
+                    let _e310 = phi_491_;
+                    let _e311 = (_e267 == 2u);
+                    if _e311 {
+                        phi_497_ = _e305[2];
                     } else {
-                        phi_496_ = _e306;
+                        phi_497_ = _e310;
                     }
-                    let _e310 = phi_496_;
-                    let _e312 = ((_e310 * _e274) * _e280);
-                    let _e313 = global_3.member[_e149].member_2;
-                    if _e302 {
-                        phi_507_ = _e313[0];
+                    let _e314 = phi_497_;
+                    let _e316 = ((_e314 * _e278) * _e284);
+                    let _e317 = global_3.member[_e153].member_2;
+                    if _e306 {
+                        phi_508_ = _e317[0];
                     } else {
-                        phi_507_ = _e313[1];
+                        phi_508_ = _e317[1];
                     }
-                    let _e317 = phi_507_;
-                    if _e307 {
-                        phi_513_ = _e313[2];
+                    let _e321 = phi_508_;
+                    if _e311 {
+                        phi_514_ = _e317[2];
                     } else {
-                        phi_513_ = _e317;
+                        phi_514_ = _e321;
                     }
-                    let _e320 = phi_513_;
-                    let _e322 = ((_e320 * _e291) * _e297);
-                    let _e326 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e326 {
-                        let _e330 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) * 0.00000011920929f);
-                        phi_536_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
+                    let _e324 = phi_514_;
+                    let _e326 = ((_e324 * _e295) * _e301);
+                    let _e330 = (bitcast<f32>((bitcast<u32>(_e326) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e330 {
+                        let _e334 = (bitcast<f32>((bitcast<u32>(_e316) & 2147483647u)) * 0.00000011920929f);
+                        phi_537_ = select(0.00000000000011368684f, _e334, (_e334 > 0.00000000000011368684f));
                     } else {
-                        phi_536_ = 0f;
+                        phi_537_ = 0f;
                     }
-                    let _e334 = phi_536_;
-                    let _e335 = (_e312 + _e334);
-                    let _e336 = (_e312 - _e334);
-                    let _e337 = select(_e322, 0f, _e326);
-                    if _e326 {
-                        phi_547_ = 38685626000000000000000000f;
+                    let _e338 = phi_537_;
+                    let _e339 = (_e316 + _e338);
+                    let _e340 = (_e316 - _e338);
+                    let _e341 = select(_e326, 0f, _e330);
+                    if _e330 {
+                        phi_548_ = 38685626000000000000000000f;
                     } else {
-                        phi_547_ = (1f / _e322);
+                        phi_548_ = (1f / _e326);
                     }
-                    let _e340 = phi_547_;
-                    let _e341 = (_e262 == 0u);
-                    if _e341 {
-                        phi_556_ = _e301[0];
+                    let _e344 = phi_548_;
+                    let _e345 = (_e266 == 0u);
+                    if _e345 {
+                        phi_557_ = _e305[0];
                     } else {
-                        phi_556_ = _e301[1];
+                        phi_557_ = _e305[1];
                     }
-                    let _e345 = phi_556_;
-                    let _e346 = (_e262 == 2u);
-                    if _e346 {
-                        phi_562_ = _e301[2];
+                    let _e349 = phi_557_;
+                    let _e350 = (_e266 == 2u);
+                    if _e350 {
+                        phi_563_ = _e305[2];
                     } else {
-                        phi_562_ = _e345;
+                        phi_563_ = _e349;
                     }
-                    let _e349 = phi_562_;
-                    let _e351 = ((_e349 * _e274) * _e280);
-                    if _e341 {
-                        phi_573_ = _e313[0];
+                    let _e353 = phi_563_;
+                    let _e355 = ((_e353 * _e278) * _e284);
+                    if _e345 {
+                        phi_574_ = _e317[0];
                     } else {
-                        phi_573_ = _e313[1];
+                        phi_574_ = _e317[1];
                     }
-                    let _e355 = phi_573_;
-                    if _e346 {
-                        phi_579_ = _e313[2];
+                    let _e359 = phi_574_;
+                    if _e350 {
+                        phi_580_ = _e317[2];
                     } else {
-                        phi_579_ = _e355;
+                        phi_580_ = _e359;
                     }
-                    let _e358 = phi_579_;
-                    let _e360 = ((_e358 * _e291) * _e297);
-                    let _e364 = (bitcast<f32>((bitcast<u32>(_e360) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e364 {
-                        let _e368 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) * 0.00000011920929f);
-                        phi_602_ = select(0.00000000000011368684f, _e368, (_e368 > 0.00000000000011368684f));
+                    let _e362 = phi_580_;
+                    let _e364 = ((_e362 * _e295) * _e301);
+                    let _e368 = (bitcast<f32>((bitcast<u32>(_e364) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e368 {
+                        let _e372 = (bitcast<f32>((bitcast<u32>(_e355) & 2147483647u)) * 0.00000011920929f);
+                        phi_603_ = select(0.00000000000011368684f, _e372, (_e372 > 0.00000000000011368684f));
                     } else {
-                        phi_602_ = 0f;
+                        phi_603_ = 0f;
                     }
-                    let _e372 = phi_602_;
-                    let _e373 = (_e351 + _e372);
-                    let _e374 = (_e351 - _e372);
-                    let _e375 = select(_e360, 0f, _e364);
-                    if _e364 {
-                        phi_613_ = 38685626000000000000000000f;
+                    let _e376 = phi_603_;
+                    let _e377 = (_e355 + _e376);
+                    let _e378 = (_e355 - _e376);
+                    let _e379 = select(_e364, 0f, _e368);
+                    if _e368 {
+                        phi_614_ = 38685626000000000000000000f;
                     } else {
-                        phi_613_ = (1f / _e360);
+                        phi_614_ = (1f / _e364);
                     }
-                    let _e378 = phi_613_;
-                    let _e379 = (_e264 == 0u);
-                    if _e379 {
-                        phi_622_ = _e301[0];
+                    let _e382 = phi_614_;
+                    let _e383 = (_e268 == 0u);
+                    if _e383 {
+                        phi_623_ = _e305[0];
                     } else {
-                        phi_622_ = _e301[1];
+                        phi_623_ = _e305[1];
                     }
-                    let _e383 = phi_622_;
-                    let _e384 = (_e264 == 2u);
-                    if _e384 {
-                        phi_628_ = _e301[2];
+                    let _e387 = phi_623_;
+                    let _e388 = (_e268 == 2u);
+                    if _e388 {
+                        phi_629_ = _e305[2];
                     } else {
-                        phi_628_ = _e383;
+                        phi_629_ = _e387;
                     }
-                    let _e387 = phi_628_;
-                    let _e389 = ((_e387 * _e274) * _e280);
-                    if _e379 {
-                        phi_639_ = _e313[0];
+                    let _e391 = phi_629_;
+                    let _e393 = ((_e391 * _e278) * _e284);
+                    if _e383 {
+                        phi_640_ = _e317[0];
                     } else {
-                        phi_639_ = _e313[1];
+                        phi_640_ = _e317[1];
                     }
-                    let _e393 = phi_639_;
-                    if _e384 {
-                        phi_645_ = _e313[2];
+                    let _e397 = phi_640_;
+                    if _e388 {
+                        phi_646_ = _e317[2];
                     } else {
-                        phi_645_ = _e393;
+                        phi_646_ = _e397;
                     }
-                    let _e396 = phi_645_;
-                    let _e398 = ((_e396 * _e291) * _e297);
-                    let _e402 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e402 {
-                        let _e406 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) * 0.00000011920929f);
-                        phi_668_ = select(0.00000000000011368684f, _e406, (_e406 > 0.00000000000011368684f));
+                    let _e400 = phi_646_;
+                    let _e402 = ((_e400 * _e295) * _e301);
+                    let _e406 = (bitcast<f32>((bitcast<u32>(_e402) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e406 {
+                        let _e410 = (bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)) * 0.00000011920929f);
+                        phi_669_ = select(0.00000000000011368684f, _e410, (_e410 > 0.00000000000011368684f));
                     } else {
-                        phi_668_ = 0f;
+                        phi_669_ = 0f;
                     }
-                    let _e410 = phi_668_;
-                    let _e411 = (_e389 + _e410);
-                    let _e412 = (_e389 - _e410);
-                    let _e413 = select(_e398, 0f, _e402);
-                    if _e402 {
-                        phi_679_ = 38685626000000000000000000f;
+                    let _e414 = phi_669_;
+                    let _e415 = (_e393 + _e414);
+                    let _e416 = (_e393 - _e414);
+                    let _e417 = select(_e402, 0f, _e406);
+                    if _e406 {
+                        phi_680_ = 38685626000000000000000000f;
                     } else {
-                        phi_679_ = (1f / _e398);
+                        phi_680_ = (1f / _e402);
                     }
-                    let _e416 = phi_679_;
-                    let _e419 = bitcast<f32>((bitcast<u32>(_e312) & 2147483647u));
-                    let _e422 = bitcast<f32>((bitcast<u32>(_e351) & 2147483647u));
-                    let _e424 = select(_e422, _e419, (_e419 > _e422));
-                    let _e427 = bitcast<f32>((bitcast<u32>(_e389) & 2147483647u));
-                    let _e430 = (_e131 + _e244);
-                    if (_e225 && (select(_e427, _e424, (_e424 > _e427)) <= 1099511600000f)) {
-                        let _e433 = (_e430 / 3i);
-                        let _e440 = bitcast<f32>((bitcast<u32>((_e433 + 127i)) << bitcast<u32>(23i)));
-                        let _e447 = bitcast<f32>((bitcast<u32>(((_e430 - (2i * _e433)) + 127i)) << bitcast<u32>(23i)));
-                        let _e448 = (((_e210 * _e440) * _e440) * _e447);
-                        let _e450 = select(340282350000000000000000000000000000000f, _e448, (_e448 < 340282350000000000000000000000000000000f));
-                        let _e455 = (((_e219 * _e440) * _e440) * _e447);
-                        let _e457 = select(340282350000000000000000000000000000000f, _e455, (_e455 < 340282350000000000000000000000000000000f));
-                        phi_779_ = select(-340282350000000000000000000000000000000f, _e457, (_e457 > -340282350000000000000000000000000000000f));
-                        phi_780_ = select(-340282350000000000000000000000000000000f, _e450, (_e450 > -340282350000000000000000000000000000000f));
+                    let _e420 = phi_680_;
+                    let _e423 = bitcast<f32>((bitcast<u32>(_e316) & 2147483647u));
+                    let _e426 = bitcast<f32>((bitcast<u32>(_e355) & 2147483647u));
+                    let _e428 = select(_e426, _e423, (_e423 > _e426));
+                    let _e431 = bitcast<f32>((bitcast<u32>(_e393) & 2147483647u));
+                    let _e434 = (_e135 + _e248);
+                    if (_e229 && (select(_e431, _e428, (_e428 > _e431)) <= 1099511600000f)) {
+                        let _e437 = (_e434 / 3i);
+                        let _e444 = bitcast<f32>((bitcast<u32>((_e437 + 127i)) << bitcast<u32>(23i)));
+                        let _e451 = bitcast<f32>((bitcast<u32>(((_e434 - (2i * _e437)) + 127i)) << bitcast<u32>(23i)));
+                        let _e452 = (((_e214 * _e444) * _e444) * _e451);
+                        let _e454 = select(340282350000000000000000000000000000000f, _e452, (_e452 < 340282350000000000000000000000000000000f));
+                        let _e459 = (((_e223 * _e444) * _e444) * _e451);
+                        let _e461 = select(340282350000000000000000000000000000000f, _e459, (_e459 < 340282350000000000000000000000000000000f));
+                        phi_780_ = select(-340282350000000000000000000000000000000f, _e461, (_e461 > -340282350000000000000000000000000000000f));
+                        phi_781_ = select(-340282350000000000000000000000000000000f, _e454, (_e454 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_779_ = 0f;
-                        phi_780_ = 1f;
+                        phi_780_ = 0f;
+                        phi_781_ = 1f;
                     }
-                    let _e461 = phi_779_;
-                    let _e463 = phi_780_;
-                    local_2 = array<type_20, 8>(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
-                    local_4 = array<type_54, 128>(type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u));
+                    let _e465 = phi_780_;
+                    let _e467 = phi_781_;
+                    local_9 = array<type_20, 8>(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
+                    local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e466 = (_e263 % 3u);
-                    let _e467 = (_e466 < 3u);
-                    if _e467 {
+                    local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    let _e470 = (_e267 % 3u);
+                    let _e471 = (_e470 < 3u);
+                    if _e471 {
                     } else {
                         break;
                     }
-                    let _e469 = local_1[_e466];
-                    let _e472 = (_e262 % 3u);
-                    let _e473 = (_e472 < 3u);
-                    if _e473 {
+                    let _e473 = local_1[_e470];
+                    let _e476 = (_e266 % 3u);
+                    let _e477 = (_e476 < 3u);
+                    if _e477 {
                     } else {
                         break;
                     }
-                    let _e475 = local_1[_e472];
-                    let _e478 = (_e264 % 3u);
-                    let _e479 = (_e478 < 3u);
-                    if _e479 {
+                    let _e479 = local_1[_e476];
+                    let _e482 = (_e268 % 3u);
+                    let _e483 = (_e482 < 3u);
+                    if _e483 {
                     } else {
                         break;
                     }
-                    let _e481 = local_1[_e478];
-                    if _e467 {
+                    let _e485 = local_1[_e482];
+                    if _e471 {
                     } else {
                         break;
                     }
-                    let _e486 = local[_e466];
-                    if _e473 {
+                    let _e490 = local[_e470];
+                    if _e477 {
                     } else {
                         break;
                     }
-                    let _e490 = local[_e472];
-                    if _e479 {
+                    let _e494 = local[_e476];
+                    if _e483 {
                     } else {
                         break;
                     }
-                    let _e494 = local[_e478];
-                    phi_4877_ = false;
-                    phi_4776_ = _e461;
-                    phi_1953_ = type_54(type_24(vec4<f32>((f32(_e469) * _e143), (f32(_e475) * _e143), (f32(_e481) * _e143), 0f), vec4<f32>((f32(_e486) * _e143), (f32(_e490) * _e143), (f32(_e494) * _e143), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
-                    phi_1956_ = ((3u * _e92) + 1u);
-                    phi_1958_ = (_e463 <= _e461);
-                    phi_1960_ = 0u;
+                    let _e498 = local[_e482];
+                    phi_3954_ = false;
+                    phi_3853_ = _e465;
+                    phi_923_ = type_55(type_24(vec4<f32>((f32(_e473) * _e147), (f32(_e479) * _e147), (f32(_e485) * _e147), 0f), vec4<f32>((f32(_e490) * _e147), (f32(_e494) * _e147), (f32(_e498) * _e147), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
+                    phi_926_ = ((3u * _e96) + 1u);
+                    phi_928_ = (_e467 <= _e465);
+                    phi_930_ = 0u;
                     loop {
-                        let _e504 = phi_4877_;
-                        let _e506 = phi_4776_;
-                        let _e508 = phi_1953_;
-                        let _e510 = phi_1956_;
-                        let _e512 = phi_1958_;
-                        let _e514 = phi_1960_;
-                        if _e512 {
-                            phi_1971_ = true;
+                        let _e508 = phi_3954_;
+                        let _e510 = phi_3853_;
+                        let _e512 = phi_923_;
+                        let _e514 = phi_926_;
+                        let _e516 = phi_928_;
+                        let _e518 = phi_930_;
+                        if _e516 {
+                            phi_941_ = true;
                         } else {
-                            phi_1971_ = (_e514 > 0u);
+                            phi_941_ = (_e518 > 0u);
                         }
-                        let _e517 = phi_1971_;
-                        if _e517 {
-                            let _e518 = (_e510 > 0u);
-                            if _e518 {
-                                if _e512 {
-                                    phi_2009_ = _e508;
-                                    phi_2010_ = _e512;
-                                    phi_2011_ = _e514;
+                        let _e521 = phi_941_;
+                        if _e521 {
+                            let _e522 = (_e514 > 0u);
+                            if _e522 {
+                                if _e516 {
+                                    phi_1028_ = _e512;
+                                    phi_1029_ = _e516;
+                                    phi_1030_ = _e518;
                                 } else {
-                                    let _e519 = (_e514 - 1u);
-                                    let _e520 = (_e519 % 128u);
-                                    let _e521 = (_e520 < 128u);
-                                    if _e521 {
+                                    let _e523 = (_e518 - 1u);
+                                    let _e524 = (_e523 % 128u);
+                                    let _e525 = (_e524 < 128u);
+                                    if _e525 {
                                     } else {
-                                        phi_5025_ = true;
+                                        phi_4102_ = true;
                                         break;
                                     }
-                                    let _e523 = local_4[_e520];
-                                    if _e521 {
+                                    let _e527 = local_7[_e524];
+                                    if _e525 {
                                     } else {
-                                        phi_5025_ = true;
+                                        phi_4102_ = true;
                                         break;
                                     }
-                                    let _e531 = local_3[_e520];
-                                    phi_2009_ = type_54(type_24(_e523.member.member, _e523.member.member_1), _e523.member_1);
-                                    phi_2010_ = (_e531 <= _e506);
-                                    phi_2011_ = _e519;
+                                    let _e529 = local_6[_e524];
+                                    if _e525 {
+                                    } else {
+                                        phi_4102_ = true;
+                                        break;
+                                    }
+                                    let _e531 = local_5[_e524];
+                                    if _e525 {
+                                    } else {
+                                        phi_4102_ = true;
+                                        break;
+                                    }
+                                    let _e533 = local_4[_e524];
+                                    if _e525 {
+                                    } else {
+                                        phi_4102_ = true;
+                                        break;
+                                    }
+                                    let _e535 = local_3[_e524];
+                                    if _e525 {
+                                    } else {
+                                        phi_4102_ = true;
+                                        break;
+                                    }
+                                    let _e537 = local_2[_e524];
+                                    if _e525 {
+                                    } else {
+                                        phi_4102_ = true;
+                                        break;
+                                    }
+                                    let _e542 = local_8[_e524];
+                                    if _e525 {
+                                    } else {
+                                        phi_4102_ = true;
+                                        break;
+                                    }
+                                    let _e545 = local_10[_e524];
+                                    phi_1028_ = type_55(type_24(vec4<f32>(_e527, _e529, _e531, 0f), vec4<f32>(_e533, _e535, _e537, 0f)), _e542);
+                                    phi_1029_ = (_e545 <= _e510);
+                                    phi_1030_ = _e523;
                                 }
-                                let _e534 = phi_2009_;
-                                let _e536 = phi_2010_;
-                                let _e538 = phi_2011_;
-                                if _e536 {
-                                    let _e543 = (_e534.member_1 & 268435455u);
-                                    if ((_e534.member_1 & 2147483648u) != 0u) {
-                                        phi_4949_ = _e506;
-                                        phi_4874_ = _e504;
-                                        phi_2030_ = type_8(0u, ((_e534.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e548 = phi_1028_;
+                                let _e550 = phi_1029_;
+                                let _e552 = phi_1030_;
+                                if _e550 {
+                                    let _e557 = (_e548.member_1 & 268435455u);
+                                    if ((_e548.member_1 & 2147483648u) != 0u) {
+                                        phi_4026_ = _e510;
+                                        phi_3951_ = _e508;
+                                        phi_1049_ = type_8(0u, ((_e548.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1004 = phi_4949_;
-                                            let _e1006 = phi_4874_;
-                                            let _e1008 = phi_2030_;
-                                            if (_e1008.member < _e1008.member_1) {
-                                                phi_2031_ = type_8((_e1008.member + 1u), _e1008.member_1);
-                                                phi_2054_ = type_8(1u, _e1008.member);
+                                            let _e1037 = phi_4026_;
+                                            let _e1039 = phi_3951_;
+                                            let _e1041 = phi_1049_;
+                                            if (_e1041.member < _e1041.member_1) {
+                                                phi_1050_ = type_8((_e1041.member + 1u), _e1041.member_1);
+                                                phi_1073_ = type_8(1u, _e1041.member);
                                             } else {
-                                                phi_2031_ = _e1008;
-                                                phi_2054_ = type_8(0u, type_8().member_1);
+                                                phi_1050_ = _e1041;
+                                                phi_1073_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1021 = phi_2031_;
-                                            let _e1023 = phi_2054_;
-                                            let _e1027 = (bitcast<i32>(_e1023.member) != 0i);
-                                            if _e1027 {
-                                                let _e1032 = (_e534.member.member_1.x - _e534.member.member.x);
-                                                let _e1035 = (_e534.member.member_1.y - _e534.member.member.y);
-                                                let _e1038 = (_e534.member.member_1.z - _e534.member.member.z);
-                                                let _e1040 = select(_e1035, _e1032, (_e1032 > _e1035));
-                                                let _e1042 = select(_e1038, _e1040, (_e1040 > _e1038));
-                                                let _e1044 = (_e1042 < (1024f * _e143));
-                                                if _e1044 {
-                                                    phi_2095_ = 0u;
+                                            let _e1054 = phi_1050_;
+                                            let _e1056 = phi_1073_;
+                                            let _e1060 = (bitcast<i32>(_e1056.member) != 0i);
+                                            if _e1060 {
+                                                let _e1065 = (_e548.member.member_1.x - _e548.member.member.x);
+                                                let _e1068 = (_e548.member.member_1.y - _e548.member.member.y);
+                                                let _e1071 = (_e548.member.member_1.z - _e548.member.member.z);
+                                                let _e1073 = select(_e1068, _e1065, (_e1065 > _e1068));
+                                                let _e1075 = select(_e1071, _e1073, (_e1073 > _e1071));
+                                                let _e1077 = (_e1075 < (1024f * _e147));
+                                                if _e1077 {
+                                                    phi_1114_ = 0u;
                                                 } else {
-                                                    phi_2095_ = select(2u, 1u, (_e1042 < (2097152f * _e143)));
+                                                    phi_1114_ = select(2u, 1u, (_e1075 < (2097152f * _e147)));
                                                 }
-                                                let _e1049 = phi_2095_;
-                                                switch bitcast<i32>(_e1049) {
+                                                let _e1082 = phi_1114_;
+                                                switch bitcast<i32>(_e1082) {
                                                     case 0: {
-                                                        phi_2101_ = 1u;
+                                                        phi_1120_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_2101_ = 2u;
+                                                        phi_1120_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_2101_ = 3u;
+                                                        phi_1120_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2101_ = u32();
+                                                        phi_1120_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1052 = phi_2101_;
-                                                switch bitcast<i32>(_e1049) {
+                                                let _e1085 = phi_1120_;
+                                                switch bitcast<i32>(_e1082) {
                                                     case 0: {
-                                                        phi_2111_ = 1u;
+                                                        phi_1130_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_2111_ = 2u;
+                                                        phi_1130_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_2111_ = 3u;
+                                                        phi_1130_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2111_ = u32();
+                                                        phi_1130_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1059 = phi_2111_;
-                                                let _e1061 = ((_e543 + (_e1023.member_1 * ((3u * _e1052) + 1u))) + (3u * _e1059));
-                                                let _e1062 = (_e1061 < _e95);
-                                                if _e1062 {
-                                                    if _e1062 {
+                                                let _e1092 = phi_1130_;
+                                                let _e1094 = ((_e557 + (_e1056.member_1 * ((3u * _e1085) + 1u))) + (3u * _e1092));
+                                                let _e1095 = (_e1094 < _e99);
+                                                if _e1095 {
+                                                    if _e1095 {
                                                     } else {
-                                                        phi_5182_ = _e1004;
-                                                        phi_5020_ = true;
+                                                        phi_4259_ = _e1037;
+                                                        phi_4097_ = true;
                                                         break;
                                                     }
-                                                    let _e1064 = global_5.member[_e1061];
-                                                    phi_2127_ = _e1064;
+                                                    let _e1097 = global_5.member[_e1094];
+                                                    phi_1146_ = _e1097;
                                                 } else {
-                                                    phi_2127_ = 4294967295u;
+                                                    phi_1146_ = 4294967295u;
                                                 }
-                                                let _e1066 = phi_2127_;
-                                                local_5 = array<u32, 3>(_e263, _e262, _e264);
-                                                if _e1044 {
-                                                    phi_2164_ = 0u;
+                                                let _e1099 = phi_1146_;
+                                                local_11 = array<u32, 3>(_e267, _e266, _e268);
+                                                if _e1077 {
+                                                    phi_1183_ = 0u;
                                                 } else {
-                                                    phi_2164_ = select(2u, 1u, (_e1042 < (2097152f * _e143)));
+                                                    phi_1183_ = select(2u, 1u, (_e1075 < (2097152f * _e147)));
                                                 }
-                                                let _e1072 = phi_2164_;
-                                                switch bitcast<i32>(_e1072) {
+                                                let _e1105 = phi_1183_;
+                                                switch bitcast<i32>(_e1105) {
                                                     case 0: {
-                                                        phi_2170_ = 1u;
+                                                        phi_1189_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_2170_ = 2u;
+                                                        phi_1189_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_2170_ = 3u;
+                                                        phi_1189_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2170_ = u32();
+                                                        phi_1189_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1075 = phi_2170_;
-                                                switch bitcast<i32>(_e1072) {
+                                                let _e1108 = phi_1189_;
+                                                switch bitcast<i32>(_e1105) {
                                                     case 0: {
-                                                        phi_2180_ = 1u;
+                                                        phi_1199_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_2180_ = 2u;
+                                                        phi_1199_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_2180_ = 3u;
+                                                        phi_1199_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2180_ = u32();
+                                                        phi_1199_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1082 = phi_2180_;
-                                                local_7 = array<f32, 4>(_e534.member.member.x, _e534.member.member.y, _e534.member.member.z, _e534.member.member.w);
-                                                local_6[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_6[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_6[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_4859_ = _e1006;
-                                                phi_2196_ = type_8(0u, 3u);
+                                                let _e1115 = phi_1199_;
+                                                local_13 = array<f32, 4>(_e548.member.member.x, _e548.member.member.y, _e548.member.member.z, _e548.member.member.w);
+                                                local_12[0u] = array<f32, 3>(0f, 0f, 0f);
+                                                local_12[1u] = array<f32, 3>(0f, 0f, 0f);
+                                                local_12[2u] = array<f32, 3>(0f, 0f, 0f);
+                                                phi_3936_ = _e1039;
+                                                phi_1215_ = type_8(0u, 3u);
                                                 loop {
-                                                    let _e1096 = phi_4859_;
-                                                    let _e1098 = phi_2196_;
-                                                    if (_e1098.member < _e1098.member_1) {
-                                                        phi_2197_ = type_8((_e1098.member + 1u), _e1098.member_1);
-                                                        phi_2220_ = type_8(1u, _e1098.member);
+                                                    let _e1129 = phi_3936_;
+                                                    let _e1131 = phi_1215_;
+                                                    if (_e1131.member < _e1131.member_1) {
+                                                        phi_1216_ = type_8((_e1131.member + 1u), _e1131.member_1);
+                                                        phi_1239_ = type_8(1u, _e1131.member);
                                                     } else {
-                                                        phi_2197_ = _e1098;
-                                                        phi_2220_ = type_8(0u, type_8().member_1);
+                                                        phi_1216_ = _e1131;
+                                                        phi_1239_ = type_8(0u, type_8().member_1);
                                                     }
-                                                    let _e1111 = phi_2197_;
-                                                    let _e1113 = phi_2220_;
-                                                    let _e1117 = (bitcast<i32>(_e1113.member) != 0i);
-                                                    if _e1117 {
-                                                        let _e1119 = ((_e543 + (_e1023.member_1 * ((3u * _e1075) + 1u))) + (_e1113.member_1 * _e1082));
-                                                        let _e1120 = (_e1119 < _e95);
-                                                        if _e1120 {
-                                                            if _e1120 {
+                                                    let _e1144 = phi_1216_;
+                                                    let _e1146 = phi_1239_;
+                                                    let _e1150 = (bitcast<i32>(_e1146.member) != 0i);
+                                                    if _e1150 {
+                                                        let _e1152 = ((_e557 + (_e1056.member_1 * ((3u * _e1108) + 1u))) + (_e1146.member_1 * _e1115));
+                                                        let _e1153 = (_e1152 < _e99);
+                                                        if _e1153 {
+                                                            if _e1153 {
                                                             } else {
-                                                                phi_4930_ = true;
+                                                                phi_4007_ = true;
                                                                 break;
                                                             }
-                                                            let _e1122 = global_5.member[_e1119];
-                                                            phi_2243_ = _e1122;
+                                                            let _e1155 = global_5.member[_e1152];
+                                                            phi_1262_ = _e1155;
                                                         } else {
-                                                            phi_2243_ = 0u;
+                                                            phi_1262_ = 0u;
                                                         }
-                                                        let _e1124 = phi_2243_;
-                                                        let _e1125 = (_e1119 + 1u);
-                                                        let _e1126 = (_e1125 < _e95);
-                                                        if _e1126 {
-                                                            if _e1126 {
+                                                        let _e1157 = phi_1262_;
+                                                        let _e1158 = (_e1152 + 1u);
+                                                        let _e1159 = (_e1158 < _e99);
+                                                        if _e1159 {
+                                                            if _e1159 {
                                                             } else {
-                                                                phi_4930_ = true;
+                                                                phi_4007_ = true;
                                                                 break;
                                                             }
-                                                            let _e1128 = global_5.member[_e1125];
-                                                            phi_2258_ = _e1128;
+                                                            let _e1161 = global_5.member[_e1158];
+                                                            phi_1277_ = _e1161;
                                                         } else {
-                                                            phi_2258_ = 0u;
+                                                            phi_1277_ = 0u;
                                                         }
-                                                        let _e1130 = phi_2258_;
-                                                        phi_2261_ = type_8(0u, 3u);
+                                                        let _e1163 = phi_1277_;
+                                                        phi_1280_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e1132 = phi_2261_;
-                                                            if (_e1132.member < _e1132.member_1) {
-                                                                phi_2262_ = type_8((_e1132.member + 1u), _e1132.member_1);
-                                                                phi_2285_ = type_8(1u, _e1132.member);
+                                                            let _e1165 = phi_1280_;
+                                                            if (_e1165.member < _e1165.member_1) {
+                                                                phi_1281_ = type_8((_e1165.member + 1u), _e1165.member_1);
+                                                                phi_1304_ = type_8(1u, _e1165.member);
                                                             } else {
-                                                                phi_2262_ = _e1132;
-                                                                phi_2285_ = type_8(0u, type_8().member_1);
+                                                                phi_1281_ = _e1165;
+                                                                phi_1304_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1145 = phi_2262_;
-                                                            let _e1147 = phi_2285_;
-                                                            let _e1151 = (bitcast<i32>(_e1147.member) != 0i);
-                                                            if _e1151 {
-                                                                let _e1152 = (_e1147.member_1 < 3u);
-                                                                if _e1152 {
+                                                            let _e1178 = phi_1281_;
+                                                            let _e1180 = phi_1304_;
+                                                            let _e1184 = (bitcast<i32>(_e1180.member) != 0i);
+                                                            if _e1184 {
+                                                                let _e1185 = (_e1180.member_1 < 3u);
+                                                                if _e1185 {
                                                                 } else {
-                                                                    phi_4852_ = true;
+                                                                    phi_3929_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1154 = local_5[_e1147.member_1];
-                                                                if (_e1147.member_1 < 4u) {
+                                                                let _e1187 = local_11[_e1180.member_1];
+                                                                if (_e1180.member_1 < 4u) {
                                                                 } else {
-                                                                    phi_4852_ = true;
+                                                                    phi_3929_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1157 = local_7[_e1147.member_1];
-                                                                switch bitcast<i32>(_e1072) {
+                                                                let _e1190 = local_13[_e1180.member_1];
+                                                                switch bitcast<i32>(_e1105) {
                                                                     case 0: {
-                                                                        phi_2355_ = (_e1157 + (f32(((_e1124 >> bitcast<u32>(((10u * _e1154) & 31u))) & 1023u)) * _e143));
+                                                                        phi_1374_ = (_e1190 + (f32(((_e1157 >> bitcast<u32>(((10u * _e1187) & 31u))) & 1023u)) * _e147));
                                                                         break;
                                                                     }
                                                                     case 1: {
-                                                                        if (_e1154 == 0u) {
-                                                                            phi_2332_ = _e1124;
+                                                                        if (_e1187 == 0u) {
+                                                                            phi_1351_ = _e1157;
                                                                         } else {
-                                                                            if (_e1154 == 1u) {
-                                                                                phi_2331_ = ((_e1124 >> bitcast<u32>(21i)) | (_e1130 << bitcast<u32>(11i)));
+                                                                            if (_e1187 == 1u) {
+                                                                                phi_1350_ = ((_e1157 >> bitcast<u32>(21i)) | (_e1163 << bitcast<u32>(11i)));
                                                                             } else {
-                                                                                phi_2331_ = (_e1130 >> bitcast<u32>(10i));
+                                                                                phi_1350_ = (_e1163 >> bitcast<u32>(10i));
                                                                             }
-                                                                            let _e1178 = phi_2331_;
-                                                                            phi_2332_ = _e1178;
+                                                                            let _e1211 = phi_1350_;
+                                                                            phi_1351_ = _e1211;
                                                                         }
-                                                                        let _e1180 = phi_2332_;
-                                                                        phi_2355_ = (_e1157 + (f32((_e1180 & 2097151u)) * _e143));
+                                                                        let _e1213 = phi_1351_;
+                                                                        phi_1374_ = (_e1190 + (f32((_e1213 & 2097151u)) * _e147));
                                                                         break;
                                                                     }
                                                                     case 2: {
-                                                                        let _e1159 = (_e1119 + _e1154);
-                                                                        let _e1160 = (_e1159 < _e95);
-                                                                        if _e1160 {
-                                                                            if _e1160 {
+                                                                        let _e1192 = (_e1152 + _e1187);
+                                                                        let _e1193 = (_e1192 < _e99);
+                                                                        if _e1193 {
+                                                                            if _e1193 {
                                                                             } else {
-                                                                                phi_4852_ = true;
+                                                                                phi_3929_ = true;
                                                                                 break;
                                                                             }
-                                                                            let _e1162 = global_5.member[_e1159];
-                                                                            phi_2351_ = _e1162;
+                                                                            let _e1195 = global_5.member[_e1192];
+                                                                            phi_1370_ = _e1195;
                                                                         } else {
-                                                                            phi_2351_ = 0u;
+                                                                            phi_1370_ = 0u;
                                                                         }
-                                                                        let _e1164 = phi_2351_;
-                                                                        phi_2355_ = (f32(bitcast<i32>(_e1164)) * _e143);
+                                                                        let _e1197 = phi_1370_;
+                                                                        phi_1374_ = (f32(bitcast<i32>(_e1197)) * _e147);
                                                                         break;
                                                                     }
                                                                     default: {
-                                                                        phi_2355_ = f32();
+                                                                        phi_1374_ = f32();
                                                                         break;
                                                                     }
                                                                 }
-                                                                let _e1194 = phi_2355_;
-                                                                if (_e1113.member_1 < 3u) {
+                                                                let _e1227 = phi_1374_;
+                                                                if (_e1146.member_1 < 3u) {
                                                                 } else {
-                                                                    phi_4852_ = true;
+                                                                    phi_3929_ = true;
                                                                     break;
                                                                 }
-                                                                if _e1152 {
+                                                                if _e1185 {
                                                                 } else {
-                                                                    phi_4852_ = true;
+                                                                    phi_3929_ = true;
                                                                     break;
                                                                 }
-                                                                local_6[_e1113.member_1][_e1147.member_1] = _e1194;
+                                                                local_12[_e1146.member_1][_e1180.member_1] = _e1227;
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_2261_ = _e1145;
-                                                                phi_4852_ = _e1096;
-                                                                break if !(_e1151);
+                                                                phi_1280_ = _e1178;
+                                                                phi_3929_ = _e1129;
+                                                                break if !(_e1184);
                                                             }
                                                         }
-                                                        let _e1200 = phi_4852_;
-                                                        phi_4930_ = _e1200;
-                                                        if _e1200 {
+                                                        let _e1233 = phi_3929_;
+                                                        phi_4007_ = _e1233;
+                                                        if _e1233 {
                                                             break;
                                                         }
-                                                        phi_4931_ = _e1200;
+                                                        phi_4008_ = _e1233;
                                                     } else {
-                                                        phi_4931_ = _e1096;
+                                                        phi_4008_ = _e1129;
                                                     }
-                                                    let _e1202 = phi_4931_;
+                                                    let _e1235 = phi_4008_;
                                                     continue;
                                                     continuing {
-                                                        phi_4859_ = _e1202;
-                                                        phi_2196_ = _e1111;
-                                                        phi_4930_ = _e1202;
-                                                        break if !(_e1117);
+                                                        phi_3936_ = _e1235;
+                                                        phi_1215_ = _e1144;
+                                                        phi_4007_ = _e1235;
+                                                        break if !(_e1150);
                                                     }
                                                 }
-                                                let _e1205 = phi_4930_;
-                                                phi_5182_ = _e1004;
-                                                phi_5020_ = _e1205;
-                                                if _e1205 {
+                                                let _e1238 = phi_4007_;
+                                                phi_4259_ = _e1037;
+                                                phi_4097_ = _e1238;
+                                                if _e1238 {
                                                     break;
                                                 }
-                                                let _e1206 = local_6;
-                                                let _e1221 = (_e1206[0][2] - _e389);
-                                                let _e1224 = (((_e1206[0][0] - _e312) * _e413) - (_e1221 * _e337));
-                                                let _e1227 = (((_e1206[0][1] - _e351) * _e413) - (_e1221 * _e375));
-                                                let _e1230 = (_e1206[1][2] - _e389);
-                                                let _e1233 = (((_e1206[1][0] - _e312) * _e413) - (_e1230 * _e337));
-                                                let _e1236 = (((_e1206[1][1] - _e351) * _e413) - (_e1230 * _e375));
-                                                let _e1239 = (_e1206[2][2] - _e389);
-                                                let _e1242 = (((_e1206[2][0] - _e312) * _e413) - (_e1239 * _e337));
-                                                let _e1245 = (((_e1206[2][1] - _e351) * _e413) - (_e1239 * _e375));
-                                                let _e1246 = (_e1242 * _e1236);
-                                                let _e1247 = (_e1245 * _e1233);
-                                                let _e1248 = (_e1224 * _e1245);
-                                                let _e1249 = (_e1227 * _e1242);
-                                                let _e1250 = (_e1233 * _e1227);
-                                                let _e1251 = (_e1236 * _e1224);
-                                                let _e1256 = (((_e1246 >= _e1247) && (_e1248 >= _e1249)) && (_e1250 >= _e1251));
-                                                if (_e1256 || (((_e1246 <= _e1247) && (_e1248 <= _e1249)) && (_e1250 <= _e1251))) {
-                                                    let _e1263 = select(-1f, 1f, _e1256);
-                                                    let _e1265 = ((_e1246 - _e1247) * _e1263);
-                                                    let _e1267 = select(0f, _e1265, (_e1265 > 0f));
-                                                    let _e1269 = ((_e1248 - _e1249) * _e1263);
-                                                    let _e1271 = select(0f, _e1269, (_e1269 > 0f));
-                                                    let _e1273 = ((_e1250 - _e1251) * _e1263);
-                                                    let _e1275 = select(0f, _e1273, (_e1273 > 0f));
-                                                    let _e1277 = ((_e1267 + _e1271) + _e1275);
-                                                    if (_e1277 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2951_ = type_20();
-                                                        phi_2952_ = true;
+                                                let _e1239 = local_12;
+                                                let _e1254 = (_e1239[0][2] - _e393);
+                                                let _e1257 = (((_e1239[0][0] - _e316) * _e417) - (_e1254 * _e341));
+                                                let _e1260 = (((_e1239[0][1] - _e355) * _e417) - (_e1254 * _e379));
+                                                let _e1263 = (_e1239[1][2] - _e393);
+                                                let _e1266 = (((_e1239[1][0] - _e316) * _e417) - (_e1263 * _e341));
+                                                let _e1269 = (((_e1239[1][1] - _e355) * _e417) - (_e1263 * _e379));
+                                                let _e1272 = (_e1239[2][2] - _e393);
+                                                let _e1275 = (((_e1239[2][0] - _e316) * _e417) - (_e1272 * _e341));
+                                                let _e1278 = (((_e1239[2][1] - _e355) * _e417) - (_e1272 * _e379));
+                                                let _e1279 = (_e1275 * _e1269);
+                                                let _e1280 = (_e1278 * _e1266);
+                                                let _e1281 = (_e1257 * _e1278);
+                                                let _e1282 = (_e1260 * _e1275);
+                                                let _e1283 = (_e1266 * _e1260);
+                                                let _e1284 = (_e1269 * _e1257);
+                                                let _e1289 = (((_e1279 >= _e1280) && (_e1281 >= _e1282)) && (_e1283 >= _e1284));
+                                                if (_e1289 || (((_e1279 <= _e1280) && (_e1281 <= _e1282)) && (_e1283 <= _e1284))) {
+                                                    let _e1296 = select(-1f, 1f, _e1289);
+                                                    let _e1298 = ((_e1279 - _e1280) * _e1296);
+                                                    let _e1300 = select(0f, _e1298, (_e1298 > 0f));
+                                                    let _e1302 = ((_e1281 - _e1282) * _e1296);
+                                                    let _e1304 = select(0f, _e1302, (_e1302 > 0f));
+                                                    let _e1306 = ((_e1283 - _e1284) * _e1296);
+                                                    let _e1308 = select(0f, _e1306, (_e1306 > 0f));
+                                                    let _e1310 = ((_e1300 + _e1304) + _e1308);
+                                                    if (_e1310 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1970_ = type_20();
+                                                        phi_1971_ = true;
                                                     } else {
-                                                        let _e1280 = select(_e1206[1][0], _e1206[0][0], (_e1206[0][0] < _e1206[1][0]));
-                                                        let _e1284 = select(_e1206[1][0], _e1206[0][0], (_e1206[0][0] > _e1206[1][0]));
-                                                        let _e1288 = select(_e1206[1][1], _e1206[0][1], (_e1206[0][1] < _e1206[1][1]));
-                                                        let _e1292 = select(_e1206[1][1], _e1206[0][1], (_e1206[0][1] > _e1206[1][1]));
-                                                        let _e1296 = select(_e1206[1][2], _e1206[0][2], (_e1206[0][2] < _e1206[1][2]));
-                                                        let _e1300 = select(_e1206[1][2], _e1206[0][2], (_e1206[0][2] > _e1206[1][2]));
-                                                        let _e1305 = ((select(_e1206[2][0], _e1280, (_e1280 < _e1206[2][0])) - _e335) * _e340);
-                                                        let _e1306 = ((select(_e1206[2][0], _e1284, (_e1284 > _e1206[2][0])) - _e336) * _e340);
-                                                        let _e1309 = ((select(_e1206[2][1], _e1288, (_e1288 < _e1206[2][1])) - _e373) * _e378);
-                                                        let _e1310 = ((select(_e1206[2][1], _e1292, (_e1292 > _e1206[2][1])) - _e374) * _e378);
-                                                        let _e1313 = ((select(_e1206[2][2], _e1296, (_e1296 < _e1206[2][2])) - _e411) * _e416);
-                                                        let _e1314 = ((select(_e1206[2][2], _e1300, (_e1300 > _e1206[2][2])) - _e412) * _e416);
-                                                        let _e1316 = select(_e1314, _e1313, (_e1313 < _e1314));
-                                                        let _e1318 = select(_e1314, _e1313, (_e1313 > _e1314));
-                                                        let _e1320 = select(_e1306, _e1305, (_e1305 < _e1306));
-                                                        let _e1322 = select(_e1310, _e1309, (_e1309 < _e1310));
-                                                        let _e1324 = select(_e1322, _e1320, (_e1320 > _e1322));
-                                                        let _e1326 = select(_e1316, _e1324, (_e1324 > _e1316));
-                                                        let _e1328 = select(_e1306, _e1305, (_e1305 > _e1306));
-                                                        let _e1330 = select(_e1310, _e1309, (_e1309 > _e1310));
-                                                        let _e1332 = select(_e1330, _e1328, (_e1328 < _e1330));
-                                                        let _e1334 = select(_e1318, _e1332, (_e1332 < _e1318));
-                                                        let _e1335 = -(_e1316);
-                                                        let _e1341 = select(_e463, _e1326, (_e1326 > _e463));
-                                                        if (_e1341 > (_e1334 + (select(_e1335, _e1318, (_e1318 > _e1335)) * 0.0000019073523f))) {
-                                                            phi_2946_ = type_20();
-                                                            phi_2947_ = true;
+                                                        let _e1313 = select(_e1239[1][0], _e1239[0][0], (_e1239[0][0] < _e1239[1][0]));
+                                                        let _e1317 = select(_e1239[1][0], _e1239[0][0], (_e1239[0][0] > _e1239[1][0]));
+                                                        let _e1321 = select(_e1239[1][1], _e1239[0][1], (_e1239[0][1] < _e1239[1][1]));
+                                                        let _e1325 = select(_e1239[1][1], _e1239[0][1], (_e1239[0][1] > _e1239[1][1]));
+                                                        let _e1329 = select(_e1239[1][2], _e1239[0][2], (_e1239[0][2] < _e1239[1][2]));
+                                                        let _e1333 = select(_e1239[1][2], _e1239[0][2], (_e1239[0][2] > _e1239[1][2]));
+                                                        let _e1338 = ((select(_e1239[2][0], _e1313, (_e1313 < _e1239[2][0])) - _e339) * _e344);
+                                                        let _e1339 = ((select(_e1239[2][0], _e1317, (_e1317 > _e1239[2][0])) - _e340) * _e344);
+                                                        let _e1342 = ((select(_e1239[2][1], _e1321, (_e1321 < _e1239[2][1])) - _e377) * _e382);
+                                                        let _e1343 = ((select(_e1239[2][1], _e1325, (_e1325 > _e1239[2][1])) - _e378) * _e382);
+                                                        let _e1346 = ((select(_e1239[2][2], _e1329, (_e1329 < _e1239[2][2])) - _e415) * _e420);
+                                                        let _e1347 = ((select(_e1239[2][2], _e1333, (_e1333 > _e1239[2][2])) - _e416) * _e420);
+                                                        let _e1349 = select(_e1347, _e1346, (_e1346 < _e1347));
+                                                        let _e1351 = select(_e1347, _e1346, (_e1346 > _e1347));
+                                                        let _e1353 = select(_e1339, _e1338, (_e1338 < _e1339));
+                                                        let _e1355 = select(_e1343, _e1342, (_e1342 < _e1343));
+                                                        let _e1357 = select(_e1355, _e1353, (_e1353 > _e1355));
+                                                        let _e1359 = select(_e1349, _e1357, (_e1357 > _e1349));
+                                                        let _e1361 = select(_e1339, _e1338, (_e1338 > _e1339));
+                                                        let _e1363 = select(_e1343, _e1342, (_e1342 > _e1343));
+                                                        let _e1365 = select(_e1363, _e1361, (_e1361 < _e1363));
+                                                        let _e1367 = select(_e1351, _e1365, (_e1365 < _e1351));
+                                                        let _e1368 = -(_e1349);
+                                                        let _e1374 = select(_e467, _e1359, (_e1359 > _e467));
+                                                        if (_e1374 > (_e1367 + (select(_e1368, _e1351, (_e1351 > _e1368)) * 0.0000019073523f))) {
+                                                            phi_1965_ = type_20();
+                                                            phi_1966_ = true;
                                                         } else {
-                                                            let _e1343 = (_e1341 > _e1004);
-                                                            if _e1343 {
-                                                                phi_2945_ = type_20();
+                                                            let _e1376 = (_e1374 > _e1037);
+                                                            if _e1376 {
+                                                                phi_1964_ = type_20();
                                                             } else {
-                                                                let _e1347 = (_e1206[1][0] - _e1206[0][0]);
-                                                                let _e1348 = (_e1206[1][1] - _e1206[0][1]);
-                                                                let _e1349 = (_e1206[1][2] - _e1206[0][2]);
-                                                                let _e1350 = vec3<f32>(_e1347, _e1348, _e1349);
-                                                                let _e1351 = (_e1206[2][0] - _e1206[1][0]);
-                                                                let _e1352 = (_e1206[2][1] - _e1206[1][1]);
-                                                                let _e1353 = (_e1206[2][2] - _e1206[1][2]);
-                                                                let _e1354 = vec3<f32>(_e1351, _e1352, _e1353);
-                                                                let _e1355 = (_e1206[0][0] - _e1206[2][0]);
-                                                                let _e1356 = (_e1206[0][1] - _e1206[2][1]);
-                                                                let _e1357 = (_e1206[0][2] - _e1206[2][2]);
-                                                                let _e1358 = vec3<f32>(_e1355, _e1356, _e1357);
-                                                                let _e1361 = bitcast<f32>((bitcast<u32>(_e1347) & 2147483647u));
-                                                                let _e1364 = bitcast<f32>((bitcast<u32>(_e1348) & 2147483647u));
-                                                                let _e1366 = select(_e1364, _e1361, (_e1361 > _e1364));
-                                                                let _e1369 = bitcast<f32>((bitcast<u32>(_e1349) & 2147483647u));
-                                                                let _e1371 = select(_e1369, _e1366, (_e1366 > _e1369));
-                                                                let _e1374 = bitcast<f32>((bitcast<u32>(_e1351) & 2147483647u));
-                                                                let _e1377 = bitcast<f32>((bitcast<u32>(_e1352) & 2147483647u));
-                                                                let _e1379 = select(_e1377, _e1374, (_e1374 > _e1377));
-                                                                let _e1382 = bitcast<f32>((bitcast<u32>(_e1353) & 2147483647u));
-                                                                let _e1384 = select(_e1382, _e1379, (_e1379 > _e1382));
-                                                                let _e1387 = bitcast<f32>((bitcast<u32>(_e1355) & 2147483647u));
-                                                                let _e1390 = bitcast<f32>((bitcast<u32>(_e1356) & 2147483647u));
-                                                                let _e1392 = select(_e1390, _e1387, (_e1387 > _e1390));
-                                                                let _e1395 = bitcast<f32>((bitcast<u32>(_e1357) & 2147483647u));
-                                                                let _e1397 = select(_e1395, _e1392, (_e1392 > _e1395));
-                                                                let _e1399 = select(_e1384, _e1371, (_e1371 > _e1384));
-                                                                let _e1401 = select(_e1397, _e1399, (_e1399 > _e1397));
-                                                                if (_e1371 == _e1401) {
-                                                                    phi_2856_ = _e1354;
-                                                                    phi_2857_ = _e1358;
+                                                                let _e1380 = (_e1239[1][0] - _e1239[0][0]);
+                                                                let _e1381 = (_e1239[1][1] - _e1239[0][1]);
+                                                                let _e1382 = (_e1239[1][2] - _e1239[0][2]);
+                                                                let _e1383 = vec3<f32>(_e1380, _e1381, _e1382);
+                                                                let _e1384 = (_e1239[2][0] - _e1239[1][0]);
+                                                                let _e1385 = (_e1239[2][1] - _e1239[1][1]);
+                                                                let _e1386 = (_e1239[2][2] - _e1239[1][2]);
+                                                                let _e1387 = vec3<f32>(_e1384, _e1385, _e1386);
+                                                                let _e1388 = (_e1239[0][0] - _e1239[2][0]);
+                                                                let _e1389 = (_e1239[0][1] - _e1239[2][1]);
+                                                                let _e1390 = (_e1239[0][2] - _e1239[2][2]);
+                                                                let _e1391 = vec3<f32>(_e1388, _e1389, _e1390);
+                                                                let _e1394 = bitcast<f32>((bitcast<u32>(_e1380) & 2147483647u));
+                                                                let _e1397 = bitcast<f32>((bitcast<u32>(_e1381) & 2147483647u));
+                                                                let _e1399 = select(_e1397, _e1394, (_e1394 > _e1397));
+                                                                let _e1402 = bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u));
+                                                                let _e1404 = select(_e1402, _e1399, (_e1399 > _e1402));
+                                                                let _e1407 = bitcast<f32>((bitcast<u32>(_e1384) & 2147483647u));
+                                                                let _e1410 = bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u));
+                                                                let _e1412 = select(_e1410, _e1407, (_e1407 > _e1410));
+                                                                let _e1415 = bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u));
+                                                                let _e1417 = select(_e1415, _e1412, (_e1412 > _e1415));
+                                                                let _e1420 = bitcast<f32>((bitcast<u32>(_e1388) & 2147483647u));
+                                                                let _e1423 = bitcast<f32>((bitcast<u32>(_e1389) & 2147483647u));
+                                                                let _e1425 = select(_e1423, _e1420, (_e1420 > _e1423));
+                                                                let _e1428 = bitcast<f32>((bitcast<u32>(_e1390) & 2147483647u));
+                                                                let _e1430 = select(_e1428, _e1425, (_e1425 > _e1428));
+                                                                let _e1432 = select(_e1417, _e1404, (_e1404 > _e1417));
+                                                                let _e1434 = select(_e1430, _e1432, (_e1432 > _e1430));
+                                                                if (_e1404 == _e1434) {
+                                                                    phi_1875_ = _e1387;
+                                                                    phi_1876_ = _e1391;
                                                                 } else {
-                                                                    let _e1404 = vec3((_e1384 == _e1401));
-                                                                    phi_2856_ = select(_e1350, _e1358, _e1404);
-                                                                    phi_2857_ = select(_e1354, _e1350, _e1404);
+                                                                    let _e1437 = vec3((_e1417 == _e1434));
+                                                                    phi_1875_ = select(_e1383, _e1391, _e1437);
+                                                                    phi_1876_ = select(_e1387, _e1383, _e1437);
                                                                 }
-                                                                let _e1408 = phi_2856_;
-                                                                let _e1410 = phi_2857_;
-                                                                let _e1417 = ((_e1408.y * _e1410.z) - (_e1410.y * _e1408.z));
-                                                                let _e1422 = ((_e1408.z * _e1410.x) - (_e1410.z * _e1408.x));
-                                                                let _e1425 = ((_e1408.x * _e1410.y) - (_e1410.x * _e1408.y));
-                                                                if (_e1267 >= _e1271) {
-                                                                    phi_2888_ = select(true, false, (_e1267 >= _e1275));
+                                                                let _e1441 = phi_1875_;
+                                                                let _e1443 = phi_1876_;
+                                                                let _e1450 = ((_e1441.y * _e1443.z) - (_e1443.y * _e1441.z));
+                                                                let _e1455 = ((_e1441.z * _e1443.x) - (_e1443.z * _e1441.x));
+                                                                let _e1458 = ((_e1441.x * _e1443.y) - (_e1443.x * _e1441.y));
+                                                                if (_e1300 >= _e1304) {
+                                                                    phi_1907_ = select(true, false, (_e1300 >= _e1308));
                                                                 } else {
-                                                                    phi_2888_ = true;
+                                                                    phi_1907_ = true;
                                                                 }
-                                                                let _e1430 = phi_2888_;
-                                                                if _e1430 {
-                                                                    phi_2897_ = select(vec3<f32>(_e1206[2][0], _e1206[2][1], _e1206[2][2]), vec3<f32>(_e1206[1][0], _e1206[1][1], _e1206[1][2]), vec3((_e1271 >= _e1275)));
+                                                                let _e1463 = phi_1907_;
+                                                                if _e1463 {
+                                                                    phi_1916_ = select(vec3<f32>(_e1239[2][0], _e1239[2][1], _e1239[2][2]), vec3<f32>(_e1239[1][0], _e1239[1][1], _e1239[1][2]), vec3((_e1304 >= _e1308)));
                                                                 } else {
-                                                                    phi_2897_ = vec3<f32>(_e1206[0][0], _e1206[0][1], _e1206[0][2]);
+                                                                    phi_1916_ = vec3<f32>(_e1239[0][0], _e1239[0][1], _e1239[0][2]);
                                                                 }
-                                                                let _e1435 = phi_2897_;
-                                                                let _e1452 = ((((_e1417 * (_e1435.x - _e312)) + (_e1422 * (_e1435.y - _e351))) + (_e1425 * (_e1435.z - _e389))) / (((_e1417 * _e337) + (_e1422 * _e375)) + (_e1425 * _e413)));
-                                                                let _e1454 = select(_e1334, _e1452, (_e1452 < _e1334));
-                                                                let _e1456 = select(_e1326, _e1454, (_e1454 > _e1326));
-                                                                if (_e1456 >= _e463) {
-                                                                    let _e1458 = (_e1456 <= _e1004);
-                                                                    if _e1458 {
-                                                                        let _e1459 = (1f / _e1277);
-                                                                        phi_2937_ = type_20(_e1456, (_e1271 * _e1459), (_e1275 * _e1459), _e1066);
+                                                                let _e1468 = phi_1916_;
+                                                                let _e1485 = ((((_e1450 * (_e1468.x - _e316)) + (_e1455 * (_e1468.y - _e355))) + (_e1458 * (_e1468.z - _e393))) / (((_e1450 * _e341) + (_e1455 * _e379)) + (_e1458 * _e417)));
+                                                                let _e1487 = select(_e1367, _e1485, (_e1485 < _e1367));
+                                                                let _e1489 = select(_e1359, _e1487, (_e1487 > _e1359));
+                                                                if (_e1489 >= _e467) {
+                                                                    let _e1491 = (_e1489 <= _e1037);
+                                                                    if _e1491 {
+                                                                        let _e1492 = (1f / _e1310);
+                                                                        phi_1956_ = type_20(_e1489, (_e1304 * _e1492), (_e1308 * _e1492), _e1099);
                                                                     } else {
-                                                                        phi_2937_ = type_20();
+                                                                        phi_1956_ = type_20();
                                                                     }
-                                                                    let _e1464 = phi_2937_;
-                                                                    phi_2939_ = _e1464;
-                                                                    phi_2940_ = select(true, false, _e1458);
+                                                                    let _e1497 = phi_1956_;
+                                                                    phi_1958_ = _e1497;
+                                                                    phi_1959_ = select(true, false, _e1491);
                                                                 } else {
-                                                                    phi_2939_ = type_20();
-                                                                    phi_2940_ = true;
+                                                                    phi_1958_ = type_20();
+                                                                    phi_1959_ = true;
                                                                 }
-                                                                let _e1467 = phi_2939_;
-                                                                let _e1469 = phi_2940_;
-                                                                if _e1469 {
-                                                                    phi_2944_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1500 = phi_1958_;
+                                                                let _e1502 = phi_1959_;
+                                                                if _e1502 {
+                                                                    phi_1963_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_2944_ = _e1467;
+                                                                    phi_1963_ = _e1500;
                                                                 }
-                                                                let _e1471 = phi_2944_;
-                                                                phi_2945_ = _e1471;
+                                                                let _e1504 = phi_1963_;
+                                                                phi_1964_ = _e1504;
                                                             }
-                                                            let _e1473 = phi_2945_;
-                                                            phi_2946_ = _e1473;
-                                                            phi_2947_ = _e1343;
+                                                            let _e1506 = phi_1964_;
+                                                            phi_1965_ = _e1506;
+                                                            phi_1966_ = _e1376;
                                                         }
-                                                        let _e1475 = phi_2946_;
-                                                        let _e1477 = phi_2947_;
-                                                        phi_2951_ = _e1475;
-                                                        phi_2952_ = _e1477;
+                                                        let _e1508 = phi_1965_;
+                                                        let _e1510 = phi_1966_;
+                                                        phi_1970_ = _e1508;
+                                                        phi_1971_ = _e1510;
                                                     }
-                                                    let _e1479 = phi_2951_;
-                                                    let _e1481 = phi_2952_;
-                                                    phi_2956_ = _e1479;
-                                                    phi_2957_ = _e1481;
+                                                    let _e1512 = phi_1970_;
+                                                    let _e1514 = phi_1971_;
+                                                    phi_1975_ = _e1512;
+                                                    phi_1976_ = _e1514;
                                                 } else {
-                                                    phi_2956_ = type_20();
-                                                    phi_2957_ = true;
+                                                    phi_1975_ = type_20();
+                                                    phi_1976_ = true;
                                                 }
-                                                let _e1483 = phi_2956_;
-                                                let _e1485 = phi_2957_;
-                                                if _e1485 {
-                                                    phi_2961_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1516 = phi_1975_;
+                                                let _e1518 = phi_1976_;
+                                                if _e1518 {
+                                                    phi_1980_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2961_ = _e1483;
+                                                    phi_1980_ = _e1516;
                                                 }
-                                                let _e1487 = phi_2961_;
-                                                if (_e1487.member_3 != 4294967295u) {
-                                                    if (_e1066 != 4294967295u) {
-                                                        phi_2973_ = type_8(0u, 8u);
-                                                        phi_2976_ = _e1487;
+                                                let _e1520 = phi_1980_;
+                                                if (_e1520.member_3 != 4294967295u) {
+                                                    if (_e1099 != 4294967295u) {
+                                                        phi_1992_ = type_8(0u, 8u);
+                                                        phi_1995_ = _e1520;
                                                         loop {
-                                                            let _e1492 = phi_2973_;
-                                                            let _e1494 = phi_2976_;
-                                                            if (_e1492.member < _e1492.member_1) {
-                                                                phi_2974_ = type_8((_e1492.member + 1u), _e1492.member_1);
-                                                                phi_2999_ = type_8(1u, _e1492.member);
+                                                            let _e1525 = phi_1992_;
+                                                            let _e1527 = phi_1995_;
+                                                            if (_e1525.member < _e1525.member_1) {
+                                                                phi_1993_ = type_8((_e1525.member + 1u), _e1525.member_1);
+                                                                phi_2018_ = type_8(1u, _e1525.member);
                                                             } else {
-                                                                phi_2974_ = _e1492;
-                                                                phi_2999_ = type_8(0u, type_8().member_1);
+                                                                phi_1993_ = _e1525;
+                                                                phi_2018_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1507 = phi_2974_;
-                                                            let _e1509 = phi_2999_;
-                                                            let _e1513 = (bitcast<i32>(_e1509.member) != 0i);
-                                                            if _e1513 {
-                                                                let _e1514 = (_e1509.member_1 < 8u);
-                                                                if _e1514 {
+                                                            let _e1540 = phi_1993_;
+                                                            let _e1542 = phi_2018_;
+                                                            let _e1546 = (bitcast<i32>(_e1542.member) != 0i);
+                                                            if _e1546 {
+                                                                let _e1547 = (_e1542.member_1 < 8u);
+                                                                if _e1547 {
                                                                 } else {
-                                                                    phi_4961_ = true;
+                                                                    phi_4038_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1519 = local_2[_e1509.member_1].member;
-                                                                if (_e1494.member < _e1519) {
-                                                                    phi_3032_ = true;
+                                                                let _e1552 = local_9[_e1542.member_1].member;
+                                                                if (_e1527.member < _e1552) {
+                                                                    phi_2051_ = true;
                                                                 } else {
-                                                                    let _e1521 = local_2[_e1509.member_1].member;
-                                                                    if (_e1494.member == _e1521) {
-                                                                        let _e1526 = local_2[_e1509.member_1].member_3;
-                                                                        phi_3031_ = (_e1494.member_3 < _e1526);
+                                                                    let _e1554 = local_9[_e1542.member_1].member;
+                                                                    if (_e1527.member == _e1554) {
+                                                                        let _e1559 = local_9[_e1542.member_1].member_3;
+                                                                        phi_2050_ = (_e1527.member_3 < _e1559);
                                                                     } else {
-                                                                        phi_3031_ = false;
+                                                                        phi_2050_ = false;
                                                                     }
-                                                                    let _e1529 = phi_3031_;
-                                                                    phi_3032_ = _e1529;
+                                                                    let _e1562 = phi_2050_;
+                                                                    phi_2051_ = _e1562;
                                                                 }
-                                                                let _e1531 = phi_3032_;
-                                                                if _e1531 {
-                                                                    if _e1514 {
+                                                                let _e1564 = phi_2051_;
+                                                                if _e1564 {
+                                                                    if _e1547 {
                                                                     } else {
-                                                                        phi_4961_ = true;
+                                                                        phi_4038_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1532 = local_2[_e1509.member_1];
-                                                                    local_2[_e1509.member_1] = type_20(_e1494.member, _e1494.member_1, _e1494.member_2, _e1494.member_3);
-                                                                    phi_3053_ = type_20(_e1532.member, _e1532.member_1, _e1532.member_2, _e1532.member_3);
+                                                                    let _e1565 = local_9[_e1542.member_1];
+                                                                    local_9[_e1542.member_1] = type_20(_e1527.member, _e1527.member_1, _e1527.member_2, _e1527.member_3);
+                                                                    phi_2072_ = type_20(_e1565.member, _e1565.member_1, _e1565.member_2, _e1565.member_3);
                                                                 } else {
-                                                                    phi_3053_ = _e1494;
+                                                                    phi_2072_ = _e1527;
                                                                 }
-                                                                let _e1543 = phi_3053_;
-                                                                phi_2977_ = _e1543;
+                                                                let _e1576 = phi_2072_;
+                                                                phi_1996_ = _e1576;
                                                             } else {
-                                                                phi_2977_ = type_20();
+                                                                phi_1996_ = type_20();
                                                             }
-                                                            let _e1545 = phi_2977_;
+                                                            let _e1578 = phi_1996_;
                                                             continue;
                                                             continuing {
-                                                                phi_2973_ = _e1507;
-                                                                phi_2976_ = _e1545;
-                                                                phi_4961_ = _e1205;
-                                                                break if !(_e1513);
+                                                                phi_1992_ = _e1540;
+                                                                phi_1995_ = _e1578;
+                                                                phi_4038_ = _e1238;
+                                                                break if !(_e1546);
                                                             }
                                                         }
-                                                        let _e1548 = phi_4961_;
-                                                        phi_5182_ = _e1004;
-                                                        phi_5020_ = _e1548;
-                                                        if _e1548 {
+                                                        let _e1581 = phi_4038_;
+                                                        phi_4259_ = _e1037;
+                                                        phi_4097_ = _e1581;
+                                                        if _e1581 {
                                                             break;
                                                         }
-                                                        let _e1551 = local_2[7u].member_3;
-                                                        if (_e1551 != 4294967295u) {
-                                                            let _e1555 = local_2[7u].member;
-                                                            phi_5245_ = _e1555;
+                                                        let _e1584 = local_9[7u].member_3;
+                                                        if (_e1584 != 4294967295u) {
+                                                            let _e1588 = local_9[7u].member;
+                                                            phi_4322_ = _e1588;
                                                         } else {
-                                                            phi_5245_ = _e1004;
+                                                            phi_4322_ = _e1037;
                                                         }
-                                                        let _e1557 = phi_5245_;
-                                                        phi_5244_ = _e1557;
-                                                        phi_5023_ = _e1548;
+                                                        let _e1590 = phi_4322_;
+                                                        phi_4321_ = _e1590;
+                                                        phi_4100_ = _e1581;
                                                     } else {
-                                                        phi_5244_ = _e1004;
-                                                        phi_5023_ = _e1205;
+                                                        phi_4321_ = _e1037;
+                                                        phi_4100_ = _e1238;
                                                     }
-                                                    let _e1559 = phi_5244_;
-                                                    let _e1561 = phi_5023_;
-                                                    phi_5243_ = _e1559;
-                                                    phi_5022_ = _e1561;
+                                                    let _e1592 = phi_4321_;
+                                                    let _e1594 = phi_4100_;
+                                                    phi_4320_ = _e1592;
+                                                    phi_4099_ = _e1594;
                                                 } else {
-                                                    phi_5243_ = _e1004;
-                                                    phi_5022_ = _e1205;
+                                                    phi_4320_ = _e1037;
+                                                    phi_4099_ = _e1238;
                                                 }
-                                                let _e1563 = phi_5243_;
-                                                let _e1565 = phi_5022_;
-                                                phi_5242_ = _e1563;
-                                                phi_5021_ = _e1565;
+                                                let _e1596 = phi_4320_;
+                                                let _e1598 = phi_4099_;
+                                                phi_4319_ = _e1596;
+                                                phi_4098_ = _e1598;
                                             } else {
-                                                phi_5242_ = _e1004;
-                                                phi_5021_ = _e1006;
+                                                phi_4319_ = _e1037;
+                                                phi_4098_ = _e1039;
                                             }
-                                            let _e1567 = phi_5242_;
-                                            let _e1569 = phi_5021_;
+                                            let _e1600 = phi_4319_;
+                                            let _e1602 = phi_4098_;
                                             continue;
                                             continuing {
-                                                phi_4949_ = _e1567;
-                                                phi_4874_ = _e1569;
-                                                phi_2030_ = _e1021;
-                                                phi_5182_ = _e1567;
-                                                phi_5020_ = _e1569;
-                                                break if !(_e1027);
+                                                phi_4026_ = _e1600;
+                                                phi_3951_ = _e1602;
+                                                phi_1049_ = _e1054;
+                                                phi_4259_ = _e1600;
+                                                phi_4097_ = _e1602;
+                                                break if !(_e1060);
                                             }
                                         }
-                                        let _e1572 = phi_5182_;
-                                        let _e1574 = phi_5020_;
-                                        phi_5025_ = _e1574;
-                                        if _e1574 {
+                                        let _e1605 = phi_4259_;
+                                        let _e1607 = phi_4097_;
+                                        phi_4102_ = _e1607;
+                                        if _e1607 {
                                             break;
                                         }
-                                        phi_5147_ = _e1572;
-                                        phi_5029_ = _e1574;
-                                        phi_4403_ = _e534;
-                                        phi_4404_ = false;
-                                        phi_4405_ = _e538;
+                                        phi_4224_ = _e1605;
+                                        phi_4106_ = _e1607;
+                                        phi_3466_ = _e548;
+                                        phi_3467_ = false;
+                                        phi_3468_ = _e552;
                                     } else {
-                                        if (_e534.member_1 >= _e92) {
-                                            phi_4002_ = type_57(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_54(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e548.member_1 >= _e96) {
+                                            phi_3021_ = type_56(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_55(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_55(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e534.member_1 < _e92) {
+                                            if (_e548.member_1 < _e96) {
                                             } else {
-                                                phi_5025_ = true;
+                                                phi_4102_ = true;
                                                 break;
                                             }
-                                            let _e552 = ((1u + (_e263 * 2u)) % 7u);
-                                            if (_e552 < 7u) {
+                                            let _e566 = ((1u + (_e267 * 2u)) % 7u);
+                                            if (_e566 < 7u) {
                                             } else {
-                                                phi_5025_ = true;
+                                                phi_4102_ = true;
                                                 break;
                                             }
-                                            let _e557 = global_4.member[_e534.member_1][_e552];
-                                            let _e560 = ((1u + (_e262 * 2u)) % 7u);
-                                            if (_e560 < 7u) {
+                                            let _e571 = global_4.member[_e548.member_1][_e566];
+                                            let _e574 = ((1u + (_e266 * 2u)) % 7u);
+                                            if (_e574 < 7u) {
                                             } else {
-                                                phi_5025_ = true;
+                                                phi_4102_ = true;
                                                 break;
                                             }
-                                            let _e565 = global_4.member[_e534.member_1][_e560];
-                                            let _e568 = ((1u + (_e264 * 2u)) % 7u);
-                                            if (_e568 < 7u) {
+                                            let _e579 = global_4.member[_e548.member_1][_e574];
+                                            let _e582 = ((1u + (_e268 * 2u)) % 7u);
+                                            if (_e582 < 7u) {
                                             } else {
-                                                phi_5025_ = true;
+                                                phi_4102_ = true;
                                                 break;
                                             }
-                                            let _e573 = global_4.member[_e534.member_1][_e568];
-                                            let _e576 = (((_e263 + 1u) * 2u) % 7u);
-                                            if (_e576 < 7u) {
+                                            let _e587 = global_4.member[_e548.member_1][_e582];
+                                            let _e590 = (((_e267 + 1u) * 2u) % 7u);
+                                            if (_e590 < 7u) {
                                             } else {
-                                                phi_5025_ = true;
+                                                phi_4102_ = true;
                                                 break;
                                             }
-                                            let _e581 = global_4.member[_e534.member_1][_e576];
-                                            let _e584 = (((_e262 + 1u) * 2u) % 7u);
-                                            if (_e584 < 7u) {
+                                            let _e595 = global_4.member[_e548.member_1][_e590];
+                                            let _e598 = (((_e266 + 1u) * 2u) % 7u);
+                                            if (_e598 < 7u) {
                                             } else {
-                                                phi_5025_ = true;
+                                                phi_4102_ = true;
                                                 break;
                                             }
-                                            let _e589 = global_4.member[_e534.member_1][_e584];
-                                            let _e592 = (((_e264 + 1u) * 2u) % 7u);
-                                            if (_e592 < 7u) {
+                                            let _e603 = global_4.member[_e548.member_1][_e598];
+                                            let _e606 = (((_e268 + 1u) * 2u) % 7u);
+                                            if (_e606 < 7u) {
                                             } else {
-                                                phi_5025_ = true;
+                                                phi_4102_ = true;
                                                 break;
                                             }
-                                            let _e597 = global_4.member[_e534.member_1][_e592];
-                                            let _e620 = (bitcast<f32>((bitcast<u32>((_e534.member.member_1.x - _e534.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e534.member.member_1.y - _e534.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e534.member.member_1.z - _e534.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e624 = select(_e143, _e620, (_e620 > _e143));
-                                            let _e626 = select(_e143, _e621, (_e621 > _e143));
-                                            let _e628 = select(_e143, _e622, (_e622 > _e143));
-                                            let _e653 = bitcast<u32>((f32(bitcast<i32>((_e557 & 2097151u))) * _e624));
-                                            let _e658 = (bitcast<i32>((_e557 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e661 = bitcast<f32>((_e653 & bitcast<u32>(_e658)));
-                                            let _e662 = bitcast<u32>((f32(bitcast<i32>((_e565 & 2097151u))) * _e626));
-                                            let _e667 = (bitcast<i32>((_e565 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
-                                            let _e671 = bitcast<u32>((f32(bitcast<i32>((_e573 & 2097151u))) * _e628));
-                                            let _e676 = (bitcast<i32>((_e573 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e679 = bitcast<f32>((_e671 & bitcast<u32>(_e676)));
-                                            let _e683 = bitcast<f32>((_e653 & bitcast<u32>(~(_e658))));
-                                            let _e687 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
-                                            let _e691 = bitcast<f32>((_e671 & bitcast<u32>(~(_e676))));
-                                            let _e692 = bitcast<u32>((f32(bitcast<i32>((_e581 & 2097151u))) * _e624));
-                                            let _e697 = (bitcast<i32>((_e581 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e700 = bitcast<f32>((_e692 & bitcast<u32>(_e697)));
-                                            let _e701 = bitcast<u32>((f32(bitcast<i32>((_e589 & 2097151u))) * _e626));
-                                            let _e706 = (bitcast<i32>((_e589 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
-                                            let _e710 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e628));
-                                            let _e715 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e718 = bitcast<f32>((_e710 & bitcast<u32>(_e715)));
-                                            let _e722 = bitcast<f32>((_e692 & bitcast<u32>(~(_e697))));
-                                            let _e726 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
-                                            let _e730 = bitcast<f32>((_e710 & bitcast<u32>(~(_e715))));
-                                            let _e731 = (_e534.member.member.x + _e661);
-                                            let _e732 = (_e534.member.member.y + _e670);
-                                            let _e733 = (_e534.member.member.z + _e679);
-                                            let _e736 = (_e534.member.member_1.x - _e700);
-                                            let _e737 = (_e534.member.member_1.y - _e709);
-                                            let _e738 = (_e534.member.member_1.z - _e718);
-                                            let _e757 = (_e736 - _e731);
-                                            let _e758 = (_e737 - _e732);
-                                            let _e759 = (_e738 - _e733);
-                                            let _e761 = select(_e758, _e757, (_e757 > _e758));
-                                            let _e763 = select(_e759, _e761, (_e761 > _e759));
-                                            if (_e763 < (1024f * _e143)) {
-                                                phi_3703_ = 0u;
+                                            let _e611 = global_4.member[_e548.member_1][_e606];
+                                            let _e634 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.x - _e548.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e635 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.y - _e548.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e636 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.z - _e548.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e638 = select(_e147, _e634, (_e634 > _e147));
+                                            let _e640 = select(_e147, _e635, (_e635 > _e147));
+                                            let _e642 = select(_e147, _e636, (_e636 > _e147));
+                                            let _e667 = bitcast<u32>((f32(bitcast<i32>((_e571 & 2097151u))) * _e638));
+                                            let _e672 = (bitcast<i32>((_e571 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e675 = bitcast<f32>((_e667 & bitcast<u32>(_e672)));
+                                            let _e676 = bitcast<u32>((f32(bitcast<i32>((_e579 & 2097151u))) * _e640));
+                                            let _e681 = (bitcast<i32>((_e579 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e684 = bitcast<f32>((_e676 & bitcast<u32>(_e681)));
+                                            let _e685 = bitcast<u32>((f32(bitcast<i32>((_e587 & 2097151u))) * _e642));
+                                            let _e690 = (bitcast<i32>((_e587 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e693 = bitcast<f32>((_e685 & bitcast<u32>(_e690)));
+                                            let _e697 = bitcast<f32>((_e667 & bitcast<u32>(~(_e672))));
+                                            let _e701 = bitcast<f32>((_e676 & bitcast<u32>(~(_e681))));
+                                            let _e705 = bitcast<f32>((_e685 & bitcast<u32>(~(_e690))));
+                                            let _e706 = bitcast<u32>((f32(bitcast<i32>((_e595 & 2097151u))) * _e638));
+                                            let _e711 = (bitcast<i32>((_e595 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e714 = bitcast<f32>((_e706 & bitcast<u32>(_e711)));
+                                            let _e715 = bitcast<u32>((f32(bitcast<i32>((_e603 & 2097151u))) * _e640));
+                                            let _e720 = (bitcast<i32>((_e603 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e723 = bitcast<f32>((_e715 & bitcast<u32>(_e720)));
+                                            let _e724 = bitcast<u32>((f32(bitcast<i32>((_e611 & 2097151u))) * _e642));
+                                            let _e729 = (bitcast<i32>((_e611 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e732 = bitcast<f32>((_e724 & bitcast<u32>(_e729)));
+                                            let _e736 = bitcast<f32>((_e706 & bitcast<u32>(~(_e711))));
+                                            let _e740 = bitcast<f32>((_e715 & bitcast<u32>(~(_e720))));
+                                            let _e744 = bitcast<f32>((_e724 & bitcast<u32>(~(_e729))));
+                                            let _e745 = (_e548.member.member.x + _e675);
+                                            let _e746 = (_e548.member.member.y + _e684);
+                                            let _e747 = (_e548.member.member.z + _e693);
+                                            let _e750 = (_e548.member.member_1.x - _e714);
+                                            let _e751 = (_e548.member.member_1.y - _e723);
+                                            let _e752 = (_e548.member.member_1.z - _e732);
+                                            let _e771 = (_e750 - _e745);
+                                            let _e772 = (_e751 - _e746);
+                                            let _e773 = (_e752 - _e747);
+                                            let _e775 = select(_e772, _e771, (_e771 > _e772));
+                                            let _e777 = select(_e773, _e775, (_e775 > _e773));
+                                            if (_e777 < (1024f * _e147)) {
+                                                phi_2722_ = 0u;
                                             } else {
-                                                phi_3703_ = select(2u, 1u, (_e763 < (2097152f * _e143)));
+                                                phi_2722_ = select(2u, 1u, (_e777 < (2097152f * _e147)));
                                             }
-                                            let _e770 = phi_3703_;
-                                            switch bitcast<i32>(_e770) {
+                                            let _e784 = phi_2722_;
+                                            switch bitcast<i32>(_e784) {
                                                 case 0: {
-                                                    phi_3709_ = 1u;
+                                                    phi_2728_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3709_ = 2u;
+                                                    phi_2728_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3709_ = 3u;
+                                                    phi_2728_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3709_ = u32();
+                                                    phi_2728_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e773 = phi_3709_;
-                                            let _e779 = global_4.member[_e534.member_1][0u];
-                                            let _e783 = global_4.member[_e534.member_1][2u];
-                                            let _e787 = global_4.member[_e534.member_1][4u];
-                                            let _e791 = global_4.member[_e534.member_1][6u];
-                                            let _e803 = (((_e783 >> bitcast<u32>(22i)) | ((_e787 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e791 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e804 = (_e779 & 268435455u);
-                                            let _e805 = (_e803 & 268435455u);
-                                            let _e808 = ((_e779 >> bitcast<u32>(28u)) & 7u);
-                                            let _e816 = ((_e779 >> bitcast<u32>(31i)) | (((_e803 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e817 = (_e808 != 0u);
-                                            if (_e808 == 0u) {
-                                                phi_3964_ = _e804;
+                                            let _e787 = phi_2728_;
+                                            let _e793 = global_4.member[_e548.member_1][0u];
+                                            let _e797 = global_4.member[_e548.member_1][2u];
+                                            let _e801 = global_4.member[_e548.member_1][4u];
+                                            let _e805 = global_4.member[_e548.member_1][6u];
+                                            let _e817 = (((_e797 >> bitcast<u32>(22i)) | ((_e801 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e805 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e818 = (_e793 & 268435455u);
+                                            let _e819 = (_e817 & 268435455u);
+                                            let _e822 = ((_e793 >> bitcast<u32>(28u)) & 7u);
+                                            let _e830 = ((_e793 >> bitcast<u32>(31i)) | (((_e817 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e831 = (_e822 != 0u);
+                                            if (_e822 == 0u) {
+                                                phi_2983_ = _e818;
                                             } else {
-                                                if (_e808 == 7u) {
-                                                    phi_3963_ = 2147483648u;
+                                                if (_e822 == 7u) {
+                                                    phi_2982_ = 2147483648u;
                                                 } else {
-                                                    phi_3963_ = ((2147483648u | (_e808 << bitcast<u32>(28u))) | (_e805 & 268435455u));
+                                                    phi_2982_ = ((2147483648u | (_e822 << bitcast<u32>(28u))) | (_e819 & 268435455u));
                                                 }
-                                                let _e826 = phi_3963_;
-                                                phi_3964_ = _e826;
+                                                let _e840 = phi_2982_;
+                                                phi_2983_ = _e840;
                                             }
-                                            let _e828 = phi_3964_;
-                                            if _e817 {
-                                                let _e829 = (_e808 != 7u);
-                                                if _e829 {
-                                                    phi_3974_ = (_e805 + (_e808 * ((3u * _e773) + 1u)));
+                                            let _e842 = phi_2983_;
+                                            if _e831 {
+                                                let _e843 = (_e822 != 7u);
+                                                if _e843 {
+                                                    phi_2993_ = (_e819 + (_e822 * ((3u * _e787) + 1u)));
                                                 } else {
-                                                    phi_3974_ = u32();
+                                                    phi_2993_ = u32();
                                                 }
-                                                let _e833 = phi_3974_;
-                                                phi_3976_ = _e833;
-                                                phi_3977_ = select(true, false, _e829);
+                                                let _e847 = phi_2993_;
+                                                phi_2995_ = _e847;
+                                                phi_2996_ = select(true, false, _e843);
                                             } else {
-                                                phi_3976_ = u32();
-                                                phi_3977_ = true;
+                                                phi_2995_ = u32();
+                                                phi_2996_ = true;
                                             }
-                                            let _e836 = phi_3976_;
-                                            let _e838 = phi_3977_;
-                                            if (_e816 == 0u) {
-                                                phi_3998_ = (_e804 + select(0u, 1u, !(_e817)));
+                                            let _e850 = phi_2995_;
+                                            let _e852 = phi_2996_;
+                                            if (_e830 == 0u) {
+                                                phi_3017_ = (_e818 + select(0u, 1u, !(_e831)));
                                             } else {
-                                                if (_e816 == 7u) {
-                                                    phi_3997_ = 2147483648u;
+                                                if (_e830 == 7u) {
+                                                    phi_3016_ = 2147483648u;
                                                 } else {
-                                                    phi_3997_ = ((2147483648u | (_e816 << bitcast<u32>(28u))) | (select(_e836, _e805, _e838) & 268435455u));
+                                                    phi_3016_ = ((2147483648u | (_e830 << bitcast<u32>(28u))) | (select(_e850, _e819, _e852) & 268435455u));
                                                 }
-                                                let _e851 = phi_3997_;
-                                                phi_3998_ = _e851;
+                                                let _e865 = phi_3016_;
+                                                phi_3017_ = _e865;
                                             }
-                                            let _e853 = phi_3998_;
-                                            phi_4002_ = type_57(array<vec4<f32>, 3>(vec4<f32>(_e731, (_e534.member.member.x + _e683), _e736, (_e534.member.member_1.x - _e722)), vec4<f32>(_e732, (_e534.member.member.y + _e687), _e737, (_e534.member.member_1.y - _e726)), vec4<f32>(_e733, (_e534.member.member.z + _e691), _e738, (_e534.member.member_1.z - _e730))), type_54(type_24((_e534.member.member + vec4<f32>(_e661, _e670, _e679, 0f)), (_e534.member.member_1 - vec4<f32>(_e700, _e709, _e718, 0f))), _e828), type_54(type_24((_e534.member.member + vec4<f32>(_e683, _e687, _e691, 0f)), (_e534.member.member_1 - vec4<f32>(_e722, _e726, _e730, 0f))), _e853));
+                                            let _e867 = phi_3017_;
+                                            phi_3021_ = type_56(array<vec4<f32>, 3>(vec4<f32>(_e745, (_e548.member.member.x + _e697), _e750, (_e548.member.member_1.x - _e736)), vec4<f32>(_e746, (_e548.member.member.y + _e701), _e751, (_e548.member.member_1.y - _e740)), vec4<f32>(_e747, (_e548.member.member.z + _e705), _e752, (_e548.member.member_1.z - _e744))), type_55(type_24((_e548.member.member + vec4<f32>(_e675, _e684, _e693, 0f)), (_e548.member.member_1 - vec4<f32>(_e714, _e723, _e732, 0f))), _e842), type_55(type_24((_e548.member.member + vec4<f32>(_e697, _e701, _e705, 0f)), (_e548.member.member_1 - vec4<f32>(_e736, _e740, _e744, 0f))), _e867));
                                         }
-                                        let _e858 = phi_4002_;
-                                        let _e869 = ((_e858.member[0].x - _e335) * _e340);
-                                        let _e870 = ((_e858.member[0].y - _e335) * _e340);
-                                        let _e871 = ((_e858.member[0].z - _e336) * _e340);
-                                        let _e872 = ((_e858.member[0].w - _e336) * _e340);
-                                        let _e882 = ((_e858.member[1].x - _e373) * _e378);
-                                        let _e883 = ((_e858.member[1].y - _e373) * _e378);
-                                        let _e884 = ((_e858.member[1].z - _e374) * _e378);
-                                        let _e885 = ((_e858.member[1].w - _e374) * _e378);
-                                        let _e895 = ((_e858.member[2].x - _e411) * _e416);
-                                        let _e896 = ((_e858.member[2].y - _e411) * _e416);
-                                        let _e897 = ((_e858.member[2].z - _e412) * _e416);
-                                        let _e898 = ((_e858.member[2].w - _e412) * _e416);
-                                        let _e900 = select(_e897, _e895, (_e895 < _e897));
-                                        let _e902 = select(_e898, _e896, (_e896 < _e898));
-                                        let _e904 = select(_e897, _e895, (_e895 > _e897));
-                                        let _e906 = select(_e898, _e896, (_e896 > _e898));
-                                        let _e908 = select(_e871, _e869, (_e869 < _e871));
-                                        let _e910 = select(_e872, _e870, (_e870 < _e872));
-                                        let _e912 = select(_e884, _e882, (_e882 < _e884));
-                                        let _e914 = select(_e885, _e883, (_e883 < _e885));
-                                        let _e916 = select(_e912, _e908, (_e908 > _e912));
-                                        let _e918 = select(_e914, _e910, (_e910 > _e914));
-                                        let _e920 = select(_e900, _e916, (_e916 > _e900));
-                                        let _e922 = select(_e902, _e918, (_e918 > _e902));
-                                        let _e924 = select(_e871, _e869, (_e869 > _e871));
-                                        let _e926 = select(_e872, _e870, (_e870 > _e872));
-                                        let _e928 = select(_e884, _e882, (_e882 > _e884));
-                                        let _e930 = select(_e885, _e883, (_e883 > _e885));
-                                        let _e932 = select(_e928, _e924, (_e924 < _e928));
-                                        let _e934 = select(_e930, _e926, (_e926 < _e930));
-                                        let _e939 = -(_e900);
-                                        let _e940 = -(_e902);
-                                        let _e947 = (select(_e904, _e932, (_e932 < _e904)) + (select(_e939, _e904, (_e904 > _e939)) * 0.0000019073523f));
-                                        let _e948 = (select(_e906, _e934, (_e934 < _e906)) + (select(_e940, _e906, (_e906 > _e940)) * 0.0000019073523f));
-                                        let _e950 = select(_e463, _e920, (_e920 > _e463));
-                                        let _e952 = select(_e463, _e922, (_e922 > _e463));
-                                        let _e957 = (_e950 <= select(_e506, _e947, (_e947 < _e506)));
-                                        let _e958 = (_e952 <= select(_e506, _e948, (_e948 < _e506)));
-                                        let _e959 = (_e950 <= _e952);
-                                        if _e957 {
-                                            if _e958 {
-                                                if _e959 {
-                                                    phi_4347_ = _e858.member_2;
+                                        let _e872 = phi_3021_;
+                                        let _e883 = ((_e872.member[0].x - _e339) * _e344);
+                                        let _e884 = ((_e872.member[0].y - _e339) * _e344);
+                                        let _e885 = ((_e872.member[0].z - _e340) * _e344);
+                                        let _e886 = ((_e872.member[0].w - _e340) * _e344);
+                                        let _e896 = ((_e872.member[1].x - _e377) * _e382);
+                                        let _e897 = ((_e872.member[1].y - _e377) * _e382);
+                                        let _e898 = ((_e872.member[1].z - _e378) * _e382);
+                                        let _e899 = ((_e872.member[1].w - _e378) * _e382);
+                                        let _e909 = ((_e872.member[2].x - _e415) * _e420);
+                                        let _e910 = ((_e872.member[2].y - _e415) * _e420);
+                                        let _e911 = ((_e872.member[2].z - _e416) * _e420);
+                                        let _e912 = ((_e872.member[2].w - _e416) * _e420);
+                                        let _e914 = select(_e911, _e909, (_e909 < _e911));
+                                        let _e916 = select(_e912, _e910, (_e910 < _e912));
+                                        let _e918 = select(_e911, _e909, (_e909 > _e911));
+                                        let _e920 = select(_e912, _e910, (_e910 > _e912));
+                                        let _e922 = select(_e885, _e883, (_e883 < _e885));
+                                        let _e924 = select(_e886, _e884, (_e884 < _e886));
+                                        let _e926 = select(_e898, _e896, (_e896 < _e898));
+                                        let _e928 = select(_e899, _e897, (_e897 < _e899));
+                                        let _e930 = select(_e926, _e922, (_e922 > _e926));
+                                        let _e932 = select(_e928, _e924, (_e924 > _e928));
+                                        let _e934 = select(_e914, _e930, (_e930 > _e914));
+                                        let _e936 = select(_e916, _e932, (_e932 > _e916));
+                                        let _e938 = select(_e885, _e883, (_e883 > _e885));
+                                        let _e940 = select(_e886, _e884, (_e884 > _e886));
+                                        let _e942 = select(_e898, _e896, (_e896 > _e898));
+                                        let _e944 = select(_e899, _e897, (_e897 > _e899));
+                                        let _e946 = select(_e942, _e938, (_e938 < _e942));
+                                        let _e948 = select(_e944, _e940, (_e940 < _e944));
+                                        let _e953 = -(_e914);
+                                        let _e954 = -(_e916);
+                                        let _e961 = (select(_e918, _e946, (_e946 < _e918)) + (select(_e953, _e918, (_e918 > _e953)) * 0.0000019073523f));
+                                        let _e962 = (select(_e920, _e948, (_e948 < _e920)) + (select(_e954, _e920, (_e920 > _e954)) * 0.0000019073523f));
+                                        let _e964 = select(_e467, _e934, (_e934 > _e467));
+                                        let _e966 = select(_e467, _e936, (_e936 > _e467));
+                                        let _e971 = (_e964 <= select(_e510, _e961, (_e961 < _e510)));
+                                        let _e972 = (_e966 <= select(_e510, _e962, (_e962 < _e510)));
+                                        let _e973 = (_e964 <= _e966);
+                                        if _e971 {
+                                            if _e972 {
+                                                if _e973 {
+                                                    phi_3366_ = _e872.member_2;
                                                 } else {
-                                                    phi_4347_ = _e858.member_1;
+                                                    phi_3366_ = _e872.member_1;
                                                 }
-                                                let _e963 = phi_4347_;
-                                                let _e964 = (_e538 % 128u);
-                                                let _e965 = (_e964 < 128u);
-                                                if _e965 {
+                                                let _e977 = phi_3366_;
+                                                let _e999 = (_e552 % 128u);
+                                                let _e1000 = (_e999 < 128u);
+                                                if _e1000 {
                                                 } else {
-                                                    phi_5025_ = true;
+                                                    phi_4102_ = true;
                                                     break;
                                                 }
-                                                local_4[_e964] = type_54(type_24(_e963.member.member, _e963.member.member_1), _e963.member_1);
-                                                if _e965 {
+                                                local_8[_e999] = _e977.member_1;
+                                                if _e1000 {
                                                 } else {
-                                                    phi_5025_ = true;
+                                                    phi_4102_ = true;
                                                     break;
                                                 }
-                                                local_3[_e964] = select(_e952, _e950, (_e950 > _e952));
-                                                if _e959 {
-                                                    phi_4380_ = _e858.member_1;
+                                                local_7[_e999] = _e977.member.member.x;
+                                                if _e1000 {
                                                 } else {
-                                                    phi_4380_ = _e858.member_2;
+                                                    phi_4102_ = true;
+                                                    break;
                                                 }
-                                                let _e980 = phi_4380_;
-                                                phi_4381_ = _e980;
-                                                phi_4382_ = (_e538 + 1u);
+                                                local_6[_e999] = _e977.member.member.y;
+                                                if _e1000 {
+                                                } else {
+                                                    phi_4102_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e999] = _e977.member.member.z;
+                                                if _e1000 {
+                                                } else {
+                                                    phi_4102_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e999] = _e977.member.member_1.x;
+                                                if _e1000 {
+                                                } else {
+                                                    phi_4102_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e999] = _e977.member.member_1.y;
+                                                if _e1000 {
+                                                } else {
+                                                    phi_4102_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e999] = _e977.member.member_1.z;
+                                                if _e1000 {
+                                                } else {
+                                                    phi_4102_ = true;
+                                                    break;
+                                                }
+                                                local_10[_e999] = select(_e966, _e964, (_e964 > _e966));
+                                                if _e973 {
+                                                    phi_3443_ = _e872.member_1;
+                                                } else {
+                                                    phi_3443_ = _e872.member_2;
+                                                }
+                                                let _e1013 = phi_3443_;
+                                                phi_3444_ = _e1013;
+                                                phi_3445_ = (_e552 + 1u);
                                             } else {
-                                                phi_4381_ = type_54();
-                                                phi_4382_ = u32();
+                                                phi_3444_ = type_55();
+                                                phi_3445_ = u32();
                                             }
-                                            let _e982 = phi_4381_;
-                                            let _e984 = phi_4382_;
-                                            phi_4384_ = _e982;
-                                            phi_4385_ = _e984;
-                                            phi_4386_ = select(true, false, _e958);
+                                            let _e1015 = phi_3444_;
+                                            let _e1017 = phi_3445_;
+                                            phi_3447_ = _e1015;
+                                            phi_3448_ = _e1017;
+                                            phi_3449_ = select(true, false, _e972);
                                         } else {
-                                            phi_4384_ = type_54();
-                                            phi_4385_ = u32();
-                                            phi_4386_ = true;
+                                            phi_3447_ = type_55();
+                                            phi_3448_ = u32();
+                                            phi_3449_ = true;
                                         }
-                                        let _e987 = phi_4384_;
-                                        let _e989 = phi_4385_;
-                                        let _e991 = phi_4386_;
-                                        if _e991 {
-                                            if _e957 {
-                                                phi_4395_ = _e858.member_1;
+                                        let _e1020 = phi_3447_;
+                                        let _e1022 = phi_3448_;
+                                        let _e1024 = phi_3449_;
+                                        if _e1024 {
+                                            if _e971 {
+                                                phi_3458_ = _e872.member_1;
                                             } else {
-                                                phi_4395_ = _e858.member_2;
+                                                phi_3458_ = _e872.member_2;
                                             }
-                                            let _e995 = phi_4395_;
-                                            phi_4400_ = _e995;
-                                            phi_4401_ = select(_e958, true, _e957);
+                                            let _e1028 = phi_3458_;
+                                            phi_3463_ = _e1028;
+                                            phi_3464_ = select(_e972, true, _e971);
                                         } else {
-                                            phi_4400_ = _e987;
-                                            phi_4401_ = _e536;
+                                            phi_3463_ = _e1020;
+                                            phi_3464_ = _e550;
                                         }
-                                        let _e998 = phi_4400_;
-                                        let _e1000 = phi_4401_;
-                                        phi_5147_ = _e506;
-                                        phi_5029_ = _e504;
-                                        phi_4403_ = _e998;
-                                        phi_4404_ = _e1000;
-                                        phi_4405_ = select(_e989, _e538, _e991);
+                                        let _e1031 = phi_3463_;
+                                        let _e1033 = phi_3464_;
+                                        phi_4224_ = _e510;
+                                        phi_4106_ = _e508;
+                                        phi_3466_ = _e1031;
+                                        phi_3467_ = _e1033;
+                                        phi_3468_ = select(_e1022, _e552, _e1024);
                                     }
-                                    let _e1576 = phi_5147_;
-                                    let _e1578 = phi_5029_;
-                                    let _e1580 = phi_4403_;
-                                    let _e1582 = phi_4404_;
-                                    let _e1584 = phi_4405_;
-                                    phi_5146_ = _e1576;
-                                    phi_5028_ = _e1578;
-                                    phi_4406_ = _e1580;
-                                    phi_4407_ = (_e510 - 1u);
-                                    phi_4408_ = _e1582;
-                                    phi_4409_ = _e1584;
+                                    let _e1609 = phi_4224_;
+                                    let _e1611 = phi_4106_;
+                                    let _e1613 = phi_3466_;
+                                    let _e1615 = phi_3467_;
+                                    let _e1617 = phi_3468_;
+                                    phi_4223_ = _e1609;
+                                    phi_4105_ = _e1611;
+                                    phi_3469_ = _e1613;
+                                    phi_3470_ = (_e514 - 1u);
+                                    phi_3471_ = _e1615;
+                                    phi_3472_ = _e1617;
                                 } else {
-                                    phi_5146_ = _e506;
-                                    phi_5028_ = _e504;
-                                    phi_4406_ = _e534;
-                                    phi_4407_ = _e510;
-                                    phi_4408_ = _e536;
-                                    phi_4409_ = _e538;
+                                    phi_4223_ = _e510;
+                                    phi_4105_ = _e508;
+                                    phi_3469_ = _e548;
+                                    phi_3470_ = _e514;
+                                    phi_3471_ = _e550;
+                                    phi_3472_ = _e552;
                                 }
-                                let _e1586 = phi_5146_;
-                                let _e1588 = phi_5028_;
-                                let _e1590 = phi_4406_;
-                                let _e1592 = phi_4407_;
-                                let _e1594 = phi_4408_;
-                                let _e1596 = phi_4409_;
-                                phi_5145_ = _e1586;
-                                phi_5027_ = _e1588;
-                                phi_4410_ = _e1590;
-                                phi_4411_ = _e1592;
-                                phi_4412_ = _e1594;
-                                phi_4413_ = _e1596;
+                                let _e1619 = phi_4223_;
+                                let _e1621 = phi_4105_;
+                                let _e1623 = phi_3469_;
+                                let _e1625 = phi_3470_;
+                                let _e1627 = phi_3471_;
+                                let _e1629 = phi_3472_;
+                                phi_4222_ = _e1619;
+                                phi_4104_ = _e1621;
+                                phi_3473_ = _e1623;
+                                phi_3474_ = _e1625;
+                                phi_3475_ = _e1627;
+                                phi_3476_ = _e1629;
                             } else {
-                                phi_5145_ = _e506;
-                                phi_5027_ = _e504;
-                                phi_4410_ = type_54();
-                                phi_4411_ = u32();
-                                phi_4412_ = bool();
-                                phi_4413_ = u32();
+                                phi_4222_ = _e510;
+                                phi_4104_ = _e508;
+                                phi_3473_ = type_55();
+                                phi_3474_ = u32();
+                                phi_3475_ = bool();
+                                phi_3476_ = u32();
                             }
-                            let _e1598 = phi_5145_;
-                            let _e1600 = phi_5027_;
-                            let _e1602 = phi_4410_;
-                            let _e1604 = phi_4411_;
-                            let _e1606 = phi_4412_;
-                            let _e1608 = phi_4413_;
-                            phi_5144_ = _e1598;
-                            phi_5026_ = _e1600;
-                            phi_1954_ = _e1602;
-                            phi_1957_ = _e1604;
-                            phi_1959_ = _e1606;
-                            phi_1961_ = _e1608;
-                            phi_4414_ = _e518;
+                            let _e1631 = phi_4222_;
+                            let _e1633 = phi_4104_;
+                            let _e1635 = phi_3473_;
+                            let _e1637 = phi_3474_;
+                            let _e1639 = phi_3475_;
+                            let _e1641 = phi_3476_;
+                            phi_4221_ = _e1631;
+                            phi_4103_ = _e1633;
+                            phi_924_ = _e1635;
+                            phi_927_ = _e1637;
+                            phi_929_ = _e1639;
+                            phi_931_ = _e1641;
+                            phi_3477_ = _e522;
                         } else {
-                            phi_5144_ = _e506;
-                            phi_5026_ = _e504;
-                            phi_1954_ = type_54();
-                            phi_1957_ = u32();
-                            phi_1959_ = bool();
-                            phi_1961_ = u32();
-                            phi_4414_ = false;
+                            phi_4221_ = _e510;
+                            phi_4103_ = _e508;
+                            phi_924_ = type_55();
+                            phi_927_ = u32();
+                            phi_929_ = bool();
+                            phi_931_ = u32();
+                            phi_3477_ = false;
                         }
-                        let _e1610 = phi_5144_;
-                        let _e1612 = phi_5026_;
-                        let _e1614 = phi_1954_;
-                        let _e1616 = phi_1957_;
-                        let _e1618 = phi_1959_;
-                        let _e1620 = phi_1961_;
-                        let _e1622 = phi_4414_;
+                        let _e1643 = phi_4221_;
+                        let _e1645 = phi_4103_;
+                        let _e1647 = phi_924_;
+                        let _e1649 = phi_927_;
+                        let _e1651 = phi_929_;
+                        let _e1653 = phi_931_;
+                        let _e1655 = phi_3477_;
                         continue;
                         continuing {
-                            phi_4877_ = _e1612;
-                            phi_4776_ = _e1610;
-                            phi_1953_ = _e1614;
-                            phi_1956_ = _e1616;
-                            phi_1958_ = _e1618;
-                            phi_1960_ = _e1620;
-                            phi_5025_ = _e1612;
-                            break if !(_e1622);
+                            phi_3954_ = _e1645;
+                            phi_3853_ = _e1643;
+                            phi_923_ = _e1647;
+                            phi_926_ = _e1649;
+                            phi_928_ = _e1651;
+                            phi_930_ = _e1653;
+                            phi_4102_ = _e1645;
+                            break if !(_e1655);
                         }
                     }
-                    let _e1625 = phi_5025_;
-                    if _e1625 {
+                    let _e1658 = phi_4102_;
+                    if _e1658 {
                         break;
                     }
-                    phi_4421_ = type_8(0u, 8u);
+                    phi_3484_ = type_8(0u, 8u);
                     loop {
-                        let _e1627 = phi_4421_;
-                        if (_e1627.member < _e1627.member_1) {
-                            phi_4422_ = type_8((_e1627.member + 1u), _e1627.member_1);
-                            phi_4445_ = type_8(1u, _e1627.member);
+                        let _e1660 = phi_3484_;
+                        if (_e1660.member < _e1660.member_1) {
+                            phi_3485_ = type_8((_e1660.member + 1u), _e1660.member_1);
+                            phi_3508_ = type_8(1u, _e1660.member);
                         } else {
-                            phi_4422_ = _e1627;
-                            phi_4445_ = type_8(0u, type_8().member_1);
+                            phi_3485_ = _e1660;
+                            phi_3508_ = type_8(0u, type_8().member_1);
                         }
-                        let _e1640 = phi_4422_;
-                        let _e1642 = phi_4445_;
-                        let _e1646 = (bitcast<i32>(_e1642.member) != 0i);
-                        if _e1646 {
-                            let _e1647 = (_e1642.member_1 < 8u);
-                            if _e1647 {
+                        let _e1673 = phi_3485_;
+                        let _e1675 = phi_3508_;
+                        let _e1679 = (bitcast<i32>(_e1675.member) != 0i);
+                        if _e1679 {
+                            let _e1680 = (_e1675.member_1 < 8u);
+                            if _e1680 {
                             } else {
-                                phi_5137_ = true;
+                                phi_4214_ = true;
                                 break;
                             }
-                            let _e1649 = local_2[_e1642.member_1];
-                            if (_e1649.member_3 != 4294967295u) {
-                                let _e1655 = -(_e430);
-                                let _e1656 = (_e1655 / 3i);
-                                let _e1663 = bitcast<f32>((bitcast<u32>((_e1656 + 127i)) << bitcast<u32>(23i)));
-                                let _e1671 = (((_e1649.member * _e1663) * _e1663) * bitcast<f32>((bitcast<u32>(((_e1655 - (2i * _e1656)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1673 = select(340282350000000000000000000000000000000f, _e1671, (_e1671 < 340282350000000000000000000000000000000f));
-                                phi_4511_ = type_20(select(-340282350000000000000000000000000000000f, _e1673, (_e1673 > -340282350000000000000000000000000000000f)), _e1649.member_1, _e1649.member_2, _e1649.member_3);
+                            let _e1682 = local_9[_e1675.member_1];
+                            if (_e1682.member_3 != 4294967295u) {
+                                let _e1688 = -(_e434);
+                                let _e1689 = (_e1688 / 3i);
+                                let _e1696 = bitcast<f32>((bitcast<u32>((_e1689 + 127i)) << bitcast<u32>(23i)));
+                                let _e1704 = (((_e1682.member * _e1696) * _e1696) * bitcast<f32>((bitcast<u32>(((_e1688 - (2i * _e1689)) + 127i)) << bitcast<u32>(23i))));
+                                let _e1706 = select(340282350000000000000000000000000000000f, _e1704, (_e1704 < 340282350000000000000000000000000000000f));
+                                phi_3574_ = type_20(select(-340282350000000000000000000000000000000f, _e1706, (_e1706 > -340282350000000000000000000000000000000f)), _e1682.member_1, _e1682.member_2, _e1682.member_3);
                             } else {
-                                phi_4511_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3574_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1678 = phi_4511_;
-                            if _e1647 {
+                            let _e1711 = phi_3574_;
+                            if _e1680 {
                             } else {
-                                phi_5137_ = true;
+                                phi_4214_ = true;
                                 break;
                             }
-                            local_2[_e1642.member_1] = type_20(_e1678.member, _e1678.member_1, _e1678.member_2, _e1678.member_3);
+                            local_9[_e1675.member_1] = type_20(_e1711.member, _e1711.member_1, _e1711.member_2, _e1711.member_3);
                         }
                         continue;
                         continuing {
-                            phi_4421_ = _e1640;
-                            phi_5137_ = _e1625;
-                            break if !(_e1646);
+                            phi_3484_ = _e1673;
+                            phi_4214_ = _e1658;
+                            break if !(_e1679);
                         }
                     }
-                    let _e1686 = phi_5137_;
-                    if _e1686 {
+                    let _e1719 = phi_4214_;
+                    if _e1719 {
                         break;
                     }
-                    let _e1687 = local_2;
-                    if _e151 {
+                    let _e1720 = local_9;
+                    if _e155 {
                     } else {
                         break;
                     }
-                    global_6.member[_e149] = array<type_20, 8>(type_20(_e1687[0].member, _e1687[0].member_1, _e1687[0].member_2, _e1687[0].member_3), type_20(_e1687[1].member, _e1687[1].member_1, _e1687[1].member_2, _e1687[1].member_3), type_20(_e1687[2].member, _e1687[2].member_1, _e1687[2].member_2, _e1687[2].member_3), type_20(_e1687[3].member, _e1687[3].member_1, _e1687[3].member_2, _e1687[3].member_3), type_20(_e1687[4].member, _e1687[4].member_1, _e1687[4].member_2, _e1687[4].member_3), type_20(_e1687[5].member, _e1687[5].member_1, _e1687[5].member_2, _e1687[5].member_3), type_20(_e1687[6].member, _e1687[6].member_1, _e1687[6].member_2, _e1687[6].member_3), type_20(_e1687[7].member, _e1687[7].member_1, _e1687[7].member_2, _e1687[7].member_3));
+                    global_6.member[_e153] = array<type_20, 8>(type_20(_e1720[0].member, _e1720[0].member_1, _e1720[0].member_2, _e1720[0].member_3), type_20(_e1720[1].member, _e1720[1].member_1, _e1720[1].member_2, _e1720[1].member_3), type_20(_e1720[2].member, _e1720[2].member_1, _e1720[2].member_2, _e1720[2].member_3), type_20(_e1720[3].member, _e1720[3].member_1, _e1720[3].member_2, _e1720[3].member_3), type_20(_e1720[4].member, _e1720[4].member_1, _e1720[4].member_2, _e1720[4].member_3), type_20(_e1720[5].member, _e1720[5].member_1, _e1720[5].member_2, _e1720[5].member_3), type_20(_e1720[6].member, _e1720[6].member_1, _e1720[6].member_2, _e1720[6].member_3), type_20(_e1720[7].member, _e1720[7].member_1, _e1720[7].member_2, _e1720[7].member_3));
                 }
             }
             break;

@@ -63,7 +63,7 @@ struct type_42 {
     member_1: f32,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
@@ -88,112 +88,112 @@ var<storage, read_write> global_5: type_51;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_177_: u32;
-    var phi_282_: i32;
+    var phi_178_: u32;
     var phi_283_: i32;
-    var phi_293_: bool;
-    var phi_303_: u32;
+    var phi_284_: i32;
+    var phi_294_: bool;
     var phi_304_: u32;
-    var phi_306_: bool;
-    var phi_311_: u32;
-    var phi_343_: i32;
-    var phi_361_: f32;
-    var phi_367_: f32;
-    var phi_378_: f32;
-    var phi_384_: f32;
-    var phi_407_: f32;
-    var phi_418_: f32;
-    var phi_427_: f32;
-    var phi_433_: f32;
-    var phi_444_: f32;
-    var phi_450_: f32;
-    var phi_473_: f32;
-    var phi_484_: f32;
-    var phi_493_: f32;
-    var phi_499_: f32;
-    var phi_510_: f32;
-    var phi_516_: f32;
-    var phi_539_: f32;
-    var phi_550_: f32;
-    var phi_650_: f32;
+    var phi_305_: u32;
+    var phi_307_: bool;
+    var phi_312_: u32;
+    var phi_344_: i32;
+    var phi_362_: f32;
+    var phi_368_: f32;
+    var phi_379_: f32;
+    var phi_385_: f32;
+    var phi_408_: f32;
+    var phi_419_: f32;
+    var phi_428_: f32;
+    var phi_434_: f32;
+    var phi_445_: f32;
+    var phi_451_: f32;
+    var phi_474_: f32;
+    var phi_485_: f32;
+    var phi_494_: f32;
+    var phi_500_: f32;
+    var phi_511_: f32;
+    var phi_517_: f32;
+    var phi_540_: f32;
+    var phi_551_: f32;
     var phi_651_: f32;
-    var phi_2364_: bool;
-    var phi_925_: type_42;
-    var phi_928_: u32;
-    var phi_930_: u32;
-    var phi_932_: bool;
-    var phi_934_: u32;
-    var phi_945_: bool;
-    var phi_976_: u32;
-    var phi_977_: bool;
-    var phi_978_: u32;
-    var phi_1799_: type_46;
-    var phi_2143_: u32;
-    var phi_2170_: u32;
-    var phi_2171_: u32;
-    var phi_2172_: u32;
-    var phi_2174_: u32;
-    var phi_2175_: u32;
-    var phi_2176_: bool;
-    var phi_2185_: u32;
-    var phi_2190_: u32;
-    var phi_2191_: bool;
-    var phi_993_: type_42;
-    var phi_996_: type_7;
-    var phi_997_: type_7;
-    var phi_1019_: type_7;
-    var phi_1040_: u32;
-    var phi_1129_: array<array<f32, 3>, 3>;
-    var phi_1600_: vec3<f32>;
-    var phi_1601_: vec3<f32>;
-    var phi_1632_: bool;
-    var phi_1641_: vec3<f32>;
-    var phi_1681_: type_22;
-    var phi_1683_: type_22;
-    var phi_1684_: bool;
-    var phi_1688_: type_22;
-    var phi_1689_: type_22;
-    var phi_1690_: type_22;
-    var phi_1691_: bool;
-    var phi_1695_: type_22;
-    var phi_1696_: bool;
-    var phi_1700_: type_22;
-    var phi_1701_: bool;
-    var phi_1705_: type_22;
-    var phi_1730_: bool;
-    var phi_1731_: bool;
-    var phi_1737_: type_42;
-    var phi_1738_: type_42;
-    var phi_1739_: type_42;
-    var phi_994_: type_42;
-    var phi_2358_: bool;
-    var phi_2477_: bool;
-    var phi_2193_: type_42;
-    var phi_2194_: u32;
-    var phi_2195_: bool;
-    var phi_2196_: u32;
-    var phi_2476_: bool;
-    var phi_2197_: type_42;
-    var phi_2198_: u32;
-    var phi_2199_: u32;
-    var phi_2200_: bool;
-    var phi_2201_: u32;
-    var phi_2475_: bool;
-    var phi_2202_: type_42;
-    var phi_2203_: u32;
-    var phi_2204_: u32;
-    var phi_2205_: bool;
-    var phi_2206_: u32;
-    var phi_2474_: bool;
-    var phi_926_: type_42;
-    var phi_929_: u32;
-    var phi_931_: u32;
-    var phi_933_: bool;
-    var phi_935_: u32;
-    var phi_2207_: bool;
-    var phi_2473_: bool;
+    var phi_652_: f32;
+    var phi_2101_: bool;
+    var phi_663_: type_42;
+    var phi_666_: u32;
+    var phi_668_: u32;
+    var phi_670_: bool;
+    var phi_672_: u32;
+    var phi_683_: bool;
+    var phi_715_: u32;
+    var phi_716_: bool;
+    var phi_717_: u32;
+    var phi_1538_: type_47;
+    var phi_1882_: u32;
+    var phi_1910_: u32;
+    var phi_1911_: u32;
+    var phi_1912_: u32;
+    var phi_1914_: u32;
+    var phi_1915_: u32;
+    var phi_1916_: bool;
+    var phi_1925_: u32;
+    var phi_1930_: u32;
+    var phi_1931_: bool;
+    var phi_732_: type_42;
+    var phi_735_: type_7;
+    var phi_736_: type_7;
+    var phi_758_: type_7;
+    var phi_779_: u32;
+    var phi_868_: array<array<f32, 3>, 3>;
+    var phi_1339_: vec3<f32>;
+    var phi_1340_: vec3<f32>;
+    var phi_1371_: bool;
+    var phi_1380_: vec3<f32>;
+    var phi_1420_: type_22;
+    var phi_1422_: type_22;
+    var phi_1423_: bool;
+    var phi_1427_: type_22;
+    var phi_1428_: type_22;
+    var phi_1429_: type_22;
+    var phi_1430_: bool;
+    var phi_1434_: type_22;
+    var phi_1435_: bool;
+    var phi_1439_: type_22;
+    var phi_1440_: bool;
+    var phi_1444_: type_22;
+    var phi_1469_: bool;
+    var phi_1470_: bool;
+    var phi_1476_: type_42;
+    var phi_1477_: type_42;
+    var phi_1478_: type_42;
+    var phi_733_: type_42;
+    var phi_2095_: bool;
+    var phi_2214_: bool;
+    var phi_1933_: type_42;
+    var phi_1934_: u32;
+    var phi_1935_: bool;
+    var phi_1936_: u32;
+    var phi_2213_: bool;
+    var phi_1937_: type_42;
+    var phi_1938_: u32;
+    var phi_1939_: u32;
+    var phi_1940_: bool;
+    var phi_1941_: u32;
+    var phi_2212_: bool;
+    var phi_1942_: type_42;
+    var phi_1943_: u32;
+    var phi_1944_: u32;
+    var phi_1945_: bool;
+    var phi_1946_: u32;
+    var phi_2211_: bool;
+    var phi_664_: type_42;
+    var phi_667_: u32;
+    var phi_669_: u32;
+    var phi_671_: bool;
+    var phi_673_: u32;
+    var phi_1947_: bool;
+    var phi_2210_: bool;
     var local_2: type_42;
-    var phi_2259_: type_22;
+    var phi_1999_: type_22;
     var local_3: type_42;
 
     switch bitcast<i32>(0u) {
@@ -210,11 +210,11 @@ fn function_() {
                     break;
                 }
                 let _e82 = global_3.member[_e77].member_2;
-                phi_177_ = _e82;
+                phi_178_ = _e82;
             } else {
-                phi_177_ = 4294967295u;
+                phi_178_ = 4294967295u;
             }
-            let _e84 = phi_177_;
+            let _e84 = phi_178_;
             if _e78 {
                 let _e85 = (_e77 < arrayLength((&global_4.member)));
                 if _e85 {
@@ -246,188 +246,188 @@ fn function_() {
                     if _e168 {
                         let _e171 = (bitcast<u32>(bitcast<f32>(_e141)) & 2147483647u);
                         if (_e171 >= 8388608u) {
-                            phi_282_ = (bitcast<i32>((_e171 >> bitcast<u32>(23i))) - 127i);
+                            phi_283_ = (bitcast<i32>((_e171 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_282_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e171)), 32u, (_e171 == 0u))));
+                            phi_283_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e171)), 32u, (_e171 == 0u))));
                         }
-                        let _e185 = phi_282_;
-                        phi_283_ = _e185;
+                        let _e185 = phi_283_;
+                        phi_284_ = _e185;
                     } else {
-                        phi_283_ = 0i;
+                        phi_284_ = 0i;
                     }
-                    let _e187 = phi_283_;
+                    let _e187 = phi_284_;
                     let _e188 = (_e97 == _e141);
                     if _e188 {
-                        phi_293_ = true;
+                        phi_294_ = true;
                     } else {
-                        phi_293_ = (_e105 == _e141);
+                        phi_294_ = (_e105 == _e141);
                     }
-                    let _e191 = phi_293_;
+                    let _e191 = phi_294_;
                     let _e192 = select(1u, 0u, _e188);
                     if _e191 {
                         let _e193 = (_e192 + 1u);
-                        phi_303_ = _e193;
                         phi_304_ = _e193;
-                        phi_306_ = select(true, false, (_e193 == 2u));
+                        phi_305_ = _e193;
+                        phi_307_ = select(true, false, (_e193 == 2u));
                     } else {
-                        phi_303_ = u32();
-                        phi_304_ = 0u;
-                        phi_306_ = true;
+                        phi_304_ = u32();
+                        phi_305_ = 0u;
+                        phi_307_ = true;
                     }
-                    let _e197 = phi_303_;
-                    let _e199 = phi_304_;
-                    let _e201 = phi_306_;
+                    let _e197 = phi_304_;
+                    let _e199 = phi_305_;
+                    let _e201 = phi_307_;
                     if _e201 {
-                        phi_311_ = (_e199 + 1u);
+                        phi_312_ = (_e199 + 1u);
                     } else {
-                        phi_311_ = 0u;
+                        phi_312_ = 0u;
                     }
-                    let _e205 = phi_311_;
+                    let _e205 = phi_312_;
                     let _e206 = select(_e197, _e199, _e201);
                     let _e207 = select(_e192, select(2u, _e192, _e191), _e201);
                     let _e208 = -(_e187);
                     if (_e208 < -126i) {
-                        phi_343_ = -126i;
+                        phi_344_ = -126i;
                     } else {
-                        phi_343_ = select(_e208, 127i, (_e208 > 127i));
+                        phi_344_ = select(_e208, 127i, (_e208 > 127i));
                     }
-                    let _e213 = phi_343_;
+                    let _e213 = phi_344_;
                     let _e218 = bitcast<f32>((bitcast<u32>((_e213 + 127i)) << bitcast<u32>(23i)));
                     let _e224 = bitcast<f32>((bitcast<u32>(((_e208 - _e213) + 127i)) << bitcast<u32>(23i)));
                     let _e229 = global_3.member[_e77].member.member;
                     let _e230 = (_e206 == 0u);
                     if _e230 {
-                        phi_361_ = _e229[0];
+                        phi_362_ = _e229[0];
                     } else {
-                        phi_361_ = _e229[1];
+                        phi_362_ = _e229[1];
                     }
-                    let _e234 = phi_361_;
+                    let _e234 = phi_362_;
                     let _e235 = (_e206 == 2u);
                     if _e235 {
-                        phi_367_ = _e229[2];
+                        phi_368_ = _e229[2];
                     } else {
-                        phi_367_ = _e234;
+                        phi_368_ = _e234;
                     }
-                    let _e238 = phi_367_;
+                    let _e238 = phi_368_;
                     let _e239 = global_3.member[_e77].member.member_2;
                     if _e230 {
-                        phi_378_ = _e239[0];
+                        phi_379_ = _e239[0];
                     } else {
-                        phi_378_ = _e239[1];
+                        phi_379_ = _e239[1];
                     }
-                    let _e243 = phi_378_;
+                    let _e243 = phi_379_;
                     if _e235 {
-                        phi_384_ = _e239[2];
+                        phi_385_ = _e239[2];
                     } else {
-                        phi_384_ = _e243;
+                        phi_385_ = _e243;
                     }
-                    let _e246 = phi_384_;
+                    let _e246 = phi_385_;
                     let _e248 = ((_e246 * _e218) * _e224);
                     let _e252 = (bitcast<f32>((bitcast<u32>(_e248) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e252 {
                         let _e256 = (bitcast<f32>((bitcast<u32>(_e238) & 2147483647u)) * 0.00000011920929f);
-                        phi_407_ = select(0.00000000000011368684f, _e256, (_e256 > 0.00000000000011368684f));
+                        phi_408_ = select(0.00000000000011368684f, _e256, (_e256 > 0.00000000000011368684f));
                     } else {
-                        phi_407_ = 0f;
+                        phi_408_ = 0f;
                     }
-                    let _e260 = phi_407_;
+                    let _e260 = phi_408_;
                     let _e261 = (_e238 + _e260);
                     let _e262 = (_e238 - _e260);
                     let _e263 = select(_e248, 0f, _e252);
                     if _e252 {
-                        phi_418_ = 38685626000000000000000000f;
+                        phi_419_ = 38685626000000000000000000f;
                     } else {
-                        phi_418_ = (1f / _e248);
+                        phi_419_ = (1f / _e248);
                     }
-                    let _e266 = phi_418_;
+                    let _e266 = phi_419_;
                     let _e267 = (_e205 == 0u);
                     if _e267 {
-                        phi_427_ = _e229[0];
+                        phi_428_ = _e229[0];
                     } else {
-                        phi_427_ = _e229[1];
+                        phi_428_ = _e229[1];
                     }
-                    let _e271 = phi_427_;
+                    let _e271 = phi_428_;
                     let _e272 = (_e205 == 2u);
                     if _e272 {
-                        phi_433_ = _e229[2];
+                        phi_434_ = _e229[2];
                     } else {
-                        phi_433_ = _e271;
+                        phi_434_ = _e271;
                     }
-                    let _e275 = phi_433_;
+                    let _e275 = phi_434_;
                     if _e267 {
-                        phi_444_ = _e239[0];
+                        phi_445_ = _e239[0];
                     } else {
-                        phi_444_ = _e239[1];
+                        phi_445_ = _e239[1];
                     }
-                    let _e279 = phi_444_;
+                    let _e279 = phi_445_;
                     if _e272 {
-                        phi_450_ = _e239[2];
+                        phi_451_ = _e239[2];
                     } else {
-                        phi_450_ = _e279;
+                        phi_451_ = _e279;
                     }
-                    let _e282 = phi_450_;
+                    let _e282 = phi_451_;
                     let _e284 = ((_e282 * _e218) * _e224);
                     let _e288 = (bitcast<f32>((bitcast<u32>(_e284) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e288 {
                         let _e292 = (bitcast<f32>((bitcast<u32>(_e275) & 2147483647u)) * 0.00000011920929f);
-                        phi_473_ = select(0.00000000000011368684f, _e292, (_e292 > 0.00000000000011368684f));
+                        phi_474_ = select(0.00000000000011368684f, _e292, (_e292 > 0.00000000000011368684f));
                     } else {
-                        phi_473_ = 0f;
+                        phi_474_ = 0f;
                     }
-                    let _e296 = phi_473_;
+                    let _e296 = phi_474_;
                     let _e297 = (_e275 + _e296);
                     let _e298 = (_e275 - _e296);
                     let _e299 = select(_e284, 0f, _e288);
                     if _e288 {
-                        phi_484_ = 38685626000000000000000000f;
+                        phi_485_ = 38685626000000000000000000f;
                     } else {
-                        phi_484_ = (1f / _e284);
+                        phi_485_ = (1f / _e284);
                     }
-                    let _e302 = phi_484_;
+                    let _e302 = phi_485_;
                     let _e303 = (_e207 == 0u);
                     if _e303 {
-                        phi_493_ = _e229[0];
+                        phi_494_ = _e229[0];
                     } else {
-                        phi_493_ = _e229[1];
+                        phi_494_ = _e229[1];
                     }
-                    let _e307 = phi_493_;
+                    let _e307 = phi_494_;
                     let _e308 = (_e207 == 2u);
                     if _e308 {
-                        phi_499_ = _e229[2];
+                        phi_500_ = _e229[2];
                     } else {
-                        phi_499_ = _e307;
+                        phi_500_ = _e307;
                     }
-                    let _e311 = phi_499_;
+                    let _e311 = phi_500_;
                     if _e303 {
-                        phi_510_ = _e239[0];
+                        phi_511_ = _e239[0];
                     } else {
-                        phi_510_ = _e239[1];
+                        phi_511_ = _e239[1];
                     }
-                    let _e315 = phi_510_;
+                    let _e315 = phi_511_;
                     if _e308 {
-                        phi_516_ = _e239[2];
+                        phi_517_ = _e239[2];
                     } else {
-                        phi_516_ = _e315;
+                        phi_517_ = _e315;
                     }
-                    let _e318 = phi_516_;
+                    let _e318 = phi_517_;
                     let _e320 = ((_e318 * _e218) * _e224);
                     let _e324 = (bitcast<f32>((bitcast<u32>(_e320) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e324 {
                         let _e328 = (bitcast<f32>((bitcast<u32>(_e311) & 2147483647u)) * 0.00000011920929f);
-                        phi_539_ = select(0.00000000000011368684f, _e328, (_e328 > 0.00000000000011368684f));
+                        phi_540_ = select(0.00000000000011368684f, _e328, (_e328 > 0.00000000000011368684f));
                     } else {
-                        phi_539_ = 0f;
+                        phi_540_ = 0f;
                     }
-                    let _e332 = phi_539_;
+                    let _e332 = phi_540_;
                     let _e333 = (_e311 + _e332);
                     let _e334 = (_e311 - _e332);
                     let _e335 = select(_e320, 0f, _e324);
                     if _e324 {
-                        phi_550_ = 38685626000000000000000000f;
+                        phi_551_ = 38685626000000000000000000f;
                     } else {
-                        phi_550_ = (1f / _e320);
+                        phi_551_ = (1f / _e320);
                     }
-                    let _e338 = phi_550_;
+                    let _e338 = phi_551_;
                     let _e341 = bitcast<f32>((bitcast<u32>(_e238) & 2147483647u));
                     let _e344 = bitcast<f32>((bitcast<u32>(_e275) & 2147483647u));
                     let _e346 = select(_e344, _e341, (_e341 > _e344));
@@ -440,83 +440,83 @@ fn function_() {
                         let _e371 = select(340282350000000000000000000000000000000f, _e369, (_e369 < 340282350000000000000000000000000000000f));
                         let _e376 = (((_e162 * _e361) * _e361) * _e368);
                         let _e378 = select(340282350000000000000000000000000000000f, _e376, (_e376 < 340282350000000000000000000000000000000f));
-                        phi_650_ = select(-340282350000000000000000000000000000000f, _e378, (_e378 > -340282350000000000000000000000000000000f));
-                        phi_651_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
+                        phi_651_ = select(-340282350000000000000000000000000000000f, _e378, (_e378 > -340282350000000000000000000000000000000f));
+                        phi_652_ = select(-340282350000000000000000000000000000000f, _e371, (_e371 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_650_ = 0f;
-                        phi_651_ = 1f;
+                        phi_651_ = 0f;
+                        phi_652_ = 1f;
                     }
-                    let _e382 = phi_650_;
-                    let _e384 = phi_651_;
+                    let _e382 = phi_651_;
+                    let _e384 = phi_652_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2364_ = false;
-                    phi_925_ = type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e382);
-                    phi_928_ = select(0u, 2147483648u, (_e65 == 0u));
-                    phi_930_ = ((3u * _e65) + 1u);
-                    phi_932_ = (_e384 <= _e382);
-                    phi_934_ = 0u;
+                    phi_2101_ = false;
+                    phi_663_ = type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e382);
+                    phi_666_ = select(0u, 2147483648u, (_e65 == 0u));
+                    phi_668_ = ((3u * _e65) + 1u);
+                    phi_670_ = (_e384 <= _e382);
+                    phi_672_ = 0u;
                     loop {
-                        let _e392 = phi_2364_;
-                        let _e394 = phi_925_;
-                        let _e396 = phi_928_;
-                        let _e398 = phi_930_;
-                        let _e400 = phi_932_;
-                        let _e402 = phi_934_;
+                        let _e392 = phi_2101_;
+                        let _e394 = phi_663_;
+                        let _e396 = phi_666_;
+                        let _e398 = phi_668_;
+                        let _e400 = phi_670_;
+                        let _e402 = phi_672_;
                         local_2 = _e394;
                         if _e400 {
-                            phi_945_ = true;
+                            phi_683_ = true;
                         } else {
-                            phi_945_ = (_e402 > 0u);
+                            phi_683_ = (_e402 > 0u);
                         }
-                        let _e405 = phi_945_;
+                        let _e405 = phi_683_;
                         if _e405 {
                             let _e406 = (_e398 > 0u);
                             if _e406 {
                                 if _e400 {
-                                    phi_976_ = _e396;
-                                    phi_977_ = _e400;
-                                    phi_978_ = _e402;
+                                    phi_715_ = _e396;
+                                    phi_716_ = _e400;
+                                    phi_717_ = _e402;
                                 } else {
                                     let _e407 = (_e402 - 1u);
                                     let _e408 = (_e407 % 128u);
                                     let _e409 = (_e408 < 128u);
                                     if _e409 {
                                     } else {
-                                        phi_2473_ = true;
+                                        phi_2210_ = true;
                                         break;
                                     }
                                     let _e411 = local_1[_e408];
                                     if _e409 {
                                     } else {
-                                        phi_2473_ = true;
+                                        phi_2210_ = true;
                                         break;
                                     }
                                     let _e413 = local[_e408];
-                                    phi_976_ = _e411;
-                                    phi_977_ = (_e413 <= _e394.member_1);
-                                    phi_978_ = _e407;
+                                    phi_715_ = _e411;
+                                    phi_716_ = (_e413 <= _e394.member_1);
+                                    phi_717_ = _e407;
                                 }
-                                let _e417 = phi_976_;
-                                let _e419 = phi_977_;
-                                let _e421 = phi_978_;
+                                let _e417 = phi_715_;
+                                let _e419 = phi_716_;
+                                let _e421 = phi_717_;
                                 if _e419 {
                                     if ((_e417 & 2147483648u) != 0u) {
-                                        phi_993_ = _e394;
-                                        phi_996_ = type_7(0u, ((_e417 >> bitcast<u32>(28u)) & 7u));
+                                        phi_732_ = _e394;
+                                        phi_735_ = type_7(0u, ((_e417 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e619 = phi_993_;
-                                            let _e621 = phi_996_;
+                                            let _e619 = phi_732_;
+                                            let _e621 = phi_735_;
                                             local_3 = _e619;
                                             if (_e621.member < _e621.member_1) {
-                                                phi_997_ = type_7((_e621.member + 1u), _e621.member_1);
-                                                phi_1019_ = type_7(1u, _e621.member);
+                                                phi_736_ = type_7((_e621.member + 1u), _e621.member_1);
+                                                phi_758_ = type_7(1u, _e621.member);
                                             } else {
-                                                phi_997_ = _e621;
-                                                phi_1019_ = type_7(0u, type_7().member_1);
+                                                phi_736_ = _e621;
+                                                phi_758_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e634 = phi_997_;
-                                            let _e636 = phi_1019_;
+                                            let _e634 = phi_736_;
+                                            let _e636 = phi_758_;
                                             let _e640 = (bitcast<i32>(_e636.member) != 0i);
                                             if _e640 {
                                                 let _e641 = ((_e417 & 268435455u) + _e636.member_1);
@@ -524,21 +524,21 @@ fn function_() {
                                                 if _e642 {
                                                     if _e642 {
                                                     } else {
-                                                        phi_2358_ = true;
+                                                        phi_2095_ = true;
                                                         break;
                                                     }
                                                     let _e646 = global_1.member[_e641].member_1;
-                                                    phi_1040_ = _e646;
+                                                    phi_779_ = _e646;
                                                 } else {
-                                                    phi_1040_ = 4294967295u;
+                                                    phi_779_ = 4294967295u;
                                                 }
-                                                let _e648 = phi_1040_;
+                                                let _e648 = phi_779_;
                                                 if (_e641 >= _e67) {
-                                                    phi_1129_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    phi_868_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
                                                     if _e642 {
                                                     } else {
-                                                        phi_2358_ = true;
+                                                        phi_2095_ = true;
                                                         break;
                                                     }
                                                     let _e650 = (_e206 % 3u);
@@ -546,67 +546,67 @@ fn function_() {
                                                     let _e652 = (_e207 % 3u);
                                                     if (_e650 < 9u) {
                                                     } else {
-                                                        phi_2358_ = true;
+                                                        phi_2095_ = true;
                                                         break;
                                                     }
                                                     let _e658 = global_1.member[_e641].member[_e650];
                                                     if (_e651 < 9u) {
                                                     } else {
-                                                        phi_2358_ = true;
+                                                        phi_2095_ = true;
                                                         break;
                                                     }
                                                     let _e664 = global_1.member[_e641].member[_e651];
                                                     if (_e652 < 9u) {
                                                     } else {
-                                                        phi_2358_ = true;
+                                                        phi_2095_ = true;
                                                         break;
                                                     }
                                                     let _e670 = global_1.member[_e641].member[_e652];
                                                     let _e672 = (3u + _e650);
                                                     if (_e672 < 9u) {
                                                     } else {
-                                                        phi_2358_ = true;
+                                                        phi_2095_ = true;
                                                         break;
                                                     }
                                                     let _e678 = global_1.member[_e641].member[_e672];
                                                     let _e679 = (3u + _e651);
                                                     if (_e679 < 9u) {
                                                     } else {
-                                                        phi_2358_ = true;
+                                                        phi_2095_ = true;
                                                         break;
                                                     }
                                                     let _e685 = global_1.member[_e641].member[_e679];
                                                     let _e686 = (3u + _e652);
                                                     if (_e686 < 9u) {
                                                     } else {
-                                                        phi_2358_ = true;
+                                                        phi_2095_ = true;
                                                         break;
                                                     }
                                                     let _e692 = global_1.member[_e641].member[_e686];
                                                     let _e694 = (6u + _e650);
                                                     if (_e694 < 9u) {
                                                     } else {
-                                                        phi_2358_ = true;
+                                                        phi_2095_ = true;
                                                         break;
                                                     }
                                                     let _e700 = global_1.member[_e641].member[_e694];
                                                     let _e701 = (6u + _e651);
                                                     if (_e701 < 9u) {
                                                     } else {
-                                                        phi_2358_ = true;
+                                                        phi_2095_ = true;
                                                         break;
                                                     }
                                                     let _e707 = global_1.member[_e641].member[_e701];
                                                     let _e708 = (6u + _e652);
                                                     if (_e708 < 9u) {
                                                     } else {
-                                                        phi_2358_ = true;
+                                                        phi_2095_ = true;
                                                         break;
                                                     }
                                                     let _e714 = global_1.member[_e641].member[_e708];
-                                                    phi_1129_ = array<array<f32, 3>, 3>(array<f32, 3>(_e658, _e664, _e670), array<f32, 3>(_e678, _e685, _e692), array<f32, 3>(_e700, _e707, _e714));
+                                                    phi_868_ = array<array<f32, 3>, 3>(array<f32, 3>(_e658, _e664, _e670), array<f32, 3>(_e678, _e685, _e692), array<f32, 3>(_e700, _e707, _e714));
                                                 }
-                                                let _e718 = phi_1129_;
+                                                let _e718 = phi_868_;
                                                 let _e726 = (_e718[0][2] - _e311);
                                                 let _e729 = (((_e718[0][0] - _e238) * _e335) - (_e726 * _e263));
                                                 let _e732 = (((_e718[0][1] - _e275) * _e335) - (_e726 * _e299));
@@ -633,8 +633,8 @@ fn function_() {
                                                     let _e788 = select(0f, _e786, (_e786 > 0f));
                                                     let _e790 = ((_e780 + _e784) + _e788);
                                                     if (_e790 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1695_ = type_22();
-                                                        phi_1696_ = true;
+                                                        phi_1434_ = type_22();
+                                                        phi_1435_ = true;
                                                     } else {
                                                         let _e793 = select(_e718[1][0], _e718[0][0], (_e718[0][0] < _e718[1][0]));
                                                         let _e797 = select(_e718[1][0], _e718[0][0], (_e718[0][0] > _e718[1][0]));
@@ -661,12 +661,12 @@ fn function_() {
                                                         let _e848 = -(_e829);
                                                         let _e854 = select(_e384, _e839, (_e839 > _e384));
                                                         if (_e854 > (_e847 + (select(_e848, _e831, (_e831 > _e848)) * 0.0000019073523f))) {
-                                                            phi_1690_ = type_22();
-                                                            phi_1691_ = true;
+                                                            phi_1429_ = type_22();
+                                                            phi_1430_ = true;
                                                         } else {
                                                             let _e856 = (_e854 > _e619.member_1);
                                                             if _e856 {
-                                                                phi_1689_ = type_22();
+                                                                phi_1428_ = type_22();
                                                             } else {
                                                                 let _e860 = (_e718[1][0] - _e718[0][0]);
                                                                 let _e861 = (_e718[1][1] - _e718[0][1]);
@@ -698,30 +698,30 @@ fn function_() {
                                                                 let _e912 = select(_e897, _e884, (_e884 > _e897));
                                                                 let _e914 = select(_e910, _e912, (_e912 > _e910));
                                                                 if (_e884 == _e914) {
-                                                                    phi_1600_ = _e867;
-                                                                    phi_1601_ = _e871;
+                                                                    phi_1339_ = _e867;
+                                                                    phi_1340_ = _e871;
                                                                 } else {
                                                                     let _e917 = vec3((_e897 == _e914));
-                                                                    phi_1600_ = select(_e863, _e871, _e917);
-                                                                    phi_1601_ = select(_e867, _e863, _e917);
+                                                                    phi_1339_ = select(_e863, _e871, _e917);
+                                                                    phi_1340_ = select(_e867, _e863, _e917);
                                                                 }
-                                                                let _e921 = phi_1600_;
-                                                                let _e923 = phi_1601_;
+                                                                let _e921 = phi_1339_;
+                                                                let _e923 = phi_1340_;
                                                                 let _e930 = ((_e921.y * _e923.z) - (_e923.y * _e921.z));
                                                                 let _e935 = ((_e921.z * _e923.x) - (_e923.z * _e921.x));
                                                                 let _e938 = ((_e921.x * _e923.y) - (_e923.x * _e921.y));
                                                                 if (_e780 >= _e784) {
-                                                                    phi_1632_ = select(true, false, (_e780 >= _e788));
+                                                                    phi_1371_ = select(true, false, (_e780 >= _e788));
                                                                 } else {
-                                                                    phi_1632_ = true;
+                                                                    phi_1371_ = true;
                                                                 }
-                                                                let _e943 = phi_1632_;
+                                                                let _e943 = phi_1371_;
                                                                 if _e943 {
-                                                                    phi_1641_ = select(vec3<f32>(_e718[2][0], _e718[2][1], _e718[2][2]), vec3<f32>(_e718[1][0], _e718[1][1], _e718[1][2]), vec3((_e784 >= _e788)));
+                                                                    phi_1380_ = select(vec3<f32>(_e718[2][0], _e718[2][1], _e718[2][2]), vec3<f32>(_e718[1][0], _e718[1][1], _e718[1][2]), vec3((_e784 >= _e788)));
                                                                 } else {
-                                                                    phi_1641_ = vec3<f32>(_e718[0][0], _e718[0][1], _e718[0][2]);
+                                                                    phi_1380_ = vec3<f32>(_e718[0][0], _e718[0][1], _e718[0][2]);
                                                                 }
-                                                                let _e948 = phi_1641_;
+                                                                let _e948 = phi_1380_;
                                                                 let _e965 = ((((_e930 * (_e948.x - _e238)) + (_e935 * (_e948.y - _e275))) + (_e938 * (_e948.z - _e311))) / (((_e930 * _e263) + (_e935 * _e299)) + (_e938 * _e335)));
                                                                 let _e967 = select(_e847, _e965, (_e965 < _e847));
                                                                 let _e969 = select(_e839, _e967, (_e967 > _e839));
@@ -729,141 +729,141 @@ fn function_() {
                                                                     let _e971 = (_e969 <= _e619.member_1);
                                                                     if _e971 {
                                                                         let _e972 = (1f / _e790);
-                                                                        phi_1681_ = type_22(_e969, (_e784 * _e972), (_e788 * _e972), _e648);
+                                                                        phi_1420_ = type_22(_e969, (_e784 * _e972), (_e788 * _e972), _e648);
                                                                     } else {
-                                                                        phi_1681_ = type_22();
+                                                                        phi_1420_ = type_22();
                                                                     }
-                                                                    let _e977 = phi_1681_;
-                                                                    phi_1683_ = _e977;
-                                                                    phi_1684_ = select(true, false, _e971);
+                                                                    let _e977 = phi_1420_;
+                                                                    phi_1422_ = _e977;
+                                                                    phi_1423_ = select(true, false, _e971);
                                                                 } else {
-                                                                    phi_1683_ = type_22();
-                                                                    phi_1684_ = true;
+                                                                    phi_1422_ = type_22();
+                                                                    phi_1423_ = true;
                                                                 }
-                                                                let _e980 = phi_1683_;
-                                                                let _e982 = phi_1684_;
+                                                                let _e980 = phi_1422_;
+                                                                let _e982 = phi_1423_;
                                                                 if _e982 {
-                                                                    phi_1688_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    phi_1427_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1688_ = _e980;
+                                                                    phi_1427_ = _e980;
                                                                 }
-                                                                let _e984 = phi_1688_;
-                                                                phi_1689_ = _e984;
+                                                                let _e984 = phi_1427_;
+                                                                phi_1428_ = _e984;
                                                             }
-                                                            let _e986 = phi_1689_;
-                                                            phi_1690_ = _e986;
-                                                            phi_1691_ = _e856;
+                                                            let _e986 = phi_1428_;
+                                                            phi_1429_ = _e986;
+                                                            phi_1430_ = _e856;
                                                         }
-                                                        let _e988 = phi_1690_;
-                                                        let _e990 = phi_1691_;
-                                                        phi_1695_ = _e988;
-                                                        phi_1696_ = _e990;
+                                                        let _e988 = phi_1429_;
+                                                        let _e990 = phi_1430_;
+                                                        phi_1434_ = _e988;
+                                                        phi_1435_ = _e990;
                                                     }
-                                                    let _e992 = phi_1695_;
-                                                    let _e994 = phi_1696_;
-                                                    phi_1700_ = _e992;
-                                                    phi_1701_ = _e994;
+                                                    let _e992 = phi_1434_;
+                                                    let _e994 = phi_1435_;
+                                                    phi_1439_ = _e992;
+                                                    phi_1440_ = _e994;
                                                 } else {
-                                                    phi_1700_ = type_22();
-                                                    phi_1701_ = true;
+                                                    phi_1439_ = type_22();
+                                                    phi_1440_ = true;
                                                 }
-                                                let _e996 = phi_1700_;
-                                                let _e998 = phi_1701_;
+                                                let _e996 = phi_1439_;
+                                                let _e998 = phi_1440_;
                                                 if _e998 {
-                                                    phi_1705_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    phi_1444_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1705_ = _e996;
+                                                    phi_1444_ = _e996;
                                                 }
-                                                let _e1000 = phi_1705_;
+                                                let _e1000 = phi_1444_;
                                                 if (_e1000.member_3 != 4294967295u) {
                                                     if (_e648 != _e84) {
                                                         if (_e1000.member < _e619.member.member) {
-                                                            phi_1731_ = true;
+                                                            phi_1470_ = true;
                                                         } else {
                                                             if (_e1000.member == _e619.member.member) {
-                                                                phi_1730_ = (_e1000.member_3 < _e619.member.member_3);
+                                                                phi_1469_ = (_e1000.member_3 < _e619.member.member_3);
                                                             } else {
-                                                                phi_1730_ = false;
+                                                                phi_1469_ = false;
                                                             }
-                                                            let _e1013 = phi_1730_;
-                                                            phi_1731_ = _e1013;
+                                                            let _e1013 = phi_1469_;
+                                                            phi_1470_ = _e1013;
                                                         }
-                                                        let _e1015 = phi_1731_;
+                                                        let _e1015 = phi_1470_;
                                                         if _e1015 {
-                                                            phi_1737_ = type_42(_e1000, _e1000.member);
+                                                            phi_1476_ = type_42(_e1000, _e1000.member);
                                                         } else {
-                                                            phi_1737_ = _e619;
+                                                            phi_1476_ = _e619;
                                                         }
-                                                        let _e1018 = phi_1737_;
-                                                        phi_1738_ = _e1018;
+                                                        let _e1018 = phi_1476_;
+                                                        phi_1477_ = _e1018;
                                                     } else {
-                                                        phi_1738_ = _e619;
+                                                        phi_1477_ = _e619;
                                                     }
-                                                    let _e1020 = phi_1738_;
-                                                    phi_1739_ = _e1020;
+                                                    let _e1020 = phi_1477_;
+                                                    phi_1478_ = _e1020;
                                                 } else {
-                                                    phi_1739_ = _e619;
+                                                    phi_1478_ = _e619;
                                                 }
-                                                let _e1022 = phi_1739_;
-                                                phi_994_ = _e1022;
+                                                let _e1022 = phi_1478_;
+                                                phi_733_ = _e1022;
                                             } else {
-                                                phi_994_ = type_42();
+                                                phi_733_ = type_42();
                                             }
-                                            let _e1024 = phi_994_;
+                                            let _e1024 = phi_733_;
                                             continue;
                                             continuing {
-                                                phi_993_ = _e1024;
-                                                phi_996_ = _e634;
-                                                phi_2358_ = _e392;
+                                                phi_732_ = _e1024;
+                                                phi_735_ = _e634;
+                                                phi_2095_ = _e392;
                                                 break if !(_e640);
                                             }
                                         }
-                                        let _e1027 = phi_2358_;
-                                        phi_2473_ = _e1027;
+                                        let _e1027 = phi_2095_;
+                                        phi_2210_ = _e1027;
                                         if _e1027 {
                                             break;
                                         }
-                                        phi_2477_ = _e1027;
+                                        phi_2214_ = _e1027;
                                         let _e1221 = local_3;
-                                        phi_2193_ = _e1221;
-                                        phi_2194_ = _e417;
-                                        phi_2195_ = false;
-                                        phi_2196_ = _e421;
+                                        phi_1933_ = _e1221;
+                                        phi_1934_ = _e417;
+                                        phi_1935_ = false;
+                                        phi_1936_ = _e421;
                                     } else {
                                         if (_e417 >= _e65) {
-                                            phi_1799_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            phi_1538_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
                                             if (_e417 < _e65) {
                                             } else {
-                                                phi_2473_ = true;
+                                                phi_2210_ = true;
                                                 break;
                                             }
                                             let _e431 = (_e206 % 3u);
                                             if (_e431 < 3u) {
                                             } else {
-                                                phi_2473_ = true;
+                                                phi_2210_ = true;
                                                 break;
                                             }
                                             let _e437 = global_2.member[_e417].member[_e431];
                                             let _e443 = (_e205 % 3u);
                                             if (_e443 < 3u) {
                                             } else {
-                                                phi_2473_ = true;
+                                                phi_2210_ = true;
                                                 break;
                                             }
                                             let _e449 = global_2.member[_e417].member[_e443];
                                             let _e455 = (_e207 % 3u);
                                             if (_e455 < 3u) {
                                             } else {
-                                                phi_2473_ = true;
+                                                phi_2210_ = true;
                                                 break;
                                             }
                                             let _e461 = global_2.member[_e417].member[_e455];
                                             let _e471 = global_2.member[_e417].member_1;
                                             let _e475 = global_2.member[_e417].member_2;
-                                            phi_1799_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e437[0], _e437[1], _e437[2], _e437[3]), vec4<f32>(_e449[0], _e449[1], _e449[2], _e449[3]), vec4<f32>(_e461[0], _e461[1], _e461[2], _e461[3])), _e471, _e475);
+                                            phi_1538_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e437[0], _e437[1], _e437[2], _e437[3]), vec4<f32>(_e449[0], _e449[1], _e449[2], _e449[3]), vec4<f32>(_e461[0], _e461[1], _e461[2], _e461[3])), _e471, _e475);
                                         }
-                                        let _e478 = phi_1799_;
+                                        let _e478 = phi_1538_;
                                         let _e490 = ((_e478.member[0].x - _e261) * _e266);
                                         let _e491 = ((_e478.member[0].y - _e261) * _e266);
                                         let _e492 = ((_e478.member[0].z - _e262) * _e266);
@@ -906,152 +906,152 @@ fn function_() {
                                         if _e578 {
                                             if _e579 {
                                                 if _e580 {
-                                                    phi_2143_ = _e478.member_2;
+                                                    phi_1882_ = _e478.member_2;
                                                 } else {
-                                                    phi_2143_ = _e478.member_1;
+                                                    phi_1882_ = _e478.member_1;
                                                 }
-                                                let _e584 = phi_2143_;
-                                                let _e585 = (_e421 % 128u);
-                                                let _e586 = (_e585 < 128u);
-                                                if _e586 {
+                                                let _e584 = phi_1882_;
+                                                let _e587 = (_e421 % 128u);
+                                                let _e588 = (_e587 < 128u);
+                                                if _e588 {
                                                 } else {
-                                                    phi_2473_ = true;
+                                                    phi_2210_ = true;
                                                     break;
                                                 }
-                                                local_1[_e585] = _e584;
-                                                if _e586 {
+                                                local_1[_e587] = _e584;
+                                                if _e588 {
                                                 } else {
-                                                    phi_2473_ = true;
+                                                    phi_2210_ = true;
                                                     break;
                                                 }
-                                                local[_e585] = select(_e573, _e571, (_e571 > _e573));
+                                                local[_e587] = select(_e573, _e571, (_e571 > _e573));
                                                 if _e580 {
-                                                    phi_2170_ = _e478.member_1;
+                                                    phi_1910_ = _e478.member_1;
                                                 } else {
-                                                    phi_2170_ = _e478.member_2;
+                                                    phi_1910_ = _e478.member_2;
                                                 }
-                                                let _e595 = phi_2170_;
-                                                phi_2171_ = _e595;
-                                                phi_2172_ = (_e421 + 1u);
+                                                let _e595 = phi_1910_;
+                                                phi_1911_ = _e595;
+                                                phi_1912_ = (_e421 + 1u);
                                             } else {
-                                                phi_2171_ = u32();
-                                                phi_2172_ = u32();
+                                                phi_1911_ = u32();
+                                                phi_1912_ = u32();
                                             }
-                                            let _e597 = phi_2171_;
-                                            let _e599 = phi_2172_;
-                                            phi_2174_ = _e597;
-                                            phi_2175_ = _e599;
-                                            phi_2176_ = select(true, false, _e579);
+                                            let _e597 = phi_1911_;
+                                            let _e599 = phi_1912_;
+                                            phi_1914_ = _e597;
+                                            phi_1915_ = _e599;
+                                            phi_1916_ = select(true, false, _e579);
                                         } else {
-                                            phi_2174_ = u32();
-                                            phi_2175_ = u32();
-                                            phi_2176_ = true;
+                                            phi_1914_ = u32();
+                                            phi_1915_ = u32();
+                                            phi_1916_ = true;
                                         }
-                                        let _e602 = phi_2174_;
-                                        let _e604 = phi_2175_;
-                                        let _e606 = phi_2176_;
+                                        let _e602 = phi_1914_;
+                                        let _e604 = phi_1915_;
+                                        let _e606 = phi_1916_;
                                         if _e606 {
                                             if _e578 {
-                                                phi_2185_ = _e478.member_1;
+                                                phi_1925_ = _e478.member_1;
                                             } else {
-                                                phi_2185_ = _e478.member_2;
+                                                phi_1925_ = _e478.member_2;
                                             }
-                                            let _e610 = phi_2185_;
-                                            phi_2190_ = _e610;
-                                            phi_2191_ = select(_e579, true, _e578);
+                                            let _e610 = phi_1925_;
+                                            phi_1930_ = _e610;
+                                            phi_1931_ = select(_e579, true, _e578);
                                         } else {
-                                            phi_2190_ = _e602;
-                                            phi_2191_ = _e419;
+                                            phi_1930_ = _e602;
+                                            phi_1931_ = _e419;
                                         }
-                                        let _e613 = phi_2190_;
-                                        let _e615 = phi_2191_;
-                                        phi_2477_ = _e392;
-                                        phi_2193_ = _e394;
-                                        phi_2194_ = _e613;
-                                        phi_2195_ = _e615;
-                                        phi_2196_ = select(_e604, _e421, _e606);
+                                        let _e613 = phi_1930_;
+                                        let _e615 = phi_1931_;
+                                        phi_2214_ = _e392;
+                                        phi_1933_ = _e394;
+                                        phi_1934_ = _e613;
+                                        phi_1935_ = _e615;
+                                        phi_1936_ = select(_e604, _e421, _e606);
                                     }
-                                    let _e1029 = phi_2477_;
-                                    let _e1031 = phi_2193_;
-                                    let _e1033 = phi_2194_;
-                                    let _e1035 = phi_2195_;
-                                    let _e1037 = phi_2196_;
-                                    phi_2476_ = _e1029;
-                                    phi_2197_ = _e1031;
-                                    phi_2198_ = _e1033;
-                                    phi_2199_ = (_e398 - 1u);
-                                    phi_2200_ = _e1035;
-                                    phi_2201_ = _e1037;
+                                    let _e1029 = phi_2214_;
+                                    let _e1031 = phi_1933_;
+                                    let _e1033 = phi_1934_;
+                                    let _e1035 = phi_1935_;
+                                    let _e1037 = phi_1936_;
+                                    phi_2213_ = _e1029;
+                                    phi_1937_ = _e1031;
+                                    phi_1938_ = _e1033;
+                                    phi_1939_ = (_e398 - 1u);
+                                    phi_1940_ = _e1035;
+                                    phi_1941_ = _e1037;
                                 } else {
-                                    phi_2476_ = _e392;
-                                    phi_2197_ = _e394;
-                                    phi_2198_ = _e417;
-                                    phi_2199_ = _e398;
-                                    phi_2200_ = _e419;
-                                    phi_2201_ = _e421;
+                                    phi_2213_ = _e392;
+                                    phi_1937_ = _e394;
+                                    phi_1938_ = _e417;
+                                    phi_1939_ = _e398;
+                                    phi_1940_ = _e419;
+                                    phi_1941_ = _e421;
                                 }
-                                let _e1039 = phi_2476_;
-                                let _e1041 = phi_2197_;
-                                let _e1043 = phi_2198_;
-                                let _e1045 = phi_2199_;
-                                let _e1047 = phi_2200_;
-                                let _e1049 = phi_2201_;
-                                phi_2475_ = _e1039;
-                                phi_2202_ = _e1041;
-                                phi_2203_ = _e1043;
-                                phi_2204_ = _e1045;
-                                phi_2205_ = _e1047;
-                                phi_2206_ = _e1049;
+                                let _e1039 = phi_2213_;
+                                let _e1041 = phi_1937_;
+                                let _e1043 = phi_1938_;
+                                let _e1045 = phi_1939_;
+                                let _e1047 = phi_1940_;
+                                let _e1049 = phi_1941_;
+                                phi_2212_ = _e1039;
+                                phi_1942_ = _e1041;
+                                phi_1943_ = _e1043;
+                                phi_1944_ = _e1045;
+                                phi_1945_ = _e1047;
+                                phi_1946_ = _e1049;
                             } else {
-                                phi_2475_ = _e392;
-                                phi_2202_ = type_42();
-                                phi_2203_ = u32();
-                                phi_2204_ = u32();
-                                phi_2205_ = bool();
-                                phi_2206_ = u32();
+                                phi_2212_ = _e392;
+                                phi_1942_ = type_42();
+                                phi_1943_ = u32();
+                                phi_1944_ = u32();
+                                phi_1945_ = bool();
+                                phi_1946_ = u32();
                             }
-                            let _e1051 = phi_2475_;
-                            let _e1053 = phi_2202_;
-                            let _e1055 = phi_2203_;
-                            let _e1057 = phi_2204_;
-                            let _e1059 = phi_2205_;
-                            let _e1061 = phi_2206_;
-                            phi_2474_ = _e1051;
-                            phi_926_ = _e1053;
-                            phi_929_ = _e1055;
-                            phi_931_ = _e1057;
-                            phi_933_ = _e1059;
-                            phi_935_ = _e1061;
-                            phi_2207_ = _e406;
+                            let _e1051 = phi_2212_;
+                            let _e1053 = phi_1942_;
+                            let _e1055 = phi_1943_;
+                            let _e1057 = phi_1944_;
+                            let _e1059 = phi_1945_;
+                            let _e1061 = phi_1946_;
+                            phi_2211_ = _e1051;
+                            phi_664_ = _e1053;
+                            phi_667_ = _e1055;
+                            phi_669_ = _e1057;
+                            phi_671_ = _e1059;
+                            phi_673_ = _e1061;
+                            phi_1947_ = _e406;
                         } else {
-                            phi_2474_ = _e392;
-                            phi_926_ = type_42();
-                            phi_929_ = u32();
-                            phi_931_ = u32();
-                            phi_933_ = bool();
-                            phi_935_ = u32();
-                            phi_2207_ = false;
+                            phi_2211_ = _e392;
+                            phi_664_ = type_42();
+                            phi_667_ = u32();
+                            phi_669_ = u32();
+                            phi_671_ = bool();
+                            phi_673_ = u32();
+                            phi_1947_ = false;
                         }
-                        let _e1063 = phi_2474_;
-                        let _e1065 = phi_926_;
-                        let _e1067 = phi_929_;
-                        let _e1069 = phi_931_;
-                        let _e1071 = phi_933_;
-                        let _e1073 = phi_935_;
-                        let _e1075 = phi_2207_;
+                        let _e1063 = phi_2211_;
+                        let _e1065 = phi_664_;
+                        let _e1067 = phi_667_;
+                        let _e1069 = phi_669_;
+                        let _e1071 = phi_671_;
+                        let _e1073 = phi_673_;
+                        let _e1075 = phi_1947_;
                         continue;
                         continuing {
-                            phi_2364_ = _e1063;
-                            phi_925_ = _e1065;
-                            phi_928_ = _e1067;
-                            phi_930_ = _e1069;
-                            phi_932_ = _e1071;
-                            phi_934_ = _e1073;
-                            phi_2473_ = _e1063;
+                            phi_2101_ = _e1063;
+                            phi_663_ = _e1065;
+                            phi_666_ = _e1067;
+                            phi_668_ = _e1069;
+                            phi_670_ = _e1071;
+                            phi_672_ = _e1073;
+                            phi_2210_ = _e1063;
                             break if !(_e1075);
                         }
                     }
-                    let _e1078 = phi_2473_;
+                    let _e1078 = phi_2210_;
                     if _e1078 {
                         break;
                     }
@@ -1061,11 +1061,11 @@ fn function_() {
                         let _e1092 = bitcast<f32>((bitcast<u32>((_e1085 + 127i)) << bitcast<u32>(23i)));
                         let _e1100 = (((_e1080.member.member * _e1092) * _e1092) * bitcast<f32>((bitcast<u32>(((_e208 - (2i * _e1085)) + 127i)) << bitcast<u32>(23i))));
                         let _e1102 = select(340282350000000000000000000000000000000f, _e1100, (_e1100 < 340282350000000000000000000000000000000f));
-                        phi_2259_ = type_22(select(-340282350000000000000000000000000000000f, _e1102, (_e1102 > -340282350000000000000000000000000000000f)), _e1080.member.member_1, _e1080.member.member_2, _e1080.member.member_3);
+                        phi_1999_ = type_22(select(-340282350000000000000000000000000000000f, _e1102, (_e1102 > -340282350000000000000000000000000000000f)), _e1080.member.member_1, _e1080.member.member_2, _e1080.member.member_3);
                     } else {
-                        phi_2259_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_1999_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1109 = phi_2259_;
+                    let _e1109 = phi_1999_;
                     if _e85 {
                     } else {
                         break;

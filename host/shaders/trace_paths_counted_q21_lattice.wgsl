@@ -42,37 +42,37 @@ struct type_30 {
     member_1: vec4<f32>,
 }
 
-struct type_34 {
+struct type_35 {
     member: type_18,
     member_1: f32,
 }
 
-struct type_37 {
-    member: type_34,
+struct type_38 {
+    member: type_35,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_39 {
+struct type_40 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<array<u32, 7>>,
 }
 
-struct type_52 {
+struct type_53 {
     member: type_30,
     member_1: u32,
 }
 
-struct type_55 {
+struct type_54 {
     member: array<vec4<f32>, 3>,
-    member_1: type_52,
-    member_2: type_52,
+    member_1: type_53,
+    member_2: type_53,
 }
 
-struct type_62 {
+struct type_61 {
     member: array<atomic<u32>>,
 }
 
@@ -80,15 +80,15 @@ var<private> global: vec3<u32>;
 @group(0) @binding(4) 
 var<storage, read_write> global_1: type_20;
 @group(0) @binding(0) 
-var<uniform> global_2: type_39;
+var<uniform> global_2: type_40;
 @group(0) @binding(3) 
 var<storage> global_3: type_25;
 @group(0) @binding(5) 
 var<storage, read_write> global_4: type_4;
 @group(0) @binding(6) 
-var<storage, read_write> global_5: type_62;
+var<storage, read_write> global_5: type_61;
 @group(0) @binding(1) 
-var<storage> global_6: type_46;
+var<storage> global_6: type_47;
 @group(0) @binding(2) 
 var<storage> global_7: type_4;
 
@@ -96,10 +96,16 @@ fn function_() {
     var local: array<i32, 3>;
     var local_1: array<i32, 3>;
     var local_2: array<f32, 128>;
-    var local_3: array<type_52, 128>;
-    var local_4: array<u32, 3>;
-    var local_5: array<array<f32, 3>, 3>;
-    var local_6: array<f32, 4>;
+    var local_3: array<f32, 128>;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<f32, 128>;
+    var local_7: array<f32, 128>;
+    var local_8: array<u32, 128>;
+    var local_9: array<f32, 128>;
+    var local_10: array<u32, 3>;
+    var local_11: array<array<f32, 3>, 3>;
+    var local_12: array<f32, 4>;
     var phi_411_: i32;
     var phi_412_: i32;
     var phi_422_: bool;
@@ -128,1423 +134,1501 @@ fn function_() {
     var phi_680_: f32;
     var phi_780_: f32;
     var phi_781_: f32;
-    var phi_4691_: bool;
-    var phi_1910_: type_37;
-    var phi_1913_: type_52;
-    var phi_1915_: u32;
-    var phi_1917_: bool;
-    var phi_1919_: u32;
-    var phi_1930_: bool;
-    var phi_1967_: type_52;
-    var phi_1968_: bool;
-    var phi_1969_: u32;
-    var phi_3600_: u32;
-    var phi_3606_: u32;
-    var phi_3860_: u32;
-    var phi_3861_: u32;
-    var phi_3871_: u32;
-    var phi_3873_: u32;
-    var phi_3874_: bool;
-    var phi_3894_: u32;
-    var phi_3895_: u32;
-    var phi_3899_: type_55;
-    var phi_4243_: type_52;
-    var phi_4276_: type_52;
-    var phi_4277_: type_52;
-    var phi_4278_: u32;
-    var phi_4280_: type_52;
-    var phi_4281_: u32;
-    var phi_4282_: bool;
-    var phi_4291_: type_52;
-    var phi_4296_: type_52;
-    var phi_4297_: bool;
-    var phi_4688_: bool;
-    var phi_1988_: type_37;
-    var phi_1991_: type_8;
-    var phi_1992_: type_8;
-    var phi_2014_: type_8;
-    var phi_2058_: u32;
-    var phi_2064_: u32;
-    var phi_2074_: u32;
-    var phi_2090_: u32;
-    var phi_2127_: u32;
-    var phi_2133_: u32;
-    var phi_2143_: u32;
-    var phi_4673_: bool;
-    var phi_2159_: type_8;
-    var phi_2160_: type_8;
-    var phi_2183_: type_8;
-    var phi_2206_: u32;
-    var phi_2221_: u32;
-    var phi_2224_: type_8;
-    var phi_2225_: type_8;
-    var phi_2248_: type_8;
-    var phi_2314_: u32;
-    var phi_2294_: u32;
-    var phi_2295_: u32;
-    var phi_2318_: f32;
-    var phi_4666_: bool;
-    var phi_4745_: bool;
-    var phi_4744_: bool;
-    var phi_2818_: vec3<f32>;
-    var phi_2819_: vec3<f32>;
-    var phi_2850_: bool;
-    var phi_2859_: vec3<f32>;
-    var phi_2899_: type_18;
-    var phi_2901_: type_18;
-    var phi_2902_: bool;
-    var phi_2906_: type_18;
-    var phi_2907_: type_18;
-    var phi_2908_: type_18;
-    var phi_2909_: bool;
-    var phi_2913_: type_18;
-    var phi_2914_: bool;
-    var phi_2918_: type_18;
-    var phi_2919_: bool;
-    var phi_2923_: type_18;
-    var phi_2948_: bool;
-    var phi_2949_: bool;
-    var phi_2956_: type_37;
-    var phi_2957_: type_37;
-    var phi_2958_: type_37;
-    var phi_4747_: bool;
-    var phi_1989_: type_37;
-    var phi_4746_: bool;
-    var phi_4809_: bool;
-    var phi_4299_: type_37;
-    var phi_4300_: type_52;
-    var phi_4301_: bool;
-    var phi_4302_: u32;
-    var phi_4808_: bool;
-    var phi_4303_: type_37;
-    var phi_4304_: type_52;
-    var phi_4305_: u32;
-    var phi_4306_: bool;
-    var phi_4307_: u32;
-    var phi_4807_: bool;
-    var phi_4308_: type_37;
-    var phi_4309_: type_52;
-    var phi_4310_: u32;
-    var phi_4311_: bool;
-    var phi_4312_: u32;
-    var phi_4806_: bool;
-    var phi_1911_: type_37;
-    var phi_1914_: type_52;
-    var phi_1916_: u32;
-    var phi_1918_: bool;
-    var phi_1920_: u32;
-    var phi_4313_: bool;
-    var phi_4805_: bool;
-    var local_7: type_37;
-    var phi_4365_: type_18;
-    var local_8: type_37;
-    var local_9: type_37;
+    var phi_3767_: bool;
+    var phi_879_: type_38;
+    var phi_882_: type_53;
+    var phi_884_: u32;
+    var phi_886_: bool;
+    var phi_888_: u32;
+    var phi_899_: bool;
+    var phi_985_: type_53;
+    var phi_986_: bool;
+    var phi_987_: u32;
+    var phi_2618_: u32;
+    var phi_2624_: u32;
+    var phi_2878_: u32;
+    var phi_2879_: u32;
+    var phi_2889_: u32;
+    var phi_2891_: u32;
+    var phi_2892_: bool;
+    var phi_2912_: u32;
+    var phi_2913_: u32;
+    var phi_2917_: type_54;
+    var phi_3261_: type_53;
+    var phi_3338_: type_53;
+    var phi_3339_: type_53;
+    var phi_3340_: u32;
+    var phi_3342_: type_53;
+    var phi_3343_: u32;
+    var phi_3344_: bool;
+    var phi_3353_: type_53;
+    var phi_3358_: type_53;
+    var phi_3359_: bool;
+    var phi_3764_: bool;
+    var phi_1006_: type_38;
+    var phi_1009_: type_8;
+    var phi_1010_: type_8;
+    var phi_1032_: type_8;
+    var phi_1076_: u32;
+    var phi_1082_: u32;
+    var phi_1092_: u32;
+    var phi_1108_: u32;
+    var phi_1145_: u32;
+    var phi_1151_: u32;
+    var phi_1161_: u32;
+    var phi_3749_: bool;
+    var phi_1177_: type_8;
+    var phi_1178_: type_8;
+    var phi_1201_: type_8;
+    var phi_1224_: u32;
+    var phi_1239_: u32;
+    var phi_1242_: type_8;
+    var phi_1243_: type_8;
+    var phi_1266_: type_8;
+    var phi_1332_: u32;
+    var phi_1312_: u32;
+    var phi_1313_: u32;
+    var phi_1336_: f32;
+    var phi_3742_: bool;
+    var phi_3821_: bool;
+    var phi_3820_: bool;
+    var phi_1836_: vec3<f32>;
+    var phi_1837_: vec3<f32>;
+    var phi_1868_: bool;
+    var phi_1877_: vec3<f32>;
+    var phi_1917_: type_18;
+    var phi_1919_: type_18;
+    var phi_1920_: bool;
+    var phi_1924_: type_18;
+    var phi_1925_: type_18;
+    var phi_1926_: type_18;
+    var phi_1927_: bool;
+    var phi_1931_: type_18;
+    var phi_1932_: bool;
+    var phi_1936_: type_18;
+    var phi_1937_: bool;
+    var phi_1941_: type_18;
+    var phi_1966_: bool;
+    var phi_1967_: bool;
+    var phi_1974_: type_38;
+    var phi_1975_: type_38;
+    var phi_1976_: type_38;
+    var phi_3823_: bool;
+    var phi_1007_: type_38;
+    var phi_3822_: bool;
+    var phi_3885_: bool;
+    var phi_3361_: type_38;
+    var phi_3362_: type_53;
+    var phi_3363_: bool;
+    var phi_3364_: u32;
+    var phi_3884_: bool;
+    var phi_3365_: type_38;
+    var phi_3366_: type_53;
+    var phi_3367_: u32;
+    var phi_3368_: bool;
+    var phi_3369_: u32;
+    var phi_3883_: bool;
+    var phi_3370_: type_38;
+    var phi_3371_: type_53;
+    var phi_3372_: u32;
+    var phi_3373_: bool;
+    var phi_3374_: u32;
+    var phi_3882_: bool;
+    var phi_880_: type_38;
+    var phi_883_: type_53;
+    var phi_885_: u32;
+    var phi_887_: bool;
+    var phi_889_: u32;
+    var phi_3375_: bool;
+    var phi_3881_: bool;
+    var local_13: type_38;
+    var phi_3427_: type_18;
+    var local_14: type_38;
+    var local_15: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e88 = global;
-            let _e90 = arrayLength((&global_6.member));
-            let _e93 = arrayLength((&global_7.member));
-            let _e101 = arrayLength((&global_5.member));
-            let _e105 = global_2.member[0u][0u];
-            let _e109 = global_2.member[0u][1u];
-            let _e113 = global_2.member[0u][2u];
-            let _e117 = global_2.member[0u][3u];
-            let _e121 = global_2.member[1u][0u];
-            let _e125 = global_2.member[1u][1u];
-            let _e129 = global_2.member[1u][2u];
-            let _e133 = (_e88.x + (_e88.y * 2097152u));
-            let _e145 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e117) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e105), bitcast<i32>(_e109), bitcast<i32>(_e113));
-            local = array<i32, 3>(bitcast<i32>(_e121), bitcast<i32>(_e125), bitcast<i32>(_e129));
-            let _e148 = (_e133 < arrayLength((&global_3.member)));
-            if _e148 {
-                let _e149 = (_e133 < arrayLength((&global_1.member)));
-                if _e149 {
-                    let _e150 = (_e133 < arrayLength((&global_4.member)));
-                    if _e150 {
-                        if _e148 {
+            let _e92 = global;
+            let _e94 = arrayLength((&global_6.member));
+            let _e97 = arrayLength((&global_7.member));
+            let _e105 = arrayLength((&global_5.member));
+            let _e109 = global_2.member[0u][0u];
+            let _e113 = global_2.member[0u][1u];
+            let _e117 = global_2.member[0u][2u];
+            let _e121 = global_2.member[0u][3u];
+            let _e125 = global_2.member[1u][0u];
+            let _e129 = global_2.member[1u][1u];
+            let _e133 = global_2.member[1u][2u];
+            let _e137 = (_e92.x + (_e92.y * 2097152u));
+            let _e149 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e121) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e109), bitcast<i32>(_e113), bitcast<i32>(_e117));
+            local = array<i32, 3>(bitcast<i32>(_e125), bitcast<i32>(_e129), bitcast<i32>(_e133));
+            let _e152 = (_e137 < arrayLength((&global_3.member)));
+            if _e152 {
+                let _e153 = (_e137 < arrayLength((&global_1.member)));
+                if _e153 {
+                    let _e154 = (_e137 < arrayLength((&global_4.member)));
+                    if _e154 {
+                        if _e152 {
                         } else {
                             break;
                         }
-                        let _e160 = global_3.member[_e133].member.member_2[0u];
-                        let _e162 = (bitcast<u32>(_e160) & 2147483647u);
-                        let _e168 = global_3.member[_e133].member.member_2[1u];
-                        let _e170 = (bitcast<u32>(_e168) & 2147483647u);
-                        let _e176 = global_3.member[_e133].member.member_2[2u];
-                        let _e178 = (bitcast<u32>(_e176) & 2147483647u);
-                        let _e184 = global_3.member[_e133].member.member[0u];
-                        let _e186 = (bitcast<u32>(_e184) & 2147483647u);
-                        let _e192 = global_3.member[_e133].member.member[1u];
-                        let _e194 = (bitcast<u32>(_e192) & 2147483647u);
-                        let _e200 = global_3.member[_e133].member.member[2u];
-                        let _e202 = (bitcast<u32>(_e200) & 2147483647u);
-                        let _e204 = select(_e170, _e162, (_e170 < _e162));
-                        let _e206 = select(_e178, _e204, (_e178 < _e204));
-                        let _e208 = select(_e186, _e206, (_e186 < _e206));
-                        let _e210 = select(_e194, _e208, (_e194 < _e208));
-                        let _e212 = select(_e202, _e210, (_e202 < _e210));
-                        let _e217 = global_3.member[_e133].member.member_1;
-                        let _e219 = (bitcast<u32>(_e217) & 2147483647u);
-                        let _e227 = global_3.member[_e133].member.member_3;
-                        let _e233 = (((select(_e219, _e212, (_e219 < _e212)) < 2139095040u) && ((bitcast<u32>(_e227) & 2147483647u) <= 2139095040u)) && (_e206 > 0u));
-                        if _e233 {
-                            let _e236 = (bitcast<u32>(bitcast<f32>(_e206)) & 2147483647u);
-                            if (_e236 >= 8388608u) {
-                                phi_411_ = (bitcast<i32>((_e236 >> bitcast<u32>(23i))) - 127i);
+                        let _e164 = global_3.member[_e137].member.member_2[0u];
+                        let _e166 = (bitcast<u32>(_e164) & 2147483647u);
+                        let _e172 = global_3.member[_e137].member.member_2[1u];
+                        let _e174 = (bitcast<u32>(_e172) & 2147483647u);
+                        let _e180 = global_3.member[_e137].member.member_2[2u];
+                        let _e182 = (bitcast<u32>(_e180) & 2147483647u);
+                        let _e188 = global_3.member[_e137].member.member[0u];
+                        let _e190 = (bitcast<u32>(_e188) & 2147483647u);
+                        let _e196 = global_3.member[_e137].member.member[1u];
+                        let _e198 = (bitcast<u32>(_e196) & 2147483647u);
+                        let _e204 = global_3.member[_e137].member.member[2u];
+                        let _e206 = (bitcast<u32>(_e204) & 2147483647u);
+                        let _e208 = select(_e174, _e166, (_e174 < _e166));
+                        let _e210 = select(_e182, _e208, (_e182 < _e208));
+                        let _e212 = select(_e190, _e210, (_e190 < _e210));
+                        let _e214 = select(_e198, _e212, (_e198 < _e212));
+                        let _e216 = select(_e206, _e214, (_e206 < _e214));
+                        let _e221 = global_3.member[_e137].member.member_1;
+                        let _e223 = (bitcast<u32>(_e221) & 2147483647u);
+                        let _e231 = global_3.member[_e137].member.member_3;
+                        let _e237 = (((select(_e223, _e216, (_e223 < _e216)) < 2139095040u) && ((bitcast<u32>(_e231) & 2147483647u) <= 2139095040u)) && (_e210 > 0u));
+                        if _e237 {
+                            let _e240 = (bitcast<u32>(bitcast<f32>(_e210)) & 2147483647u);
+                            if (_e240 >= 8388608u) {
+                                phi_411_ = (bitcast<i32>((_e240 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_411_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e236)), 32u, (_e236 == 0u))));
+                                phi_411_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e240)), 32u, (_e240 == 0u))));
                             }
-                            let _e250 = phi_411_;
-                            phi_412_ = _e250;
+                            let _e254 = phi_411_;
+                            phi_412_ = _e254;
                         } else {
                             phi_412_ = 0i;
                         }
-                        let _e252 = phi_412_;
-                        let _e253 = (_e162 == _e206);
-                        if _e253 {
+                        let _e256 = phi_412_;
+                        let _e257 = (_e166 == _e210);
+                        if _e257 {
                             phi_422_ = true;
                         } else {
-                            phi_422_ = (_e170 == _e206);
+                            phi_422_ = (_e174 == _e210);
                         }
-                        let _e256 = phi_422_;
-                        let _e257 = select(1u, 0u, _e253);
-                        if _e256 {
-                            let _e258 = (_e257 + 1u);
-                            phi_432_ = _e258;
-                            phi_433_ = _e258;
-                            phi_435_ = select(true, false, (_e258 == 2u));
+                        let _e260 = phi_422_;
+                        let _e261 = select(1u, 0u, _e257);
+                        if _e260 {
+                            let _e262 = (_e261 + 1u);
+                            phi_432_ = _e262;
+                            phi_433_ = _e262;
+                            phi_435_ = select(true, false, (_e262 == 2u));
                         } else {
                             phi_432_ = u32();
                             phi_433_ = 0u;
                             phi_435_ = true;
                         }
-                        let _e262 = phi_432_;
-                        let _e264 = phi_433_;
-                        let _e266 = phi_435_;
-                        if _e266 {
-                            phi_440_ = (_e264 + 1u);
+                        let _e266 = phi_432_;
+                        let _e268 = phi_433_;
+                        let _e270 = phi_435_;
+                        if _e270 {
+                            phi_440_ = (_e268 + 1u);
                         } else {
                             phi_440_ = 0u;
                         }
-                        let _e270 = phi_440_;
-                        let _e271 = select(_e262, _e264, _e266);
-                        let _e272 = select(_e257, select(2u, _e257, _e256), _e266);
-                        let _e273 = -(_e252);
-                        if (_e273 < -126i) {
+                        let _e274 = phi_440_;
+                        let _e275 = select(_e266, _e268, _e270);
+                        let _e276 = select(_e261, select(2u, _e261, _e260), _e270);
+                        let _e277 = -(_e256);
+                        if (_e277 < -126i) {
                             phi_473_ = -126i;
                         } else {
-                            phi_473_ = select(_e273, 127i, (_e273 > 127i));
+                            phi_473_ = select(_e277, 127i, (_e277 > 127i));
                         }
-                        let _e278 = phi_473_;
-                        let _e283 = bitcast<f32>((bitcast<u32>((_e278 + 127i)) << bitcast<u32>(23i)));
-                        let _e289 = bitcast<f32>((bitcast<u32>(((_e273 - _e278) + 127i)) << bitcast<u32>(23i)));
-                        let _e294 = global_3.member[_e133].member.member;
-                        let _e295 = (_e271 == 0u);
-                        if _e295 {
-                            phi_491_ = _e294[0];
+                        let _e282 = phi_473_;
+                        let _e287 = bitcast<f32>((bitcast<u32>((_e282 + 127i)) << bitcast<u32>(23i)));
+                        let _e293 = bitcast<f32>((bitcast<u32>(((_e277 - _e282) + 127i)) << bitcast<u32>(23i)));
+                        let _e298 = global_3.member[_e137].member.member;
+                        let _e299 = (_e275 == 0u);
+                        if _e299 {
+                            phi_491_ = _e298[0];
                         } else {
-                            phi_491_ = _e294[1];
+                            phi_491_ = _e298[1];
                         }
-                        let _e299 = phi_491_;
-                        let _e300 = (_e271 == 2u);
-                        if _e300 {
-                            phi_497_ = _e294[2];
+                        let _e303 = phi_491_;
+                        let _e304 = (_e275 == 2u);
+                        if _e304 {
+                            phi_497_ = _e298[2];
                         } else {
-                            phi_497_ = _e299;
+                            phi_497_ = _e303;
                         }
-                        let _e303 = phi_497_;
-                        let _e304 = global_3.member[_e133].member.member_2;
-                        if _e295 {
-                            phi_508_ = _e304[0];
+                        let _e307 = phi_497_;
+                        let _e308 = global_3.member[_e137].member.member_2;
+                        if _e299 {
+                            phi_508_ = _e308[0];
                         } else {
-                            phi_508_ = _e304[1];
+                            phi_508_ = _e308[1];
                         }
-                        let _e308 = phi_508_;
-                        if _e300 {
-                            phi_514_ = _e304[2];
+                        let _e312 = phi_508_;
+                        if _e304 {
+                            phi_514_ = _e308[2];
                         } else {
-                            phi_514_ = _e308;
+                            phi_514_ = _e312;
                         }
-                        let _e311 = phi_514_;
-                        let _e313 = ((_e311 * _e283) * _e289);
-                        let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e317 {
-                            let _e321 = (bitcast<f32>((bitcast<u32>(_e303) & 2147483647u)) * 0.00000011920929f);
-                            phi_537_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
+                        let _e315 = phi_514_;
+                        let _e317 = ((_e315 * _e287) * _e293);
+                        let _e321 = (bitcast<f32>((bitcast<u32>(_e317) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e321 {
+                            let _e325 = (bitcast<f32>((bitcast<u32>(_e307) & 2147483647u)) * 0.00000011920929f);
+                            phi_537_ = select(0.00000000000011368684f, _e325, (_e325 > 0.00000000000011368684f));
                         } else {
                             phi_537_ = 0f;
                         }
-                        let _e325 = phi_537_;
-                        let _e326 = (_e303 + _e325);
-                        let _e327 = (_e303 - _e325);
-                        let _e328 = select(_e313, 0f, _e317);
-                        if _e317 {
+                        let _e329 = phi_537_;
+                        let _e330 = (_e307 + _e329);
+                        let _e331 = (_e307 - _e329);
+                        let _e332 = select(_e317, 0f, _e321);
+                        if _e321 {
                             phi_548_ = 38685626000000000000000000f;
                         } else {
-                            phi_548_ = (1f / _e313);
+                            phi_548_ = (1f / _e317);
                         }
-                        let _e331 = phi_548_;
-                        let _e332 = (_e270 == 0u);
-                        if _e332 {
-                            phi_557_ = _e294[0];
+                        let _e335 = phi_548_;
+                        let _e336 = (_e274 == 0u);
+                        if _e336 {
+                            phi_557_ = _e298[0];
                         } else {
-                            phi_557_ = _e294[1];
+                            phi_557_ = _e298[1];
                         }
-                        let _e336 = phi_557_;
-                        let _e337 = (_e270 == 2u);
-                        if _e337 {
-                            phi_563_ = _e294[2];
+                        let _e340 = phi_557_;
+                        let _e341 = (_e274 == 2u);
+                        if _e341 {
+                            phi_563_ = _e298[2];
                         } else {
-                            phi_563_ = _e336;
+                            phi_563_ = _e340;
                         }
-                        let _e340 = phi_563_;
-                        if _e332 {
-                            phi_574_ = _e304[0];
+                        let _e344 = phi_563_;
+                        if _e336 {
+                            phi_574_ = _e308[0];
                         } else {
-                            phi_574_ = _e304[1];
+                            phi_574_ = _e308[1];
                         }
-                        let _e344 = phi_574_;
-                        if _e337 {
-                            phi_580_ = _e304[2];
+                        let _e348 = phi_574_;
+                        if _e341 {
+                            phi_580_ = _e308[2];
                         } else {
-                            phi_580_ = _e344;
+                            phi_580_ = _e348;
                         }
-                        let _e347 = phi_580_;
-                        let _e349 = ((_e347 * _e283) * _e289);
-                        let _e353 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e353 {
-                            let _e357 = (bitcast<f32>((bitcast<u32>(_e340) & 2147483647u)) * 0.00000011920929f);
-                            phi_603_ = select(0.00000000000011368684f, _e357, (_e357 > 0.00000000000011368684f));
+                        let _e351 = phi_580_;
+                        let _e353 = ((_e351 * _e287) * _e293);
+                        let _e357 = (bitcast<f32>((bitcast<u32>(_e353) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e357 {
+                            let _e361 = (bitcast<f32>((bitcast<u32>(_e344) & 2147483647u)) * 0.00000011920929f);
+                            phi_603_ = select(0.00000000000011368684f, _e361, (_e361 > 0.00000000000011368684f));
                         } else {
                             phi_603_ = 0f;
                         }
-                        let _e361 = phi_603_;
-                        let _e362 = (_e340 + _e361);
-                        let _e363 = (_e340 - _e361);
-                        let _e364 = select(_e349, 0f, _e353);
-                        if _e353 {
+                        let _e365 = phi_603_;
+                        let _e366 = (_e344 + _e365);
+                        let _e367 = (_e344 - _e365);
+                        let _e368 = select(_e353, 0f, _e357);
+                        if _e357 {
                             phi_614_ = 38685626000000000000000000f;
                         } else {
-                            phi_614_ = (1f / _e349);
+                            phi_614_ = (1f / _e353);
                         }
-                        let _e367 = phi_614_;
-                        let _e368 = (_e272 == 0u);
-                        if _e368 {
-                            phi_623_ = _e294[0];
+                        let _e371 = phi_614_;
+                        let _e372 = (_e276 == 0u);
+                        if _e372 {
+                            phi_623_ = _e298[0];
                         } else {
-                            phi_623_ = _e294[1];
+                            phi_623_ = _e298[1];
                         }
-                        let _e372 = phi_623_;
-                        let _e373 = (_e272 == 2u);
-                        if _e373 {
-                            phi_629_ = _e294[2];
+                        let _e376 = phi_623_;
+                        let _e377 = (_e276 == 2u);
+                        if _e377 {
+                            phi_629_ = _e298[2];
                         } else {
-                            phi_629_ = _e372;
+                            phi_629_ = _e376;
                         }
-                        let _e376 = phi_629_;
-                        if _e368 {
-                            phi_640_ = _e304[0];
+                        let _e380 = phi_629_;
+                        if _e372 {
+                            phi_640_ = _e308[0];
                         } else {
-                            phi_640_ = _e304[1];
+                            phi_640_ = _e308[1];
                         }
-                        let _e380 = phi_640_;
-                        if _e373 {
-                            phi_646_ = _e304[2];
+                        let _e384 = phi_640_;
+                        if _e377 {
+                            phi_646_ = _e308[2];
                         } else {
-                            phi_646_ = _e380;
+                            phi_646_ = _e384;
                         }
-                        let _e383 = phi_646_;
-                        let _e385 = ((_e383 * _e283) * _e289);
-                        let _e389 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e389 {
-                            let _e393 = (bitcast<f32>((bitcast<u32>(_e376) & 2147483647u)) * 0.00000011920929f);
-                            phi_669_ = select(0.00000000000011368684f, _e393, (_e393 > 0.00000000000011368684f));
+                        let _e387 = phi_646_;
+                        let _e389 = ((_e387 * _e287) * _e293);
+                        let _e393 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e393 {
+                            let _e397 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) * 0.00000011920929f);
+                            phi_669_ = select(0.00000000000011368684f, _e397, (_e397 > 0.00000000000011368684f));
                         } else {
                             phi_669_ = 0f;
                         }
-                        let _e397 = phi_669_;
-                        let _e398 = (_e376 + _e397);
-                        let _e399 = (_e376 - _e397);
-                        let _e400 = select(_e385, 0f, _e389);
-                        if _e389 {
+                        let _e401 = phi_669_;
+                        let _e402 = (_e380 + _e401);
+                        let _e403 = (_e380 - _e401);
+                        let _e404 = select(_e389, 0f, _e393);
+                        if _e393 {
                             phi_680_ = 38685626000000000000000000f;
                         } else {
-                            phi_680_ = (1f / _e385);
+                            phi_680_ = (1f / _e389);
                         }
-                        let _e403 = phi_680_;
-                        let _e406 = bitcast<f32>((bitcast<u32>(_e303) & 2147483647u));
-                        let _e409 = bitcast<f32>((bitcast<u32>(_e340) & 2147483647u));
-                        let _e411 = select(_e409, _e406, (_e406 > _e409));
-                        let _e414 = bitcast<f32>((bitcast<u32>(_e376) & 2147483647u));
-                        if (_e233 && (select(_e414, _e411, (_e411 > _e414)) <= 1099511600000f)) {
-                            let _e419 = (_e252 / 3i);
-                            let _e426 = bitcast<f32>((bitcast<u32>((_e419 + 127i)) << bitcast<u32>(23i)));
-                            let _e433 = bitcast<f32>((bitcast<u32>(((_e252 - (2i * _e419)) + 127i)) << bitcast<u32>(23i)));
-                            let _e434 = (((_e217 * _e426) * _e426) * _e433);
-                            let _e436 = select(340282350000000000000000000000000000000f, _e434, (_e434 < 340282350000000000000000000000000000000f));
-                            let _e441 = (((_e227 * _e426) * _e426) * _e433);
-                            let _e443 = select(340282350000000000000000000000000000000f, _e441, (_e441 < 340282350000000000000000000000000000000f));
-                            phi_780_ = select(-340282350000000000000000000000000000000f, _e443, (_e443 > -340282350000000000000000000000000000000f));
-                            phi_781_ = select(-340282350000000000000000000000000000000f, _e436, (_e436 > -340282350000000000000000000000000000000f));
+                        let _e407 = phi_680_;
+                        let _e410 = bitcast<f32>((bitcast<u32>(_e307) & 2147483647u));
+                        let _e413 = bitcast<f32>((bitcast<u32>(_e344) & 2147483647u));
+                        let _e415 = select(_e413, _e410, (_e410 > _e413));
+                        let _e418 = bitcast<f32>((bitcast<u32>(_e380) & 2147483647u));
+                        if (_e237 && (select(_e418, _e415, (_e415 > _e418)) <= 1099511600000f)) {
+                            let _e423 = (_e256 / 3i);
+                            let _e430 = bitcast<f32>((bitcast<u32>((_e423 + 127i)) << bitcast<u32>(23i)));
+                            let _e437 = bitcast<f32>((bitcast<u32>(((_e256 - (2i * _e423)) + 127i)) << bitcast<u32>(23i)));
+                            let _e438 = (((_e221 * _e430) * _e430) * _e437);
+                            let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
+                            let _e445 = (((_e231 * _e430) * _e430) * _e437);
+                            let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
+                            phi_780_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
+                            phi_781_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
                         } else {
                             phi_780_ = 0f;
                             phi_781_ = 1f;
                         }
-                        let _e447 = phi_780_;
-                        let _e449 = phi_781_;
-                        if _e148 {
+                        let _e451 = phi_780_;
+                        let _e453 = phi_781_;
+                        if _e152 {
                         } else {
                             break;
                         }
-                        let _e455 = global_3.member[_e133].member_2;
-                        local_3 = array<type_52, 128>(type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u));
+                        let _e459 = global_3.member[_e137].member_2;
+                        local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                        local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e458 = (_e271 % 3u);
-                        let _e459 = (_e458 < 3u);
-                        if _e459 {
+                        local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        let _e462 = (_e275 % 3u);
+                        let _e463 = (_e462 < 3u);
+                        if _e463 {
                         } else {
                             break;
                         }
-                        let _e461 = local_1[_e458];
-                        let _e464 = (_e270 % 3u);
-                        let _e465 = (_e464 < 3u);
-                        if _e465 {
+                        let _e465 = local_1[_e462];
+                        let _e468 = (_e274 % 3u);
+                        let _e469 = (_e468 < 3u);
+                        if _e469 {
                         } else {
                             break;
                         }
-                        let _e467 = local_1[_e464];
-                        let _e470 = (_e272 % 3u);
-                        let _e471 = (_e470 < 3u);
-                        if _e471 {
+                        let _e471 = local_1[_e468];
+                        let _e474 = (_e276 % 3u);
+                        let _e475 = (_e474 < 3u);
+                        if _e475 {
                         } else {
                             break;
                         }
-                        let _e473 = local_1[_e470];
-                        if _e459 {
+                        let _e477 = local_1[_e474];
+                        if _e463 {
                         } else {
                             break;
                         }
-                        let _e478 = local[_e458];
-                        if _e465 {
+                        let _e482 = local[_e462];
+                        if _e469 {
                         } else {
                             break;
                         }
-                        let _e482 = local[_e464];
-                        if _e471 {
+                        let _e486 = local[_e468];
+                        if _e475 {
                         } else {
                             break;
                         }
-                        let _e486 = local[_e470];
-                        phi_4691_ = false;
-                        phi_1910_ = type_37(type_34(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e447), 0u, 0u);
-                        phi_1913_ = type_52(type_30(vec4<f32>((f32(_e461) * _e145), (f32(_e467) * _e145), (f32(_e473) * _e145), 0f), vec4<f32>((f32(_e478) * _e145), (f32(_e482) * _e145), (f32(_e486) * _e145), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
-                        phi_1915_ = ((3u * _e90) + 1u);
-                        phi_1917_ = (_e449 <= _e447);
-                        phi_1919_ = 0u;
+                        let _e490 = local[_e474];
+                        phi_3767_ = false;
+                        phi_879_ = type_38(type_35(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e451), 0u, 0u);
+                        phi_882_ = type_53(type_30(vec4<f32>((f32(_e465) * _e149), (f32(_e471) * _e149), (f32(_e477) * _e149), 0f), vec4<f32>((f32(_e482) * _e149), (f32(_e486) * _e149), (f32(_e490) * _e149), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
+                        phi_884_ = ((3u * _e94) + 1u);
+                        phi_886_ = (_e453 <= _e451);
+                        phi_888_ = 0u;
                         loop {
-                            let _e496 = phi_4691_;
-                            let _e498 = phi_1910_;
-                            let _e500 = phi_1913_;
-                            let _e502 = phi_1915_;
-                            let _e504 = phi_1917_;
-                            let _e506 = phi_1919_;
-                            local_7 = _e498;
-                            local_8 = _e498;
-                            if _e504 {
-                                phi_1930_ = true;
+                            let _e500 = phi_3767_;
+                            let _e502 = phi_879_;
+                            let _e504 = phi_882_;
+                            let _e506 = phi_884_;
+                            let _e508 = phi_886_;
+                            let _e510 = phi_888_;
+                            local_13 = _e502;
+                            local_14 = _e502;
+                            if _e508 {
+                                phi_899_ = true;
                             } else {
-                                phi_1930_ = (_e506 > 0u);
+                                phi_899_ = (_e510 > 0u);
                             }
-                            let _e509 = phi_1930_;
-                            if _e509 {
-                                let _e510 = (_e502 > 0u);
-                                if _e510 {
-                                    if _e504 {
-                                        phi_1967_ = _e500;
-                                        phi_1968_ = _e504;
-                                        phi_1969_ = _e506;
+                            let _e513 = phi_899_;
+                            if _e513 {
+                                let _e514 = (_e506 > 0u);
+                                if _e514 {
+                                    if _e508 {
+                                        phi_985_ = _e504;
+                                        phi_986_ = _e508;
+                                        phi_987_ = _e510;
                                     } else {
-                                        let _e511 = (_e506 - 1u);
-                                        let _e512 = (_e511 % 128u);
-                                        let _e513 = (_e512 < 128u);
-                                        if _e513 {
+                                        let _e515 = (_e510 - 1u);
+                                        let _e516 = (_e515 % 128u);
+                                        let _e517 = (_e516 < 128u);
+                                        if _e517 {
                                         } else {
-                                            phi_4805_ = true;
+                                            phi_3881_ = true;
                                             break;
                                         }
-                                        let _e515 = local_3[_e512];
-                                        if _e513 {
+                                        let _e519 = local_7[_e516];
+                                        if _e517 {
                                         } else {
-                                            phi_4805_ = true;
+                                            phi_3881_ = true;
                                             break;
                                         }
-                                        let _e523 = local_2[_e512];
-                                        phi_1967_ = type_52(type_30(_e515.member.member, _e515.member.member_1), _e515.member_1);
-                                        phi_1968_ = (_e523 <= _e498.member.member_1);
-                                        phi_1969_ = _e511;
+                                        let _e521 = local_6[_e516];
+                                        if _e517 {
+                                        } else {
+                                            phi_3881_ = true;
+                                            break;
+                                        }
+                                        let _e523 = local_5[_e516];
+                                        if _e517 {
+                                        } else {
+                                            phi_3881_ = true;
+                                            break;
+                                        }
+                                        let _e525 = local_4[_e516];
+                                        if _e517 {
+                                        } else {
+                                            phi_3881_ = true;
+                                            break;
+                                        }
+                                        let _e527 = local_3[_e516];
+                                        if _e517 {
+                                        } else {
+                                            phi_3881_ = true;
+                                            break;
+                                        }
+                                        let _e529 = local_2[_e516];
+                                        if _e517 {
+                                        } else {
+                                            phi_3881_ = true;
+                                            break;
+                                        }
+                                        let _e534 = local_8[_e516];
+                                        if _e517 {
+                                        } else {
+                                            phi_3881_ = true;
+                                            break;
+                                        }
+                                        let _e537 = local_9[_e516];
+                                        phi_985_ = type_53(type_30(vec4<f32>(_e519, _e521, _e523, 0f), vec4<f32>(_e525, _e527, _e529, 0f)), _e534);
+                                        phi_986_ = (_e537 <= _e502.member.member_1);
+                                        phi_987_ = _e515;
                                     }
-                                    let _e528 = phi_1967_;
-                                    let _e530 = phi_1968_;
-                                    let _e532 = phi_1969_;
-                                    if _e530 {
-                                        let _e537 = (_e528.member_1 & 268435455u);
-                                        if ((_e528.member_1 & 2147483648u) != 0u) {
-                                            phi_4688_ = _e496;
-                                            phi_1988_ = _e498;
-                                            phi_1991_ = type_8(0u, ((_e528.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e542 = phi_985_;
+                                    let _e544 = phi_986_;
+                                    let _e546 = phi_987_;
+                                    if _e544 {
+                                        let _e551 = (_e542.member_1 & 268435455u);
+                                        if ((_e542.member_1 & 2147483648u) != 0u) {
+                                            phi_3764_ = _e500;
+                                            phi_1006_ = _e502;
+                                            phi_1009_ = type_8(0u, ((_e542.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1006 = phi_4688_;
-                                                let _e1008 = phi_1988_;
-                                                let _e1010 = phi_1991_;
-                                                local_9 = _e1008;
-                                                if (_e1010.member < _e1010.member_1) {
-                                                    phi_1992_ = type_8((_e1010.member + 1u), _e1010.member_1);
-                                                    phi_2014_ = type_8(1u, _e1010.member);
+                                                let _e1039 = phi_3764_;
+                                                let _e1041 = phi_1006_;
+                                                let _e1043 = phi_1009_;
+                                                local_15 = _e1041;
+                                                if (_e1043.member < _e1043.member_1) {
+                                                    phi_1010_ = type_8((_e1043.member + 1u), _e1043.member_1);
+                                                    phi_1032_ = type_8(1u, _e1043.member);
                                                 } else {
-                                                    phi_1992_ = _e1010;
-                                                    phi_2014_ = type_8(0u, type_8().member_1);
+                                                    phi_1010_ = _e1043;
+                                                    phi_1032_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1023 = phi_1992_;
-                                                let _e1025 = phi_2014_;
-                                                let _e1029 = (bitcast<i32>(_e1025.member) != 0i);
-                                                if _e1029 {
-                                                    let _e1035 = type_37(_e1008.member, _e1008.member_1, (_e1008.member_2 + 1u));
-                                                    let _e1040 = (_e528.member.member_1.x - _e528.member.member.x);
-                                                    let _e1043 = (_e528.member.member_1.y - _e528.member.member.y);
-                                                    let _e1046 = (_e528.member.member_1.z - _e528.member.member.z);
-                                                    let _e1048 = select(_e1043, _e1040, (_e1040 > _e1043));
-                                                    let _e1050 = select(_e1046, _e1048, (_e1048 > _e1046));
-                                                    let _e1052 = (_e1050 < (1024f * _e145));
-                                                    if _e1052 {
-                                                        phi_2058_ = 0u;
+                                                let _e1056 = phi_1010_;
+                                                let _e1058 = phi_1032_;
+                                                let _e1062 = (bitcast<i32>(_e1058.member) != 0i);
+                                                if _e1062 {
+                                                    let _e1068 = type_38(_e1041.member, _e1041.member_1, (_e1041.member_2 + 1u));
+                                                    let _e1073 = (_e542.member.member_1.x - _e542.member.member.x);
+                                                    let _e1076 = (_e542.member.member_1.y - _e542.member.member.y);
+                                                    let _e1079 = (_e542.member.member_1.z - _e542.member.member.z);
+                                                    let _e1081 = select(_e1076, _e1073, (_e1073 > _e1076));
+                                                    let _e1083 = select(_e1079, _e1081, (_e1081 > _e1079));
+                                                    let _e1085 = (_e1083 < (1024f * _e149));
+                                                    if _e1085 {
+                                                        phi_1076_ = 0u;
                                                     } else {
-                                                        phi_2058_ = select(2u, 1u, (_e1050 < (2097152f * _e145)));
+                                                        phi_1076_ = select(2u, 1u, (_e1083 < (2097152f * _e149)));
                                                     }
-                                                    let _e1057 = phi_2058_;
-                                                    switch bitcast<i32>(_e1057) {
+                                                    let _e1090 = phi_1076_;
+                                                    switch bitcast<i32>(_e1090) {
                                                         case 0: {
-                                                            phi_2064_ = 1u;
+                                                            phi_1082_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_2064_ = 2u;
+                                                            phi_1082_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_2064_ = 3u;
+                                                            phi_1082_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2064_ = u32();
+                                                            phi_1082_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1060 = phi_2064_;
-                                                    switch bitcast<i32>(_e1057) {
+                                                    let _e1093 = phi_1082_;
+                                                    switch bitcast<i32>(_e1090) {
                                                         case 0: {
-                                                            phi_2074_ = 1u;
+                                                            phi_1092_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_2074_ = 2u;
+                                                            phi_1092_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_2074_ = 3u;
+                                                            phi_1092_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2074_ = u32();
+                                                            phi_1092_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1067 = phi_2074_;
-                                                    let _e1069 = ((_e537 + (_e1025.member_1 * ((3u * _e1060) + 1u))) + (3u * _e1067));
-                                                    let _e1070 = (_e1069 < _e93);
-                                                    if _e1070 {
-                                                        if _e1070 {
+                                                    let _e1100 = phi_1092_;
+                                                    let _e1102 = ((_e551 + (_e1058.member_1 * ((3u * _e1093) + 1u))) + (3u * _e1100));
+                                                    let _e1103 = (_e1102 < _e97);
+                                                    if _e1103 {
+                                                        if _e1103 {
                                                         } else {
-                                                            phi_4746_ = true;
+                                                            phi_3822_ = true;
                                                             break;
                                                         }
-                                                        let _e1072 = global_7.member[_e1069];
-                                                        phi_2090_ = _e1072;
+                                                        let _e1105 = global_7.member[_e1102];
+                                                        phi_1108_ = _e1105;
                                                     } else {
-                                                        phi_2090_ = 4294967295u;
+                                                        phi_1108_ = 4294967295u;
                                                     }
-                                                    let _e1074 = phi_2090_;
-                                                    local_4 = array<u32, 3>(_e271, _e270, _e272);
-                                                    if _e1052 {
-                                                        phi_2127_ = 0u;
+                                                    let _e1107 = phi_1108_;
+                                                    local_10 = array<u32, 3>(_e275, _e274, _e276);
+                                                    if _e1085 {
+                                                        phi_1145_ = 0u;
                                                     } else {
-                                                        phi_2127_ = select(2u, 1u, (_e1050 < (2097152f * _e145)));
+                                                        phi_1145_ = select(2u, 1u, (_e1083 < (2097152f * _e149)));
                                                     }
-                                                    let _e1080 = phi_2127_;
-                                                    switch bitcast<i32>(_e1080) {
+                                                    let _e1113 = phi_1145_;
+                                                    switch bitcast<i32>(_e1113) {
                                                         case 0: {
-                                                            phi_2133_ = 1u;
+                                                            phi_1151_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_2133_ = 2u;
+                                                            phi_1151_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_2133_ = 3u;
+                                                            phi_1151_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2133_ = u32();
+                                                            phi_1151_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1083 = phi_2133_;
-                                                    switch bitcast<i32>(_e1080) {
+                                                    let _e1116 = phi_1151_;
+                                                    switch bitcast<i32>(_e1113) {
                                                         case 0: {
-                                                            phi_2143_ = 1u;
+                                                            phi_1161_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_2143_ = 2u;
+                                                            phi_1161_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_2143_ = 3u;
+                                                            phi_1161_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2143_ = u32();
+                                                            phi_1161_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1090 = phi_2143_;
-                                                    local_6 = array<f32, 4>(_e528.member.member.x, _e528.member.member.y, _e528.member.member.z, _e528.member.member.w);
-                                                    local_5[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_5[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_5[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                    phi_4673_ = _e1006;
-                                                    phi_2159_ = type_8(0u, 3u);
+                                                    let _e1123 = phi_1161_;
+                                                    local_12 = array<f32, 4>(_e542.member.member.x, _e542.member.member.y, _e542.member.member.z, _e542.member.member.w);
+                                                    local_11[0u] = array<f32, 3>(0f, 0f, 0f);
+                                                    local_11[1u] = array<f32, 3>(0f, 0f, 0f);
+                                                    local_11[2u] = array<f32, 3>(0f, 0f, 0f);
+                                                    phi_3749_ = _e1039;
+                                                    phi_1177_ = type_8(0u, 3u);
                                                     loop {
-                                                        let _e1104 = phi_4673_;
-                                                        let _e1106 = phi_2159_;
-                                                        if (_e1106.member < _e1106.member_1) {
-                                                            phi_2160_ = type_8((_e1106.member + 1u), _e1106.member_1);
-                                                            phi_2183_ = type_8(1u, _e1106.member);
+                                                        let _e1137 = phi_3749_;
+                                                        let _e1139 = phi_1177_;
+                                                        if (_e1139.member < _e1139.member_1) {
+                                                            phi_1178_ = type_8((_e1139.member + 1u), _e1139.member_1);
+                                                            phi_1201_ = type_8(1u, _e1139.member);
                                                         } else {
-                                                            phi_2160_ = _e1106;
-                                                            phi_2183_ = type_8(0u, type_8().member_1);
+                                                            phi_1178_ = _e1139;
+                                                            phi_1201_ = type_8(0u, type_8().member_1);
                                                         }
-                                                        let _e1119 = phi_2160_;
-                                                        let _e1121 = phi_2183_;
-                                                        let _e1125 = (bitcast<i32>(_e1121.member) != 0i);
-                                                        if _e1125 {
-                                                            let _e1127 = ((_e537 + (_e1025.member_1 * ((3u * _e1083) + 1u))) + (_e1121.member_1 * _e1090));
-                                                            let _e1128 = (_e1127 < _e93);
-                                                            if _e1128 {
-                                                                if _e1128 {
+                                                        let _e1152 = phi_1178_;
+                                                        let _e1154 = phi_1201_;
+                                                        let _e1158 = (bitcast<i32>(_e1154.member) != 0i);
+                                                        if _e1158 {
+                                                            let _e1160 = ((_e551 + (_e1058.member_1 * ((3u * _e1116) + 1u))) + (_e1154.member_1 * _e1123));
+                                                            let _e1161 = (_e1160 < _e97);
+                                                            if _e1161 {
+                                                                if _e1161 {
                                                                 } else {
-                                                                    phi_4744_ = true;
+                                                                    phi_3820_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1130 = global_7.member[_e1127];
-                                                                phi_2206_ = _e1130;
+                                                                let _e1163 = global_7.member[_e1160];
+                                                                phi_1224_ = _e1163;
                                                             } else {
-                                                                phi_2206_ = 0u;
+                                                                phi_1224_ = 0u;
                                                             }
-                                                            let _e1132 = phi_2206_;
-                                                            let _e1133 = (_e1127 + 1u);
-                                                            let _e1134 = (_e1133 < _e93);
-                                                            if _e1134 {
-                                                                if _e1134 {
+                                                            let _e1165 = phi_1224_;
+                                                            let _e1166 = (_e1160 + 1u);
+                                                            let _e1167 = (_e1166 < _e97);
+                                                            if _e1167 {
+                                                                if _e1167 {
                                                                 } else {
-                                                                    phi_4744_ = true;
+                                                                    phi_3820_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1136 = global_7.member[_e1133];
-                                                                phi_2221_ = _e1136;
+                                                                let _e1169 = global_7.member[_e1166];
+                                                                phi_1239_ = _e1169;
                                                             } else {
-                                                                phi_2221_ = 0u;
+                                                                phi_1239_ = 0u;
                                                             }
-                                                            let _e1138 = phi_2221_;
-                                                            phi_2224_ = type_8(0u, 3u);
+                                                            let _e1171 = phi_1239_;
+                                                            phi_1242_ = type_8(0u, 3u);
                                                             loop {
-                                                                let _e1140 = phi_2224_;
-                                                                if (_e1140.member < _e1140.member_1) {
-                                                                    phi_2225_ = type_8((_e1140.member + 1u), _e1140.member_1);
-                                                                    phi_2248_ = type_8(1u, _e1140.member);
+                                                                let _e1173 = phi_1242_;
+                                                                if (_e1173.member < _e1173.member_1) {
+                                                                    phi_1243_ = type_8((_e1173.member + 1u), _e1173.member_1);
+                                                                    phi_1266_ = type_8(1u, _e1173.member);
                                                                 } else {
-                                                                    phi_2225_ = _e1140;
-                                                                    phi_2248_ = type_8(0u, type_8().member_1);
+                                                                    phi_1243_ = _e1173;
+                                                                    phi_1266_ = type_8(0u, type_8().member_1);
                                                                 }
-                                                                let _e1153 = phi_2225_;
-                                                                let _e1155 = phi_2248_;
-                                                                let _e1159 = (bitcast<i32>(_e1155.member) != 0i);
-                                                                if _e1159 {
-                                                                    let _e1160 = (_e1155.member_1 < 3u);
-                                                                    if _e1160 {
+                                                                let _e1186 = phi_1243_;
+                                                                let _e1188 = phi_1266_;
+                                                                let _e1192 = (bitcast<i32>(_e1188.member) != 0i);
+                                                                if _e1192 {
+                                                                    let _e1193 = (_e1188.member_1 < 3u);
+                                                                    if _e1193 {
                                                                     } else {
-                                                                        phi_4666_ = true;
+                                                                        phi_3742_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1162 = local_4[_e1155.member_1];
-                                                                    if (_e1155.member_1 < 4u) {
+                                                                    let _e1195 = local_10[_e1188.member_1];
+                                                                    if (_e1188.member_1 < 4u) {
                                                                     } else {
-                                                                        phi_4666_ = true;
+                                                                        phi_3742_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1165 = local_6[_e1155.member_1];
-                                                                    switch bitcast<i32>(_e1080) {
+                                                                    let _e1198 = local_12[_e1188.member_1];
+                                                                    switch bitcast<i32>(_e1113) {
                                                                         case 0: {
-                                                                            phi_2318_ = (_e1165 + (f32(((_e1132 >> bitcast<u32>(((10u * _e1162) & 31u))) & 1023u)) * _e145));
+                                                                            phi_1336_ = (_e1198 + (f32(((_e1165 >> bitcast<u32>(((10u * _e1195) & 31u))) & 1023u)) * _e149));
                                                                             break;
                                                                         }
                                                                         case 1: {
-                                                                            if (_e1162 == 0u) {
-                                                                                phi_2295_ = _e1132;
+                                                                            if (_e1195 == 0u) {
+                                                                                phi_1313_ = _e1165;
                                                                             } else {
-                                                                                if (_e1162 == 1u) {
-                                                                                    phi_2294_ = ((_e1132 >> bitcast<u32>(21i)) | (_e1138 << bitcast<u32>(11i)));
+                                                                                if (_e1195 == 1u) {
+                                                                                    phi_1312_ = ((_e1165 >> bitcast<u32>(21i)) | (_e1171 << bitcast<u32>(11i)));
                                                                                 } else {
-                                                                                    phi_2294_ = (_e1138 >> bitcast<u32>(10i));
+                                                                                    phi_1312_ = (_e1171 >> bitcast<u32>(10i));
                                                                                 }
-                                                                                let _e1186 = phi_2294_;
-                                                                                phi_2295_ = _e1186;
+                                                                                let _e1219 = phi_1312_;
+                                                                                phi_1313_ = _e1219;
                                                                             }
-                                                                            let _e1188 = phi_2295_;
-                                                                            phi_2318_ = (_e1165 + (f32((_e1188 & 2097151u)) * _e145));
+                                                                            let _e1221 = phi_1313_;
+                                                                            phi_1336_ = (_e1198 + (f32((_e1221 & 2097151u)) * _e149));
                                                                             break;
                                                                         }
                                                                         case 2: {
-                                                                            let _e1167 = (_e1127 + _e1162);
-                                                                            let _e1168 = (_e1167 < _e93);
-                                                                            if _e1168 {
-                                                                                if _e1168 {
+                                                                            let _e1200 = (_e1160 + _e1195);
+                                                                            let _e1201 = (_e1200 < _e97);
+                                                                            if _e1201 {
+                                                                                if _e1201 {
                                                                                 } else {
-                                                                                    phi_4666_ = true;
+                                                                                    phi_3742_ = true;
                                                                                     break;
                                                                                 }
-                                                                                let _e1170 = global_7.member[_e1167];
-                                                                                phi_2314_ = _e1170;
+                                                                                let _e1203 = global_7.member[_e1200];
+                                                                                phi_1332_ = _e1203;
                                                                             } else {
-                                                                                phi_2314_ = 0u;
+                                                                                phi_1332_ = 0u;
                                                                             }
-                                                                            let _e1172 = phi_2314_;
-                                                                            phi_2318_ = (f32(bitcast<i32>(_e1172)) * _e145);
+                                                                            let _e1205 = phi_1332_;
+                                                                            phi_1336_ = (f32(bitcast<i32>(_e1205)) * _e149);
                                                                             break;
                                                                         }
                                                                         default: {
-                                                                            phi_2318_ = f32();
+                                                                            phi_1336_ = f32();
                                                                             break;
                                                                         }
                                                                     }
-                                                                    let _e1202 = phi_2318_;
-                                                                    if (_e1121.member_1 < 3u) {
+                                                                    let _e1235 = phi_1336_;
+                                                                    if (_e1154.member_1 < 3u) {
                                                                     } else {
-                                                                        phi_4666_ = true;
+                                                                        phi_3742_ = true;
                                                                         break;
                                                                     }
-                                                                    if _e1160 {
+                                                                    if _e1193 {
                                                                     } else {
-                                                                        phi_4666_ = true;
+                                                                        phi_3742_ = true;
                                                                         break;
                                                                     }
-                                                                    local_5[_e1121.member_1][_e1155.member_1] = _e1202;
+                                                                    local_11[_e1154.member_1][_e1188.member_1] = _e1235;
                                                                 }
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2224_ = _e1153;
-                                                                    phi_4666_ = _e1104;
-                                                                    break if !(_e1159);
+                                                                    phi_1242_ = _e1186;
+                                                                    phi_3742_ = _e1137;
+                                                                    break if !(_e1192);
                                                                 }
                                                             }
-                                                            let _e1208 = phi_4666_;
-                                                            phi_4744_ = _e1208;
-                                                            if _e1208 {
+                                                            let _e1241 = phi_3742_;
+                                                            phi_3820_ = _e1241;
+                                                            if _e1241 {
                                                                 break;
                                                             }
-                                                            phi_4745_ = _e1208;
+                                                            phi_3821_ = _e1241;
                                                         } else {
-                                                            phi_4745_ = _e1104;
+                                                            phi_3821_ = _e1137;
                                                         }
-                                                        let _e1210 = phi_4745_;
+                                                        let _e1243 = phi_3821_;
                                                         continue;
                                                         continuing {
-                                                            phi_4673_ = _e1210;
-                                                            phi_2159_ = _e1119;
-                                                            phi_4744_ = _e1210;
-                                                            break if !(_e1125);
+                                                            phi_3749_ = _e1243;
+                                                            phi_1177_ = _e1152;
+                                                            phi_3820_ = _e1243;
+                                                            break if !(_e1158);
                                                         }
                                                     }
-                                                    let _e1213 = phi_4744_;
-                                                    phi_4746_ = _e1213;
-                                                    if _e1213 {
+                                                    let _e1246 = phi_3820_;
+                                                    phi_3822_ = _e1246;
+                                                    if _e1246 {
                                                         break;
                                                     }
-                                                    let _e1214 = local_5;
-                                                    let _e1231 = (_e1214[0][2] - _e376);
-                                                    let _e1234 = (((_e1214[0][0] - _e303) * _e400) - (_e1231 * _e328));
-                                                    let _e1237 = (((_e1214[0][1] - _e340) * _e400) - (_e1231 * _e364));
-                                                    let _e1240 = (_e1214[1][2] - _e376);
-                                                    let _e1243 = (((_e1214[1][0] - _e303) * _e400) - (_e1240 * _e328));
-                                                    let _e1246 = (((_e1214[1][1] - _e340) * _e400) - (_e1240 * _e364));
-                                                    let _e1249 = (_e1214[2][2] - _e376);
-                                                    let _e1252 = (((_e1214[2][0] - _e303) * _e400) - (_e1249 * _e328));
-                                                    let _e1255 = (((_e1214[2][1] - _e340) * _e400) - (_e1249 * _e364));
-                                                    let _e1256 = (_e1252 * _e1246);
-                                                    let _e1257 = (_e1255 * _e1243);
-                                                    let _e1258 = (_e1234 * _e1255);
-                                                    let _e1259 = (_e1237 * _e1252);
-                                                    let _e1260 = (_e1243 * _e1237);
-                                                    let _e1261 = (_e1246 * _e1234);
-                                                    let _e1266 = (((_e1256 >= _e1257) && (_e1258 >= _e1259)) && (_e1260 >= _e1261));
-                                                    if (_e1266 || (((_e1256 <= _e1257) && (_e1258 <= _e1259)) && (_e1260 <= _e1261))) {
-                                                        let _e1273 = select(-1f, 1f, _e1266);
-                                                        let _e1275 = ((_e1256 - _e1257) * _e1273);
-                                                        let _e1277 = select(0f, _e1275, (_e1275 > 0f));
-                                                        let _e1279 = ((_e1258 - _e1259) * _e1273);
-                                                        let _e1281 = select(0f, _e1279, (_e1279 > 0f));
-                                                        let _e1283 = ((_e1260 - _e1261) * _e1273);
-                                                        let _e1285 = select(0f, _e1283, (_e1283 > 0f));
-                                                        let _e1287 = ((_e1277 + _e1281) + _e1285);
-                                                        if (_e1287 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2913_ = type_18();
-                                                            phi_2914_ = true;
+                                                    let _e1247 = local_11;
+                                                    let _e1264 = (_e1247[0][2] - _e380);
+                                                    let _e1267 = (((_e1247[0][0] - _e307) * _e404) - (_e1264 * _e332));
+                                                    let _e1270 = (((_e1247[0][1] - _e344) * _e404) - (_e1264 * _e368));
+                                                    let _e1273 = (_e1247[1][2] - _e380);
+                                                    let _e1276 = (((_e1247[1][0] - _e307) * _e404) - (_e1273 * _e332));
+                                                    let _e1279 = (((_e1247[1][1] - _e344) * _e404) - (_e1273 * _e368));
+                                                    let _e1282 = (_e1247[2][2] - _e380);
+                                                    let _e1285 = (((_e1247[2][0] - _e307) * _e404) - (_e1282 * _e332));
+                                                    let _e1288 = (((_e1247[2][1] - _e344) * _e404) - (_e1282 * _e368));
+                                                    let _e1289 = (_e1285 * _e1279);
+                                                    let _e1290 = (_e1288 * _e1276);
+                                                    let _e1291 = (_e1267 * _e1288);
+                                                    let _e1292 = (_e1270 * _e1285);
+                                                    let _e1293 = (_e1276 * _e1270);
+                                                    let _e1294 = (_e1279 * _e1267);
+                                                    let _e1299 = (((_e1289 >= _e1290) && (_e1291 >= _e1292)) && (_e1293 >= _e1294));
+                                                    if (_e1299 || (((_e1289 <= _e1290) && (_e1291 <= _e1292)) && (_e1293 <= _e1294))) {
+                                                        let _e1306 = select(-1f, 1f, _e1299);
+                                                        let _e1308 = ((_e1289 - _e1290) * _e1306);
+                                                        let _e1310 = select(0f, _e1308, (_e1308 > 0f));
+                                                        let _e1312 = ((_e1291 - _e1292) * _e1306);
+                                                        let _e1314 = select(0f, _e1312, (_e1312 > 0f));
+                                                        let _e1316 = ((_e1293 - _e1294) * _e1306);
+                                                        let _e1318 = select(0f, _e1316, (_e1316 > 0f));
+                                                        let _e1320 = ((_e1310 + _e1314) + _e1318);
+                                                        if (_e1320 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1931_ = type_18();
+                                                            phi_1932_ = true;
                                                         } else {
-                                                            let _e1290 = select(_e1214[1][0], _e1214[0][0], (_e1214[0][0] < _e1214[1][0]));
-                                                            let _e1294 = select(_e1214[1][0], _e1214[0][0], (_e1214[0][0] > _e1214[1][0]));
-                                                            let _e1298 = select(_e1214[1][1], _e1214[0][1], (_e1214[0][1] < _e1214[1][1]));
-                                                            let _e1302 = select(_e1214[1][1], _e1214[0][1], (_e1214[0][1] > _e1214[1][1]));
-                                                            let _e1306 = select(_e1214[1][2], _e1214[0][2], (_e1214[0][2] < _e1214[1][2]));
-                                                            let _e1310 = select(_e1214[1][2], _e1214[0][2], (_e1214[0][2] > _e1214[1][2]));
-                                                            let _e1315 = ((select(_e1214[2][0], _e1290, (_e1290 < _e1214[2][0])) - _e326) * _e331);
-                                                            let _e1316 = ((select(_e1214[2][0], _e1294, (_e1294 > _e1214[2][0])) - _e327) * _e331);
-                                                            let _e1319 = ((select(_e1214[2][1], _e1298, (_e1298 < _e1214[2][1])) - _e362) * _e367);
-                                                            let _e1320 = ((select(_e1214[2][1], _e1302, (_e1302 > _e1214[2][1])) - _e363) * _e367);
-                                                            let _e1323 = ((select(_e1214[2][2], _e1306, (_e1306 < _e1214[2][2])) - _e398) * _e403);
-                                                            let _e1324 = ((select(_e1214[2][2], _e1310, (_e1310 > _e1214[2][2])) - _e399) * _e403);
-                                                            let _e1326 = select(_e1324, _e1323, (_e1323 < _e1324));
-                                                            let _e1328 = select(_e1324, _e1323, (_e1323 > _e1324));
-                                                            let _e1330 = select(_e1316, _e1315, (_e1315 < _e1316));
-                                                            let _e1332 = select(_e1320, _e1319, (_e1319 < _e1320));
-                                                            let _e1334 = select(_e1332, _e1330, (_e1330 > _e1332));
-                                                            let _e1336 = select(_e1326, _e1334, (_e1334 > _e1326));
-                                                            let _e1338 = select(_e1316, _e1315, (_e1315 > _e1316));
-                                                            let _e1340 = select(_e1320, _e1319, (_e1319 > _e1320));
-                                                            let _e1342 = select(_e1340, _e1338, (_e1338 < _e1340));
-                                                            let _e1344 = select(_e1328, _e1342, (_e1342 < _e1328));
-                                                            let _e1345 = -(_e1326);
-                                                            let _e1351 = select(_e449, _e1336, (_e1336 > _e449));
-                                                            if (_e1351 > (_e1344 + (select(_e1345, _e1328, (_e1328 > _e1345)) * 0.0000019073523f))) {
-                                                                phi_2908_ = type_18();
-                                                                phi_2909_ = true;
+                                                            let _e1323 = select(_e1247[1][0], _e1247[0][0], (_e1247[0][0] < _e1247[1][0]));
+                                                            let _e1327 = select(_e1247[1][0], _e1247[0][0], (_e1247[0][0] > _e1247[1][0]));
+                                                            let _e1331 = select(_e1247[1][1], _e1247[0][1], (_e1247[0][1] < _e1247[1][1]));
+                                                            let _e1335 = select(_e1247[1][1], _e1247[0][1], (_e1247[0][1] > _e1247[1][1]));
+                                                            let _e1339 = select(_e1247[1][2], _e1247[0][2], (_e1247[0][2] < _e1247[1][2]));
+                                                            let _e1343 = select(_e1247[1][2], _e1247[0][2], (_e1247[0][2] > _e1247[1][2]));
+                                                            let _e1348 = ((select(_e1247[2][0], _e1323, (_e1323 < _e1247[2][0])) - _e330) * _e335);
+                                                            let _e1349 = ((select(_e1247[2][0], _e1327, (_e1327 > _e1247[2][0])) - _e331) * _e335);
+                                                            let _e1352 = ((select(_e1247[2][1], _e1331, (_e1331 < _e1247[2][1])) - _e366) * _e371);
+                                                            let _e1353 = ((select(_e1247[2][1], _e1335, (_e1335 > _e1247[2][1])) - _e367) * _e371);
+                                                            let _e1356 = ((select(_e1247[2][2], _e1339, (_e1339 < _e1247[2][2])) - _e402) * _e407);
+                                                            let _e1357 = ((select(_e1247[2][2], _e1343, (_e1343 > _e1247[2][2])) - _e403) * _e407);
+                                                            let _e1359 = select(_e1357, _e1356, (_e1356 < _e1357));
+                                                            let _e1361 = select(_e1357, _e1356, (_e1356 > _e1357));
+                                                            let _e1363 = select(_e1349, _e1348, (_e1348 < _e1349));
+                                                            let _e1365 = select(_e1353, _e1352, (_e1352 < _e1353));
+                                                            let _e1367 = select(_e1365, _e1363, (_e1363 > _e1365));
+                                                            let _e1369 = select(_e1359, _e1367, (_e1367 > _e1359));
+                                                            let _e1371 = select(_e1349, _e1348, (_e1348 > _e1349));
+                                                            let _e1373 = select(_e1353, _e1352, (_e1352 > _e1353));
+                                                            let _e1375 = select(_e1373, _e1371, (_e1371 < _e1373));
+                                                            let _e1377 = select(_e1361, _e1375, (_e1375 < _e1361));
+                                                            let _e1378 = -(_e1359);
+                                                            let _e1384 = select(_e453, _e1369, (_e1369 > _e453));
+                                                            if (_e1384 > (_e1377 + (select(_e1378, _e1361, (_e1361 > _e1378)) * 0.0000019073523f))) {
+                                                                phi_1926_ = type_18();
+                                                                phi_1927_ = true;
                                                             } else {
-                                                                let _e1353 = (_e1351 > _e1008.member.member_1);
-                                                                if _e1353 {
-                                                                    phi_2907_ = type_18();
+                                                                let _e1386 = (_e1384 > _e1041.member.member_1);
+                                                                if _e1386 {
+                                                                    phi_1925_ = type_18();
                                                                 } else {
-                                                                    let _e1357 = (_e1214[1][0] - _e1214[0][0]);
-                                                                    let _e1358 = (_e1214[1][1] - _e1214[0][1]);
-                                                                    let _e1359 = (_e1214[1][2] - _e1214[0][2]);
-                                                                    let _e1360 = vec3<f32>(_e1357, _e1358, _e1359);
-                                                                    let _e1361 = (_e1214[2][0] - _e1214[1][0]);
-                                                                    let _e1362 = (_e1214[2][1] - _e1214[1][1]);
-                                                                    let _e1363 = (_e1214[2][2] - _e1214[1][2]);
-                                                                    let _e1364 = vec3<f32>(_e1361, _e1362, _e1363);
-                                                                    let _e1365 = (_e1214[0][0] - _e1214[2][0]);
-                                                                    let _e1366 = (_e1214[0][1] - _e1214[2][1]);
-                                                                    let _e1367 = (_e1214[0][2] - _e1214[2][2]);
-                                                                    let _e1368 = vec3<f32>(_e1365, _e1366, _e1367);
-                                                                    let _e1371 = bitcast<f32>((bitcast<u32>(_e1357) & 2147483647u));
-                                                                    let _e1374 = bitcast<f32>((bitcast<u32>(_e1358) & 2147483647u));
-                                                                    let _e1376 = select(_e1374, _e1371, (_e1371 > _e1374));
-                                                                    let _e1379 = bitcast<f32>((bitcast<u32>(_e1359) & 2147483647u));
-                                                                    let _e1381 = select(_e1379, _e1376, (_e1376 > _e1379));
-                                                                    let _e1384 = bitcast<f32>((bitcast<u32>(_e1361) & 2147483647u));
-                                                                    let _e1387 = bitcast<f32>((bitcast<u32>(_e1362) & 2147483647u));
-                                                                    let _e1389 = select(_e1387, _e1384, (_e1384 > _e1387));
-                                                                    let _e1392 = bitcast<f32>((bitcast<u32>(_e1363) & 2147483647u));
-                                                                    let _e1394 = select(_e1392, _e1389, (_e1389 > _e1392));
-                                                                    let _e1397 = bitcast<f32>((bitcast<u32>(_e1365) & 2147483647u));
-                                                                    let _e1400 = bitcast<f32>((bitcast<u32>(_e1366) & 2147483647u));
-                                                                    let _e1402 = select(_e1400, _e1397, (_e1397 > _e1400));
-                                                                    let _e1405 = bitcast<f32>((bitcast<u32>(_e1367) & 2147483647u));
-                                                                    let _e1407 = select(_e1405, _e1402, (_e1402 > _e1405));
-                                                                    let _e1409 = select(_e1394, _e1381, (_e1381 > _e1394));
-                                                                    let _e1411 = select(_e1407, _e1409, (_e1409 > _e1407));
-                                                                    if (_e1381 == _e1411) {
-                                                                        phi_2818_ = _e1364;
-                                                                        phi_2819_ = _e1368;
+                                                                    let _e1390 = (_e1247[1][0] - _e1247[0][0]);
+                                                                    let _e1391 = (_e1247[1][1] - _e1247[0][1]);
+                                                                    let _e1392 = (_e1247[1][2] - _e1247[0][2]);
+                                                                    let _e1393 = vec3<f32>(_e1390, _e1391, _e1392);
+                                                                    let _e1394 = (_e1247[2][0] - _e1247[1][0]);
+                                                                    let _e1395 = (_e1247[2][1] - _e1247[1][1]);
+                                                                    let _e1396 = (_e1247[2][2] - _e1247[1][2]);
+                                                                    let _e1397 = vec3<f32>(_e1394, _e1395, _e1396);
+                                                                    let _e1398 = (_e1247[0][0] - _e1247[2][0]);
+                                                                    let _e1399 = (_e1247[0][1] - _e1247[2][1]);
+                                                                    let _e1400 = (_e1247[0][2] - _e1247[2][2]);
+                                                                    let _e1401 = vec3<f32>(_e1398, _e1399, _e1400);
+                                                                    let _e1404 = bitcast<f32>((bitcast<u32>(_e1390) & 2147483647u));
+                                                                    let _e1407 = bitcast<f32>((bitcast<u32>(_e1391) & 2147483647u));
+                                                                    let _e1409 = select(_e1407, _e1404, (_e1404 > _e1407));
+                                                                    let _e1412 = bitcast<f32>((bitcast<u32>(_e1392) & 2147483647u));
+                                                                    let _e1414 = select(_e1412, _e1409, (_e1409 > _e1412));
+                                                                    let _e1417 = bitcast<f32>((bitcast<u32>(_e1394) & 2147483647u));
+                                                                    let _e1420 = bitcast<f32>((bitcast<u32>(_e1395) & 2147483647u));
+                                                                    let _e1422 = select(_e1420, _e1417, (_e1417 > _e1420));
+                                                                    let _e1425 = bitcast<f32>((bitcast<u32>(_e1396) & 2147483647u));
+                                                                    let _e1427 = select(_e1425, _e1422, (_e1422 > _e1425));
+                                                                    let _e1430 = bitcast<f32>((bitcast<u32>(_e1398) & 2147483647u));
+                                                                    let _e1433 = bitcast<f32>((bitcast<u32>(_e1399) & 2147483647u));
+                                                                    let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
+                                                                    let _e1438 = bitcast<f32>((bitcast<u32>(_e1400) & 2147483647u));
+                                                                    let _e1440 = select(_e1438, _e1435, (_e1435 > _e1438));
+                                                                    let _e1442 = select(_e1427, _e1414, (_e1414 > _e1427));
+                                                                    let _e1444 = select(_e1440, _e1442, (_e1442 > _e1440));
+                                                                    if (_e1414 == _e1444) {
+                                                                        phi_1836_ = _e1397;
+                                                                        phi_1837_ = _e1401;
                                                                     } else {
-                                                                        let _e1414 = vec3((_e1394 == _e1411));
-                                                                        phi_2818_ = select(_e1360, _e1368, _e1414);
-                                                                        phi_2819_ = select(_e1364, _e1360, _e1414);
+                                                                        let _e1447 = vec3((_e1427 == _e1444));
+                                                                        phi_1836_ = select(_e1393, _e1401, _e1447);
+                                                                        phi_1837_ = select(_e1397, _e1393, _e1447);
                                                                     }
-                                                                    let _e1418 = phi_2818_;
-                                                                    let _e1420 = phi_2819_;
-                                                                    let _e1427 = ((_e1418.y * _e1420.z) - (_e1420.y * _e1418.z));
-                                                                    let _e1432 = ((_e1418.z * _e1420.x) - (_e1420.z * _e1418.x));
-                                                                    let _e1435 = ((_e1418.x * _e1420.y) - (_e1420.x * _e1418.y));
-                                                                    if (_e1277 >= _e1281) {
-                                                                        phi_2850_ = select(true, false, (_e1277 >= _e1285));
+                                                                    let _e1451 = phi_1836_;
+                                                                    let _e1453 = phi_1837_;
+                                                                    let _e1460 = ((_e1451.y * _e1453.z) - (_e1453.y * _e1451.z));
+                                                                    let _e1465 = ((_e1451.z * _e1453.x) - (_e1453.z * _e1451.x));
+                                                                    let _e1468 = ((_e1451.x * _e1453.y) - (_e1453.x * _e1451.y));
+                                                                    if (_e1310 >= _e1314) {
+                                                                        phi_1868_ = select(true, false, (_e1310 >= _e1318));
                                                                     } else {
-                                                                        phi_2850_ = true;
+                                                                        phi_1868_ = true;
                                                                     }
-                                                                    let _e1440 = phi_2850_;
-                                                                    if _e1440 {
-                                                                        phi_2859_ = select(vec3<f32>(_e1214[2][0], _e1214[2][1], _e1214[2][2]), vec3<f32>(_e1214[1][0], _e1214[1][1], _e1214[1][2]), vec3((_e1281 >= _e1285)));
+                                                                    let _e1473 = phi_1868_;
+                                                                    if _e1473 {
+                                                                        phi_1877_ = select(vec3<f32>(_e1247[2][0], _e1247[2][1], _e1247[2][2]), vec3<f32>(_e1247[1][0], _e1247[1][1], _e1247[1][2]), vec3((_e1314 >= _e1318)));
                                                                     } else {
-                                                                        phi_2859_ = vec3<f32>(_e1214[0][0], _e1214[0][1], _e1214[0][2]);
+                                                                        phi_1877_ = vec3<f32>(_e1247[0][0], _e1247[0][1], _e1247[0][2]);
                                                                     }
-                                                                    let _e1445 = phi_2859_;
-                                                                    let _e1462 = ((((_e1427 * (_e1445.x - _e303)) + (_e1432 * (_e1445.y - _e340))) + (_e1435 * (_e1445.z - _e376))) / (((_e1427 * _e328) + (_e1432 * _e364)) + (_e1435 * _e400)));
-                                                                    let _e1464 = select(_e1344, _e1462, (_e1462 < _e1344));
-                                                                    let _e1466 = select(_e1336, _e1464, (_e1464 > _e1336));
-                                                                    if (_e1466 >= _e449) {
-                                                                        let _e1468 = (_e1466 <= _e1008.member.member_1);
-                                                                        if _e1468 {
-                                                                            let _e1469 = (1f / _e1287);
-                                                                            phi_2899_ = type_18(_e1466, (_e1281 * _e1469), (_e1285 * _e1469), _e1074);
+                                                                    let _e1478 = phi_1877_;
+                                                                    let _e1495 = ((((_e1460 * (_e1478.x - _e307)) + (_e1465 * (_e1478.y - _e344))) + (_e1468 * (_e1478.z - _e380))) / (((_e1460 * _e332) + (_e1465 * _e368)) + (_e1468 * _e404)));
+                                                                    let _e1497 = select(_e1377, _e1495, (_e1495 < _e1377));
+                                                                    let _e1499 = select(_e1369, _e1497, (_e1497 > _e1369));
+                                                                    if (_e1499 >= _e453) {
+                                                                        let _e1501 = (_e1499 <= _e1041.member.member_1);
+                                                                        if _e1501 {
+                                                                            let _e1502 = (1f / _e1320);
+                                                                            phi_1917_ = type_18(_e1499, (_e1314 * _e1502), (_e1318 * _e1502), _e1107);
                                                                         } else {
-                                                                            phi_2899_ = type_18();
+                                                                            phi_1917_ = type_18();
                                                                         }
-                                                                        let _e1474 = phi_2899_;
-                                                                        phi_2901_ = _e1474;
-                                                                        phi_2902_ = select(true, false, _e1468);
+                                                                        let _e1507 = phi_1917_;
+                                                                        phi_1919_ = _e1507;
+                                                                        phi_1920_ = select(true, false, _e1501);
                                                                     } else {
-                                                                        phi_2901_ = type_18();
-                                                                        phi_2902_ = true;
+                                                                        phi_1919_ = type_18();
+                                                                        phi_1920_ = true;
                                                                     }
-                                                                    let _e1477 = phi_2901_;
-                                                                    let _e1479 = phi_2902_;
-                                                                    if _e1479 {
-                                                                        phi_2906_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e1510 = phi_1919_;
+                                                                    let _e1512 = phi_1920_;
+                                                                    if _e1512 {
+                                                                        phi_1924_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_2906_ = _e1477;
+                                                                        phi_1924_ = _e1510;
                                                                     }
-                                                                    let _e1481 = phi_2906_;
-                                                                    phi_2907_ = _e1481;
+                                                                    let _e1514 = phi_1924_;
+                                                                    phi_1925_ = _e1514;
                                                                 }
-                                                                let _e1483 = phi_2907_;
-                                                                phi_2908_ = _e1483;
-                                                                phi_2909_ = _e1353;
+                                                                let _e1516 = phi_1925_;
+                                                                phi_1926_ = _e1516;
+                                                                phi_1927_ = _e1386;
                                                             }
-                                                            let _e1485 = phi_2908_;
-                                                            let _e1487 = phi_2909_;
-                                                            phi_2913_ = _e1485;
-                                                            phi_2914_ = _e1487;
+                                                            let _e1518 = phi_1926_;
+                                                            let _e1520 = phi_1927_;
+                                                            phi_1931_ = _e1518;
+                                                            phi_1932_ = _e1520;
                                                         }
-                                                        let _e1489 = phi_2913_;
-                                                        let _e1491 = phi_2914_;
-                                                        phi_2918_ = _e1489;
-                                                        phi_2919_ = _e1491;
+                                                        let _e1522 = phi_1931_;
+                                                        let _e1524 = phi_1932_;
+                                                        phi_1936_ = _e1522;
+                                                        phi_1937_ = _e1524;
                                                     } else {
-                                                        phi_2918_ = type_18();
-                                                        phi_2919_ = true;
+                                                        phi_1936_ = type_18();
+                                                        phi_1937_ = true;
                                                     }
-                                                    let _e1493 = phi_2918_;
-                                                    let _e1495 = phi_2919_;
-                                                    if _e1495 {
-                                                        phi_2923_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1526 = phi_1936_;
+                                                    let _e1528 = phi_1937_;
+                                                    if _e1528 {
+                                                        phi_1941_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2923_ = _e1493;
+                                                        phi_1941_ = _e1526;
                                                     }
-                                                    let _e1497 = phi_2923_;
-                                                    if (_e1497.member_3 != 4294967295u) {
-                                                        if (_e1074 != _e455) {
-                                                            if (_e1497.member < _e1008.member.member.member) {
-                                                                phi_2949_ = true;
+                                                    let _e1530 = phi_1941_;
+                                                    if (_e1530.member_3 != 4294967295u) {
+                                                        if (_e1107 != _e459) {
+                                                            if (_e1530.member < _e1041.member.member.member) {
+                                                                phi_1967_ = true;
                                                             } else {
-                                                                if (_e1497.member == _e1008.member.member.member) {
-                                                                    phi_2948_ = (_e1497.member_3 < _e1008.member.member.member_3);
+                                                                if (_e1530.member == _e1041.member.member.member) {
+                                                                    phi_1966_ = (_e1530.member_3 < _e1041.member.member.member_3);
                                                                 } else {
-                                                                    phi_2948_ = false;
+                                                                    phi_1966_ = false;
                                                                 }
-                                                                let _e1512 = phi_2948_;
-                                                                phi_2949_ = _e1512;
+                                                                let _e1545 = phi_1966_;
+                                                                phi_1967_ = _e1545;
                                                             }
-                                                            let _e1514 = phi_2949_;
-                                                            if _e1514 {
-                                                                phi_2956_ = type_37(type_34(_e1497, _e1497.member), _e1035.member_1, _e1035.member_2);
+                                                            let _e1547 = phi_1967_;
+                                                            if _e1547 {
+                                                                phi_1974_ = type_38(type_35(_e1530, _e1530.member), _e1068.member_1, _e1068.member_2);
                                                             } else {
-                                                                phi_2956_ = _e1035;
+                                                                phi_1974_ = _e1068;
                                                             }
-                                                            let _e1521 = phi_2956_;
-                                                            phi_2957_ = _e1521;
+                                                            let _e1554 = phi_1974_;
+                                                            phi_1975_ = _e1554;
                                                         } else {
-                                                            phi_2957_ = _e1035;
+                                                            phi_1975_ = _e1068;
                                                         }
-                                                        let _e1523 = phi_2957_;
-                                                        phi_2958_ = _e1523;
+                                                        let _e1556 = phi_1975_;
+                                                        phi_1976_ = _e1556;
                                                     } else {
-                                                        phi_2958_ = _e1035;
+                                                        phi_1976_ = _e1068;
                                                     }
-                                                    let _e1525 = phi_2958_;
-                                                    phi_4747_ = _e1213;
-                                                    phi_1989_ = _e1525;
+                                                    let _e1558 = phi_1976_;
+                                                    phi_3823_ = _e1246;
+                                                    phi_1007_ = _e1558;
                                                 } else {
-                                                    phi_4747_ = _e1006;
-                                                    phi_1989_ = type_37();
+                                                    phi_3823_ = _e1039;
+                                                    phi_1007_ = type_38();
                                                 }
-                                                let _e1527 = phi_4747_;
-                                                let _e1529 = phi_1989_;
+                                                let _e1560 = phi_3823_;
+                                                let _e1562 = phi_1007_;
                                                 continue;
                                                 continuing {
-                                                    phi_4688_ = _e1527;
-                                                    phi_1988_ = _e1529;
-                                                    phi_1991_ = _e1023;
-                                                    phi_4746_ = _e1527;
-                                                    break if !(_e1029);
+                                                    phi_3764_ = _e1560;
+                                                    phi_1006_ = _e1562;
+                                                    phi_1009_ = _e1056;
+                                                    phi_3822_ = _e1560;
+                                                    break if !(_e1062);
                                                 }
                                             }
-                                            let _e1532 = phi_4746_;
-                                            phi_4805_ = _e1532;
-                                            if _e1532 {
+                                            let _e1565 = phi_3822_;
+                                            phi_3881_ = _e1565;
+                                            if _e1565 {
                                                 break;
                                             }
-                                            phi_4809_ = _e1532;
-                                            let _e1774 = local_9;
-                                            phi_4299_ = _e1774;
-                                            phi_4300_ = _e528;
-                                            phi_4301_ = false;
-                                            phi_4302_ = _e532;
+                                            phi_3885_ = _e1565;
+                                            let _e1807 = local_15;
+                                            phi_3361_ = _e1807;
+                                            phi_3362_ = _e542;
+                                            phi_3363_ = false;
+                                            phi_3364_ = _e546;
                                         } else {
-                                            if (_e528.member_1 >= _e90) {
-                                                phi_3899_ = type_55(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e542.member_1 >= _e94) {
+                                                phi_2917_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e528.member_1 < _e90) {
+                                                if (_e542.member_1 < _e94) {
                                                 } else {
-                                                    phi_4805_ = true;
+                                                    phi_3881_ = true;
                                                     break;
                                                 }
-                                                let _e552 = ((1u + (_e271 * 2u)) % 7u);
-                                                if (_e552 < 7u) {
+                                                let _e566 = ((1u + (_e275 * 2u)) % 7u);
+                                                if (_e566 < 7u) {
                                                 } else {
-                                                    phi_4805_ = true;
+                                                    phi_3881_ = true;
                                                     break;
                                                 }
-                                                let _e557 = global_6.member[_e528.member_1][_e552];
-                                                let _e560 = ((1u + (_e270 * 2u)) % 7u);
-                                                if (_e560 < 7u) {
+                                                let _e571 = global_6.member[_e542.member_1][_e566];
+                                                let _e574 = ((1u + (_e274 * 2u)) % 7u);
+                                                if (_e574 < 7u) {
                                                 } else {
-                                                    phi_4805_ = true;
+                                                    phi_3881_ = true;
                                                     break;
                                                 }
-                                                let _e565 = global_6.member[_e528.member_1][_e560];
-                                                let _e568 = ((1u + (_e272 * 2u)) % 7u);
-                                                if (_e568 < 7u) {
+                                                let _e579 = global_6.member[_e542.member_1][_e574];
+                                                let _e582 = ((1u + (_e276 * 2u)) % 7u);
+                                                if (_e582 < 7u) {
                                                 } else {
-                                                    phi_4805_ = true;
+                                                    phi_3881_ = true;
                                                     break;
                                                 }
-                                                let _e573 = global_6.member[_e528.member_1][_e568];
-                                                let _e576 = (((_e271 + 1u) * 2u) % 7u);
-                                                if (_e576 < 7u) {
+                                                let _e587 = global_6.member[_e542.member_1][_e582];
+                                                let _e590 = (((_e275 + 1u) * 2u) % 7u);
+                                                if (_e590 < 7u) {
                                                 } else {
-                                                    phi_4805_ = true;
+                                                    phi_3881_ = true;
                                                     break;
                                                 }
-                                                let _e581 = global_6.member[_e528.member_1][_e576];
-                                                let _e584 = (((_e270 + 1u) * 2u) % 7u);
-                                                if (_e584 < 7u) {
+                                                let _e595 = global_6.member[_e542.member_1][_e590];
+                                                let _e598 = (((_e274 + 1u) * 2u) % 7u);
+                                                if (_e598 < 7u) {
                                                 } else {
-                                                    phi_4805_ = true;
+                                                    phi_3881_ = true;
                                                     break;
                                                 }
-                                                let _e589 = global_6.member[_e528.member_1][_e584];
-                                                let _e592 = (((_e272 + 1u) * 2u) % 7u);
-                                                if (_e592 < 7u) {
+                                                let _e603 = global_6.member[_e542.member_1][_e598];
+                                                let _e606 = (((_e276 + 1u) * 2u) % 7u);
+                                                if (_e606 < 7u) {
                                                 } else {
-                                                    phi_4805_ = true;
+                                                    phi_3881_ = true;
                                                     break;
                                                 }
-                                                let _e597 = global_6.member[_e528.member_1][_e592];
-                                                let _e620 = (bitcast<f32>((bitcast<u32>((_e528.member.member_1.x - _e528.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e621 = (bitcast<f32>((bitcast<u32>((_e528.member.member_1.y - _e528.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e622 = (bitcast<f32>((bitcast<u32>((_e528.member.member_1.z - _e528.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e624 = select(_e145, _e620, (_e620 > _e145));
-                                                let _e626 = select(_e145, _e621, (_e621 > _e145));
-                                                let _e628 = select(_e145, _e622, (_e622 > _e145));
-                                                let _e653 = bitcast<u32>((f32(bitcast<i32>((_e557 & 2097151u))) * _e624));
-                                                let _e658 = (bitcast<i32>((_e557 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e661 = bitcast<f32>((_e653 & bitcast<u32>(_e658)));
-                                                let _e662 = bitcast<u32>((f32(bitcast<i32>((_e565 & 2097151u))) * _e626));
-                                                let _e667 = (bitcast<i32>((_e565 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
-                                                let _e671 = bitcast<u32>((f32(bitcast<i32>((_e573 & 2097151u))) * _e628));
-                                                let _e676 = (bitcast<i32>((_e573 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e679 = bitcast<f32>((_e671 & bitcast<u32>(_e676)));
-                                                let _e683 = bitcast<f32>((_e653 & bitcast<u32>(~(_e658))));
-                                                let _e687 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
-                                                let _e691 = bitcast<f32>((_e671 & bitcast<u32>(~(_e676))));
-                                                let _e692 = bitcast<u32>((f32(bitcast<i32>((_e581 & 2097151u))) * _e624));
-                                                let _e697 = (bitcast<i32>((_e581 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e700 = bitcast<f32>((_e692 & bitcast<u32>(_e697)));
-                                                let _e701 = bitcast<u32>((f32(bitcast<i32>((_e589 & 2097151u))) * _e626));
-                                                let _e706 = (bitcast<i32>((_e589 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
-                                                let _e710 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e628));
-                                                let _e715 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e718 = bitcast<f32>((_e710 & bitcast<u32>(_e715)));
-                                                let _e722 = bitcast<f32>((_e692 & bitcast<u32>(~(_e697))));
-                                                let _e726 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
-                                                let _e730 = bitcast<f32>((_e710 & bitcast<u32>(~(_e715))));
-                                                let _e731 = (_e528.member.member.x + _e661);
-                                                let _e732 = (_e528.member.member.y + _e670);
-                                                let _e733 = (_e528.member.member.z + _e679);
-                                                let _e736 = (_e528.member.member_1.x - _e700);
-                                                let _e737 = (_e528.member.member_1.y - _e709);
-                                                let _e738 = (_e528.member.member_1.z - _e718);
-                                                let _e757 = (_e736 - _e731);
-                                                let _e758 = (_e737 - _e732);
-                                                let _e759 = (_e738 - _e733);
-                                                let _e761 = select(_e758, _e757, (_e757 > _e758));
-                                                let _e763 = select(_e759, _e761, (_e761 > _e759));
-                                                if (_e763 < (1024f * _e145)) {
-                                                    phi_3600_ = 0u;
+                                                let _e611 = global_6.member[_e542.member_1][_e606];
+                                                let _e634 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.x - _e542.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e635 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.y - _e542.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e636 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.z - _e542.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e638 = select(_e149, _e634, (_e634 > _e149));
+                                                let _e640 = select(_e149, _e635, (_e635 > _e149));
+                                                let _e642 = select(_e149, _e636, (_e636 > _e149));
+                                                let _e667 = bitcast<u32>((f32(bitcast<i32>((_e571 & 2097151u))) * _e638));
+                                                let _e672 = (bitcast<i32>((_e571 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e675 = bitcast<f32>((_e667 & bitcast<u32>(_e672)));
+                                                let _e676 = bitcast<u32>((f32(bitcast<i32>((_e579 & 2097151u))) * _e640));
+                                                let _e681 = (bitcast<i32>((_e579 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e684 = bitcast<f32>((_e676 & bitcast<u32>(_e681)));
+                                                let _e685 = bitcast<u32>((f32(bitcast<i32>((_e587 & 2097151u))) * _e642));
+                                                let _e690 = (bitcast<i32>((_e587 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e693 = bitcast<f32>((_e685 & bitcast<u32>(_e690)));
+                                                let _e697 = bitcast<f32>((_e667 & bitcast<u32>(~(_e672))));
+                                                let _e701 = bitcast<f32>((_e676 & bitcast<u32>(~(_e681))));
+                                                let _e705 = bitcast<f32>((_e685 & bitcast<u32>(~(_e690))));
+                                                let _e706 = bitcast<u32>((f32(bitcast<i32>((_e595 & 2097151u))) * _e638));
+                                                let _e711 = (bitcast<i32>((_e595 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e714 = bitcast<f32>((_e706 & bitcast<u32>(_e711)));
+                                                let _e715 = bitcast<u32>((f32(bitcast<i32>((_e603 & 2097151u))) * _e640));
+                                                let _e720 = (bitcast<i32>((_e603 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e723 = bitcast<f32>((_e715 & bitcast<u32>(_e720)));
+                                                let _e724 = bitcast<u32>((f32(bitcast<i32>((_e611 & 2097151u))) * _e642));
+                                                let _e729 = (bitcast<i32>((_e611 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e732 = bitcast<f32>((_e724 & bitcast<u32>(_e729)));
+                                                let _e736 = bitcast<f32>((_e706 & bitcast<u32>(~(_e711))));
+                                                let _e740 = bitcast<f32>((_e715 & bitcast<u32>(~(_e720))));
+                                                let _e744 = bitcast<f32>((_e724 & bitcast<u32>(~(_e729))));
+                                                let _e745 = (_e542.member.member.x + _e675);
+                                                let _e746 = (_e542.member.member.y + _e684);
+                                                let _e747 = (_e542.member.member.z + _e693);
+                                                let _e750 = (_e542.member.member_1.x - _e714);
+                                                let _e751 = (_e542.member.member_1.y - _e723);
+                                                let _e752 = (_e542.member.member_1.z - _e732);
+                                                let _e771 = (_e750 - _e745);
+                                                let _e772 = (_e751 - _e746);
+                                                let _e773 = (_e752 - _e747);
+                                                let _e775 = select(_e772, _e771, (_e771 > _e772));
+                                                let _e777 = select(_e773, _e775, (_e775 > _e773));
+                                                if (_e777 < (1024f * _e149)) {
+                                                    phi_2618_ = 0u;
                                                 } else {
-                                                    phi_3600_ = select(2u, 1u, (_e763 < (2097152f * _e145)));
+                                                    phi_2618_ = select(2u, 1u, (_e777 < (2097152f * _e149)));
                                                 }
-                                                let _e770 = phi_3600_;
-                                                switch bitcast<i32>(_e770) {
+                                                let _e784 = phi_2618_;
+                                                switch bitcast<i32>(_e784) {
                                                     case 0: {
-                                                        phi_3606_ = 1u;
+                                                        phi_2624_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3606_ = 2u;
+                                                        phi_2624_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3606_ = 3u;
+                                                        phi_2624_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3606_ = u32();
+                                                        phi_2624_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e773 = phi_3606_;
-                                                let _e779 = global_6.member[_e528.member_1][0u];
-                                                let _e783 = global_6.member[_e528.member_1][2u];
-                                                let _e787 = global_6.member[_e528.member_1][4u];
-                                                let _e791 = global_6.member[_e528.member_1][6u];
-                                                let _e803 = (((_e783 >> bitcast<u32>(22i)) | ((_e787 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e791 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e804 = (_e779 & 268435455u);
-                                                let _e805 = (_e803 & 268435455u);
-                                                let _e808 = ((_e779 >> bitcast<u32>(28u)) & 7u);
-                                                let _e816 = ((_e779 >> bitcast<u32>(31i)) | (((_e803 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e817 = (_e808 != 0u);
-                                                if (_e808 == 0u) {
-                                                    phi_3861_ = _e804;
+                                                let _e787 = phi_2624_;
+                                                let _e793 = global_6.member[_e542.member_1][0u];
+                                                let _e797 = global_6.member[_e542.member_1][2u];
+                                                let _e801 = global_6.member[_e542.member_1][4u];
+                                                let _e805 = global_6.member[_e542.member_1][6u];
+                                                let _e817 = (((_e797 >> bitcast<u32>(22i)) | ((_e801 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e805 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e818 = (_e793 & 268435455u);
+                                                let _e819 = (_e817 & 268435455u);
+                                                let _e822 = ((_e793 >> bitcast<u32>(28u)) & 7u);
+                                                let _e830 = ((_e793 >> bitcast<u32>(31i)) | (((_e817 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e831 = (_e822 != 0u);
+                                                if (_e822 == 0u) {
+                                                    phi_2879_ = _e818;
                                                 } else {
-                                                    if (_e808 == 7u) {
-                                                        phi_3860_ = 2147483648u;
+                                                    if (_e822 == 7u) {
+                                                        phi_2878_ = 2147483648u;
                                                     } else {
-                                                        phi_3860_ = ((2147483648u | (_e808 << bitcast<u32>(28u))) | (_e805 & 268435455u));
+                                                        phi_2878_ = ((2147483648u | (_e822 << bitcast<u32>(28u))) | (_e819 & 268435455u));
                                                     }
-                                                    let _e826 = phi_3860_;
-                                                    phi_3861_ = _e826;
+                                                    let _e840 = phi_2878_;
+                                                    phi_2879_ = _e840;
                                                 }
-                                                let _e828 = phi_3861_;
-                                                if _e817 {
-                                                    let _e829 = (_e808 != 7u);
-                                                    if _e829 {
-                                                        phi_3871_ = (_e805 + (_e808 * ((3u * _e773) + 1u)));
+                                                let _e842 = phi_2879_;
+                                                if _e831 {
+                                                    let _e843 = (_e822 != 7u);
+                                                    if _e843 {
+                                                        phi_2889_ = (_e819 + (_e822 * ((3u * _e787) + 1u)));
                                                     } else {
-                                                        phi_3871_ = u32();
+                                                        phi_2889_ = u32();
                                                     }
-                                                    let _e833 = phi_3871_;
-                                                    phi_3873_ = _e833;
-                                                    phi_3874_ = select(true, false, _e829);
+                                                    let _e847 = phi_2889_;
+                                                    phi_2891_ = _e847;
+                                                    phi_2892_ = select(true, false, _e843);
                                                 } else {
-                                                    phi_3873_ = u32();
-                                                    phi_3874_ = true;
+                                                    phi_2891_ = u32();
+                                                    phi_2892_ = true;
                                                 }
-                                                let _e836 = phi_3873_;
-                                                let _e838 = phi_3874_;
-                                                if (_e816 == 0u) {
-                                                    phi_3895_ = (_e804 + select(0u, 1u, !(_e817)));
+                                                let _e850 = phi_2891_;
+                                                let _e852 = phi_2892_;
+                                                if (_e830 == 0u) {
+                                                    phi_2913_ = (_e818 + select(0u, 1u, !(_e831)));
                                                 } else {
-                                                    if (_e816 == 7u) {
-                                                        phi_3894_ = 2147483648u;
+                                                    if (_e830 == 7u) {
+                                                        phi_2912_ = 2147483648u;
                                                     } else {
-                                                        phi_3894_ = ((2147483648u | (_e816 << bitcast<u32>(28u))) | (select(_e836, _e805, _e838) & 268435455u));
+                                                        phi_2912_ = ((2147483648u | (_e830 << bitcast<u32>(28u))) | (select(_e850, _e819, _e852) & 268435455u));
                                                     }
-                                                    let _e851 = phi_3894_;
-                                                    phi_3895_ = _e851;
+                                                    let _e865 = phi_2912_;
+                                                    phi_2913_ = _e865;
                                                 }
-                                                let _e853 = phi_3895_;
-                                                phi_3899_ = type_55(array<vec4<f32>, 3>(vec4<f32>(_e731, (_e528.member.member.x + _e683), _e736, (_e528.member.member_1.x - _e722)), vec4<f32>(_e732, (_e528.member.member.y + _e687), _e737, (_e528.member.member_1.y - _e726)), vec4<f32>(_e733, (_e528.member.member.z + _e691), _e738, (_e528.member.member_1.z - _e730))), type_52(type_30((_e528.member.member + vec4<f32>(_e661, _e670, _e679, 0f)), (_e528.member.member_1 - vec4<f32>(_e700, _e709, _e718, 0f))), _e828), type_52(type_30((_e528.member.member + vec4<f32>(_e683, _e687, _e691, 0f)), (_e528.member.member_1 - vec4<f32>(_e722, _e726, _e730, 0f))), _e853));
+                                                let _e867 = phi_2913_;
+                                                phi_2917_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e745, (_e542.member.member.x + _e697), _e750, (_e542.member.member_1.x - _e736)), vec4<f32>(_e746, (_e542.member.member.y + _e701), _e751, (_e542.member.member_1.y - _e740)), vec4<f32>(_e747, (_e542.member.member.z + _e705), _e752, (_e542.member.member_1.z - _e744))), type_53(type_30((_e542.member.member + vec4<f32>(_e675, _e684, _e693, 0f)), (_e542.member.member_1 - vec4<f32>(_e714, _e723, _e732, 0f))), _e842), type_53(type_30((_e542.member.member + vec4<f32>(_e697, _e701, _e705, 0f)), (_e542.member.member_1 - vec4<f32>(_e736, _e740, _e744, 0f))), _e867));
                                             }
-                                            let _e858 = phi_3899_;
-                                            let _e871 = ((_e858.member[0].x - _e326) * _e331);
-                                            let _e872 = ((_e858.member[0].y - _e326) * _e331);
-                                            let _e873 = ((_e858.member[0].z - _e327) * _e331);
-                                            let _e874 = ((_e858.member[0].w - _e327) * _e331);
-                                            let _e884 = ((_e858.member[1].x - _e362) * _e367);
-                                            let _e885 = ((_e858.member[1].y - _e362) * _e367);
-                                            let _e886 = ((_e858.member[1].z - _e363) * _e367);
-                                            let _e887 = ((_e858.member[1].w - _e363) * _e367);
-                                            let _e897 = ((_e858.member[2].x - _e398) * _e403);
-                                            let _e898 = ((_e858.member[2].y - _e398) * _e403);
-                                            let _e899 = ((_e858.member[2].z - _e399) * _e403);
-                                            let _e900 = ((_e858.member[2].w - _e399) * _e403);
-                                            let _e902 = select(_e899, _e897, (_e897 < _e899));
-                                            let _e904 = select(_e900, _e898, (_e898 < _e900));
-                                            let _e906 = select(_e899, _e897, (_e897 > _e899));
-                                            let _e908 = select(_e900, _e898, (_e898 > _e900));
-                                            let _e910 = select(_e873, _e871, (_e871 < _e873));
-                                            let _e912 = select(_e874, _e872, (_e872 < _e874));
-                                            let _e914 = select(_e886, _e884, (_e884 < _e886));
-                                            let _e916 = select(_e887, _e885, (_e885 < _e887));
-                                            let _e918 = select(_e914, _e910, (_e910 > _e914));
-                                            let _e920 = select(_e916, _e912, (_e912 > _e916));
-                                            let _e922 = select(_e902, _e918, (_e918 > _e902));
-                                            let _e924 = select(_e904, _e920, (_e920 > _e904));
-                                            let _e926 = select(_e873, _e871, (_e871 > _e873));
-                                            let _e928 = select(_e874, _e872, (_e872 > _e874));
-                                            let _e930 = select(_e886, _e884, (_e884 > _e886));
-                                            let _e932 = select(_e887, _e885, (_e885 > _e887));
-                                            let _e934 = select(_e930, _e926, (_e926 < _e930));
-                                            let _e936 = select(_e932, _e928, (_e928 < _e932));
-                                            let _e941 = -(_e902);
-                                            let _e942 = -(_e904);
-                                            let _e949 = (select(_e906, _e934, (_e934 < _e906)) + (select(_e941, _e906, (_e906 > _e941)) * 0.0000019073523f));
-                                            let _e950 = (select(_e908, _e936, (_e936 < _e908)) + (select(_e942, _e908, (_e908 > _e942)) * 0.0000019073523f));
-                                            let _e952 = select(_e449, _e922, (_e922 > _e449));
-                                            let _e954 = select(_e449, _e924, (_e924 > _e449));
-                                            let _e959 = (_e952 <= select(_e498.member.member_1, _e949, (_e949 < _e498.member.member_1)));
-                                            let _e960 = (_e954 <= select(_e498.member.member_1, _e950, (_e950 < _e498.member.member_1)));
-                                            let _e961 = (_e952 <= _e954);
-                                            if _e959 {
-                                                if _e960 {
-                                                    if _e961 {
-                                                        phi_4243_ = _e858.member_2;
+                                            let _e872 = phi_2917_;
+                                            let _e885 = ((_e872.member[0].x - _e330) * _e335);
+                                            let _e886 = ((_e872.member[0].y - _e330) * _e335);
+                                            let _e887 = ((_e872.member[0].z - _e331) * _e335);
+                                            let _e888 = ((_e872.member[0].w - _e331) * _e335);
+                                            let _e898 = ((_e872.member[1].x - _e366) * _e371);
+                                            let _e899 = ((_e872.member[1].y - _e366) * _e371);
+                                            let _e900 = ((_e872.member[1].z - _e367) * _e371);
+                                            let _e901 = ((_e872.member[1].w - _e367) * _e371);
+                                            let _e911 = ((_e872.member[2].x - _e402) * _e407);
+                                            let _e912 = ((_e872.member[2].y - _e402) * _e407);
+                                            let _e913 = ((_e872.member[2].z - _e403) * _e407);
+                                            let _e914 = ((_e872.member[2].w - _e403) * _e407);
+                                            let _e916 = select(_e913, _e911, (_e911 < _e913));
+                                            let _e918 = select(_e914, _e912, (_e912 < _e914));
+                                            let _e920 = select(_e913, _e911, (_e911 > _e913));
+                                            let _e922 = select(_e914, _e912, (_e912 > _e914));
+                                            let _e924 = select(_e887, _e885, (_e885 < _e887));
+                                            let _e926 = select(_e888, _e886, (_e886 < _e888));
+                                            let _e928 = select(_e900, _e898, (_e898 < _e900));
+                                            let _e930 = select(_e901, _e899, (_e899 < _e901));
+                                            let _e932 = select(_e928, _e924, (_e924 > _e928));
+                                            let _e934 = select(_e930, _e926, (_e926 > _e930));
+                                            let _e936 = select(_e916, _e932, (_e932 > _e916));
+                                            let _e938 = select(_e918, _e934, (_e934 > _e918));
+                                            let _e940 = select(_e887, _e885, (_e885 > _e887));
+                                            let _e942 = select(_e888, _e886, (_e886 > _e888));
+                                            let _e944 = select(_e900, _e898, (_e898 > _e900));
+                                            let _e946 = select(_e901, _e899, (_e899 > _e901));
+                                            let _e948 = select(_e944, _e940, (_e940 < _e944));
+                                            let _e950 = select(_e946, _e942, (_e942 < _e946));
+                                            let _e955 = -(_e916);
+                                            let _e956 = -(_e918);
+                                            let _e963 = (select(_e920, _e948, (_e948 < _e920)) + (select(_e955, _e920, (_e920 > _e955)) * 0.0000019073523f));
+                                            let _e964 = (select(_e922, _e950, (_e950 < _e922)) + (select(_e956, _e922, (_e922 > _e956)) * 0.0000019073523f));
+                                            let _e966 = select(_e453, _e936, (_e936 > _e453));
+                                            let _e968 = select(_e453, _e938, (_e938 > _e453));
+                                            let _e973 = (_e966 <= select(_e502.member.member_1, _e963, (_e963 < _e502.member.member_1)));
+                                            let _e974 = (_e968 <= select(_e502.member.member_1, _e964, (_e964 < _e502.member.member_1)));
+                                            let _e975 = (_e966 <= _e968);
+                                            if _e973 {
+                                                if _e974 {
+                                                    if _e975 {
+                                                        phi_3261_ = _e872.member_2;
                                                     } else {
-                                                        phi_4243_ = _e858.member_1;
+                                                        phi_3261_ = _e872.member_1;
                                                     }
-                                                    let _e965 = phi_4243_;
-                                                    let _e966 = (_e532 % 128u);
-                                                    let _e967 = (_e966 < 128u);
-                                                    if _e967 {
+                                                    let _e979 = phi_3261_;
+                                                    let _e1001 = (_e546 % 128u);
+                                                    let _e1002 = (_e1001 < 128u);
+                                                    if _e1002 {
                                                     } else {
-                                                        phi_4805_ = true;
+                                                        phi_3881_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e966] = type_52(type_30(_e965.member.member, _e965.member.member_1), _e965.member_1);
-                                                    if _e967 {
+                                                    local_8[_e1001] = _e979.member_1;
+                                                    if _e1002 {
                                                     } else {
-                                                        phi_4805_ = true;
+                                                        phi_3881_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e966] = select(_e954, _e952, (_e952 > _e954));
-                                                    if _e961 {
-                                                        phi_4276_ = _e858.member_1;
+                                                    local_7[_e1001] = _e979.member.member.x;
+                                                    if _e1002 {
                                                     } else {
-                                                        phi_4276_ = _e858.member_2;
+                                                        phi_3881_ = true;
+                                                        break;
                                                     }
-                                                    let _e982 = phi_4276_;
-                                                    phi_4277_ = _e982;
-                                                    phi_4278_ = (_e532 + 1u);
+                                                    local_6[_e1001] = _e979.member.member.y;
+                                                    if _e1002 {
+                                                    } else {
+                                                        phi_3881_ = true;
+                                                        break;
+                                                    }
+                                                    local_5[_e1001] = _e979.member.member.z;
+                                                    if _e1002 {
+                                                    } else {
+                                                        phi_3881_ = true;
+                                                        break;
+                                                    }
+                                                    local_4[_e1001] = _e979.member.member_1.x;
+                                                    if _e1002 {
+                                                    } else {
+                                                        phi_3881_ = true;
+                                                        break;
+                                                    }
+                                                    local_3[_e1001] = _e979.member.member_1.y;
+                                                    if _e1002 {
+                                                    } else {
+                                                        phi_3881_ = true;
+                                                        break;
+                                                    }
+                                                    local_2[_e1001] = _e979.member.member_1.z;
+                                                    if _e1002 {
+                                                    } else {
+                                                        phi_3881_ = true;
+                                                        break;
+                                                    }
+                                                    local_9[_e1001] = select(_e968, _e966, (_e966 > _e968));
+                                                    if _e975 {
+                                                        phi_3338_ = _e872.member_1;
+                                                    } else {
+                                                        phi_3338_ = _e872.member_2;
+                                                    }
+                                                    let _e1015 = phi_3338_;
+                                                    phi_3339_ = _e1015;
+                                                    phi_3340_ = (_e546 + 1u);
                                                 } else {
-                                                    phi_4277_ = type_52();
-                                                    phi_4278_ = u32();
+                                                    phi_3339_ = type_53();
+                                                    phi_3340_ = u32();
                                                 }
-                                                let _e984 = phi_4277_;
-                                                let _e986 = phi_4278_;
-                                                phi_4280_ = _e984;
-                                                phi_4281_ = _e986;
-                                                phi_4282_ = select(true, false, _e960);
+                                                let _e1017 = phi_3339_;
+                                                let _e1019 = phi_3340_;
+                                                phi_3342_ = _e1017;
+                                                phi_3343_ = _e1019;
+                                                phi_3344_ = select(true, false, _e974);
                                             } else {
-                                                phi_4280_ = type_52();
-                                                phi_4281_ = u32();
-                                                phi_4282_ = true;
+                                                phi_3342_ = type_53();
+                                                phi_3343_ = u32();
+                                                phi_3344_ = true;
                                             }
-                                            let _e989 = phi_4280_;
-                                            let _e991 = phi_4281_;
-                                            let _e993 = phi_4282_;
-                                            if _e993 {
-                                                if _e959 {
-                                                    phi_4291_ = _e858.member_1;
+                                            let _e1022 = phi_3342_;
+                                            let _e1024 = phi_3343_;
+                                            let _e1026 = phi_3344_;
+                                            if _e1026 {
+                                                if _e973 {
+                                                    phi_3353_ = _e872.member_1;
                                                 } else {
-                                                    phi_4291_ = _e858.member_2;
+                                                    phi_3353_ = _e872.member_2;
                                                 }
-                                                let _e997 = phi_4291_;
-                                                phi_4296_ = _e997;
-                                                phi_4297_ = select(_e960, true, _e959);
+                                                let _e1030 = phi_3353_;
+                                                phi_3358_ = _e1030;
+                                                phi_3359_ = select(_e974, true, _e973);
                                             } else {
-                                                phi_4296_ = _e989;
-                                                phi_4297_ = _e530;
+                                                phi_3358_ = _e1022;
+                                                phi_3359_ = _e544;
                                             }
-                                            let _e1000 = phi_4296_;
-                                            let _e1002 = phi_4297_;
-                                            phi_4809_ = _e496;
-                                            phi_4299_ = type_37(_e498.member, (_e498.member_1 + 1u), _e498.member_2);
-                                            phi_4300_ = _e1000;
-                                            phi_4301_ = _e1002;
-                                            phi_4302_ = select(_e991, _e532, _e993);
+                                            let _e1033 = phi_3358_;
+                                            let _e1035 = phi_3359_;
+                                            phi_3885_ = _e500;
+                                            phi_3361_ = type_38(_e502.member, (_e502.member_1 + 1u), _e502.member_2);
+                                            phi_3362_ = _e1033;
+                                            phi_3363_ = _e1035;
+                                            phi_3364_ = select(_e1024, _e546, _e1026);
                                         }
-                                        let _e1534 = phi_4809_;
-                                        let _e1536 = phi_4299_;
-                                        let _e1538 = phi_4300_;
-                                        let _e1540 = phi_4301_;
-                                        let _e1542 = phi_4302_;
-                                        phi_4808_ = _e1534;
-                                        phi_4303_ = _e1536;
-                                        phi_4304_ = _e1538;
-                                        phi_4305_ = (_e502 - 1u);
-                                        phi_4306_ = _e1540;
-                                        phi_4307_ = _e1542;
+                                        let _e1567 = phi_3885_;
+                                        let _e1569 = phi_3361_;
+                                        let _e1571 = phi_3362_;
+                                        let _e1573 = phi_3363_;
+                                        let _e1575 = phi_3364_;
+                                        phi_3884_ = _e1567;
+                                        phi_3365_ = _e1569;
+                                        phi_3366_ = _e1571;
+                                        phi_3367_ = (_e506 - 1u);
+                                        phi_3368_ = _e1573;
+                                        phi_3369_ = _e1575;
                                     } else {
-                                        phi_4808_ = _e496;
-                                        phi_4303_ = _e498;
-                                        phi_4304_ = _e528;
-                                        phi_4305_ = _e502;
-                                        phi_4306_ = _e530;
-                                        phi_4307_ = _e532;
+                                        phi_3884_ = _e500;
+                                        phi_3365_ = _e502;
+                                        phi_3366_ = _e542;
+                                        phi_3367_ = _e506;
+                                        phi_3368_ = _e544;
+                                        phi_3369_ = _e546;
                                     }
-                                    let _e1544 = phi_4808_;
-                                    let _e1546 = phi_4303_;
-                                    let _e1548 = phi_4304_;
-                                    let _e1550 = phi_4305_;
-                                    let _e1552 = phi_4306_;
-                                    let _e1554 = phi_4307_;
-                                    phi_4807_ = _e1544;
-                                    phi_4308_ = _e1546;
-                                    phi_4309_ = _e1548;
-                                    phi_4310_ = _e1550;
-                                    phi_4311_ = _e1552;
-                                    phi_4312_ = _e1554;
+                                    let _e1577 = phi_3884_;
+                                    let _e1579 = phi_3365_;
+                                    let _e1581 = phi_3366_;
+                                    let _e1583 = phi_3367_;
+                                    let _e1585 = phi_3368_;
+                                    let _e1587 = phi_3369_;
+                                    phi_3883_ = _e1577;
+                                    phi_3370_ = _e1579;
+                                    phi_3371_ = _e1581;
+                                    phi_3372_ = _e1583;
+                                    phi_3373_ = _e1585;
+                                    phi_3374_ = _e1587;
                                 } else {
-                                    phi_4807_ = _e496;
-                                    phi_4308_ = type_37();
-                                    phi_4309_ = type_52();
-                                    phi_4310_ = u32();
-                                    phi_4311_ = bool();
-                                    phi_4312_ = u32();
+                                    phi_3883_ = _e500;
+                                    phi_3370_ = type_38();
+                                    phi_3371_ = type_53();
+                                    phi_3372_ = u32();
+                                    phi_3373_ = bool();
+                                    phi_3374_ = u32();
                                 }
-                                let _e1556 = phi_4807_;
-                                let _e1558 = phi_4308_;
-                                let _e1560 = phi_4309_;
-                                let _e1562 = phi_4310_;
-                                let _e1564 = phi_4311_;
-                                let _e1566 = phi_4312_;
-                                phi_4806_ = _e1556;
-                                phi_1911_ = _e1558;
-                                phi_1914_ = _e1560;
-                                phi_1916_ = _e1562;
-                                phi_1918_ = _e1564;
-                                phi_1920_ = _e1566;
-                                phi_4313_ = _e510;
+                                let _e1589 = phi_3883_;
+                                let _e1591 = phi_3370_;
+                                let _e1593 = phi_3371_;
+                                let _e1595 = phi_3372_;
+                                let _e1597 = phi_3373_;
+                                let _e1599 = phi_3374_;
+                                phi_3882_ = _e1589;
+                                phi_880_ = _e1591;
+                                phi_883_ = _e1593;
+                                phi_885_ = _e1595;
+                                phi_887_ = _e1597;
+                                phi_889_ = _e1599;
+                                phi_3375_ = _e514;
                             } else {
-                                phi_4806_ = _e496;
-                                phi_1911_ = type_37();
-                                phi_1914_ = type_52();
-                                phi_1916_ = u32();
-                                phi_1918_ = bool();
-                                phi_1920_ = u32();
-                                phi_4313_ = false;
+                                phi_3882_ = _e500;
+                                phi_880_ = type_38();
+                                phi_883_ = type_53();
+                                phi_885_ = u32();
+                                phi_887_ = bool();
+                                phi_889_ = u32();
+                                phi_3375_ = false;
                             }
-                            let _e1568 = phi_4806_;
-                            let _e1570 = phi_1911_;
-                            let _e1572 = phi_1914_;
-                            let _e1574 = phi_1916_;
-                            let _e1576 = phi_1918_;
-                            let _e1578 = phi_1920_;
-                            let _e1580 = phi_4313_;
+                            let _e1601 = phi_3882_;
+                            let _e1603 = phi_880_;
+                            let _e1605 = phi_883_;
+                            let _e1607 = phi_885_;
+                            let _e1609 = phi_887_;
+                            let _e1611 = phi_889_;
+                            let _e1613 = phi_3375_;
                             continue;
                             continuing {
-                                phi_4691_ = _e1568;
-                                phi_1910_ = _e1570;
-                                phi_1913_ = _e1572;
-                                phi_1915_ = _e1574;
-                                phi_1917_ = _e1576;
-                                phi_1919_ = _e1578;
-                                phi_4805_ = _e1568;
-                                break if !(_e1580);
+                                phi_3767_ = _e1601;
+                                phi_879_ = _e1603;
+                                phi_882_ = _e1605;
+                                phi_884_ = _e1607;
+                                phi_886_ = _e1609;
+                                phi_888_ = _e1611;
+                                phi_3881_ = _e1601;
+                                break if !(_e1613);
                             }
                         }
-                        let _e1583 = phi_4805_;
-                        if _e1583 {
+                        let _e1616 = phi_3881_;
+                        if _e1616 {
                             break;
                         }
-                        let _e1585 = local_7;
-                        if (_e1585.member.member.member_3 != 4294967295u) {
-                            let _e1591 = (_e273 / 3i);
-                            let _e1598 = bitcast<f32>((bitcast<u32>((_e1591 + 127i)) << bitcast<u32>(23i)));
-                            let _e1606 = (((_e1585.member.member.member * _e1598) * _e1598) * bitcast<f32>((bitcast<u32>(((_e273 - (2i * _e1591)) + 127i)) << bitcast<u32>(23i))));
-                            let _e1608 = select(340282350000000000000000000000000000000f, _e1606, (_e1606 < 340282350000000000000000000000000000000f));
-                            phi_4365_ = type_18(select(-340282350000000000000000000000000000000f, _e1608, (_e1608 > -340282350000000000000000000000000000000f)), _e1585.member.member.member_1, _e1585.member.member.member_2, _e1585.member.member.member_3);
+                        let _e1618 = local_13;
+                        if (_e1618.member.member.member_3 != 4294967295u) {
+                            let _e1624 = (_e277 / 3i);
+                            let _e1631 = bitcast<f32>((bitcast<u32>((_e1624 + 127i)) << bitcast<u32>(23i)));
+                            let _e1639 = (((_e1618.member.member.member * _e1631) * _e1631) * bitcast<f32>((bitcast<u32>(((_e277 - (2i * _e1624)) + 127i)) << bitcast<u32>(23i))));
+                            let _e1641 = select(340282350000000000000000000000000000000f, _e1639, (_e1639 < 340282350000000000000000000000000000000f));
+                            phi_3427_ = type_18(select(-340282350000000000000000000000000000000f, _e1641, (_e1641 > -340282350000000000000000000000000000000f)), _e1618.member.member.member_1, _e1618.member.member.member_2, _e1618.member.member.member_3);
                         } else {
-                            phi_4365_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3427_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1615 = phi_4365_;
-                        if _e149 {
-                        } else {
-                            break;
-                        }
-                        global_1.member[_e133] = _e1615;
-                        let _e1619 = local_8;
-                        if _e150 {
+                        let _e1648 = phi_3427_;
+                        if _e153 {
                         } else {
                             break;
                         }
-                        global_4.member[_e133] = _e1619.member_1;
-                        if _e148 {
+                        global_1.member[_e137] = _e1648;
+                        let _e1652 = local_14;
+                        if _e154 {
                         } else {
                             break;
                         }
-                        let _e1624 = select(0u, 1u, (_e217 <= _e227));
-                        if (_e1624 > 0u) {
-                            let _e1626 = (1u < _e101);
-                            if _e1626 {
-                                if (0u < _e101) {
+                        global_4.member[_e137] = _e1652.member_1;
+                        if _e152 {
+                        } else {
+                            break;
+                        }
+                        let _e1657 = select(0u, 1u, (_e221 <= _e231));
+                        if (_e1657 > 0u) {
+                            let _e1659 = (1u < _e105);
+                            if _e1659 {
+                                if (0u < _e105) {
                                 } else {
                                     break;
                                 }
-                                let _e1630 = atomicAdd((&global_5.member[0u]), _e1624);
-                                if ((_e1630 + _e1624) < _e1630) {
-                                    if _e1626 {
+                                let _e1663 = atomicAdd((&global_5.member[0u]), _e1657);
+                                if ((_e1663 + _e1657) < _e1663) {
+                                    if _e1659 {
                                     } else {
                                         break;
                                     }
-                                    let _e1635 = atomicAdd((&global_5.member[1u]), 1u);
+                                    let _e1668 = atomicAdd((&global_5.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1638 = select(0u, 1u, (_e1615.member_3 != 4294967295u));
-                        if (_e1638 > 0u) {
-                            let _e1640 = (3u < _e101);
-                            if _e1640 {
-                                if (2u < _e101) {
+                        let _e1671 = select(0u, 1u, (_e1648.member_3 != 4294967295u));
+                        if (_e1671 > 0u) {
+                            let _e1673 = (3u < _e105);
+                            if _e1673 {
+                                if (2u < _e105) {
                                 } else {
                                     break;
                                 }
-                                let _e1644 = atomicAdd((&global_5.member[2u]), _e1638);
-                                if ((_e1644 + _e1638) < _e1644) {
-                                    if _e1640 {
+                                let _e1677 = atomicAdd((&global_5.member[2u]), _e1671);
+                                if ((_e1677 + _e1671) < _e1677) {
+                                    if _e1673 {
                                     } else {
                                         break;
                                     }
-                                    let _e1649 = atomicAdd((&global_5.member[3u]), 1u);
+                                    let _e1682 = atomicAdd((&global_5.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1619.member_1 > 0u) {
-                            let _e1651 = (5u < _e101);
-                            if _e1651 {
-                                if (4u < _e101) {
+                        if (_e1652.member_1 > 0u) {
+                            let _e1684 = (5u < _e105);
+                            if _e1684 {
+                                if (4u < _e105) {
                                 } else {
                                     break;
                                 }
-                                let _e1655 = atomicAdd((&global_5.member[4u]), _e1619.member_1);
-                                if ((_e1655 + _e1619.member_1) < _e1655) {
-                                    if _e1651 {
+                                let _e1688 = atomicAdd((&global_5.member[4u]), _e1652.member_1);
+                                if ((_e1688 + _e1652.member_1) < _e1688) {
+                                    if _e1684 {
                                     } else {
                                         break;
                                     }
-                                    let _e1660 = atomicAdd((&global_5.member[5u]), 1u);
+                                    let _e1693 = atomicAdd((&global_5.member[5u]), 1u);
                                 }
                             }
                         }

@@ -57,41 +57,41 @@ struct type_40 {
     member_3: array<u32, 3>,
 }
 
-struct type_42 {
+struct type_43 {
     member: type_27,
     member_1: f32,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_49 {
+struct type_50 {
     member: array<i32>,
 }
 
-struct type_53 {
+struct type_54 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_55 {
-    member: array<type_53>,
+struct type_56 {
+    member: array<type_54>,
 }
 
-struct type_58 {
+struct type_60 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_61 {
-    member: type_58,
+struct type_62 {
+    member: type_60,
     member_1: u32,
 }
 
-struct type_68 {
+struct type_67 {
     member: array<atomic<u32>>,
 }
 
@@ -99,1385 +99,1469 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_12;
 @group(0) @binding(1) 
-var<uniform> global_2: type_46;
+var<uniform> global_2: type_47;
 @group(0) @binding(2) 
-var<uniform> global_3: type_46;
+var<uniform> global_3: type_47;
 @group(0) @binding(4) 
 var<storage> global_4: type_20;
 @group(0) @binding(5) 
 var<storage> global_5: type_4;
 @group(0) @binding(6) 
-var<storage> global_6: type_49;
+var<storage> global_6: type_50;
 @group(0) @binding(7) 
 var<storage> global_7: type_34;
 @group(0) @binding(8) 
 var<storage, read_write> global_8: type_29;
 @group(0) @binding(9) 
-var<storage, read_write> global_9: type_68;
+var<storage, read_write> global_9: type_67;
 @group(0) @binding(3) 
-var<storage> global_10: type_55;
+var<storage> global_10: type_56;
 
 fn function_() {
-    var local: array<f32, 3>;
-    var local_1: array<f32, 3>;
+    var local: array<f32, 128>;
+    var local_1: array<f32, 128>;
     var local_2: array<f32, 128>;
-    var local_3: array<type_61, 128>;
-    var local_4: array<f32, 3>;
-    var local_5: array<f32, 3>;
-    var local_6: array<f32, 3>;
+    var local_3: array<f32, 128>;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<u32, 128>;
     var local_7: array<f32, 3>;
-    var local_8: array<u32, 3>;
-    var local_9: array<u32, 3>;
+    var local_8: array<f32, 3>;
+    var local_9: array<f32, 128>;
     var local_10: array<f32, 3>;
     var local_11: array<f32, 3>;
-    var phi_276_: u32;
-    var phi_320_: i32;
-    var phi_344_: type_40;
-    var phi_450_: i32;
-    var phi_451_: i32;
-    var phi_461_: bool;
-    var phi_471_: u32;
-    var phi_472_: u32;
-    var phi_474_: bool;
-    var phi_479_: u32;
-    var phi_512_: i32;
-    var phi_530_: f32;
-    var phi_536_: f32;
-    var phi_547_: f32;
-    var phi_553_: f32;
-    var phi_576_: f32;
-    var phi_587_: f32;
-    var phi_596_: f32;
-    var phi_602_: f32;
-    var phi_613_: f32;
-    var phi_619_: f32;
-    var phi_642_: f32;
-    var phi_653_: f32;
-    var phi_662_: f32;
-    var phi_668_: f32;
-    var phi_679_: f32;
-    var phi_685_: f32;
-    var phi_708_: f32;
-    var phi_719_: f32;
-    var phi_819_: f32;
-    var phi_820_: f32;
-    var phi_5156_: bool;
-    var phi_2948_: type_42;
-    var phi_2951_: type_61;
+    var local_12: array<f32, 3>;
+    var local_13: array<f32, 3>;
+    var local_14: array<u32, 3>;
+    var local_15: array<u32, 3>;
+    var local_16: array<f32, 3>;
+    var local_17: array<f32, 3>;
+    var phi_278_: u32;
+    var phi_322_: i32;
+    var phi_346_: type_40;
+    var phi_452_: i32;
+    var phi_453_: i32;
+    var phi_463_: bool;
+    var phi_473_: u32;
+    var phi_474_: u32;
+    var phi_476_: bool;
+    var phi_481_: u32;
+    var phi_514_: i32;
+    var phi_532_: f32;
+    var phi_538_: f32;
+    var phi_549_: f32;
+    var phi_555_: f32;
+    var phi_578_: f32;
+    var phi_589_: f32;
+    var phi_598_: f32;
+    var phi_604_: f32;
+    var phi_615_: f32;
+    var phi_621_: f32;
+    var phi_644_: f32;
+    var phi_655_: f32;
+    var phi_664_: f32;
+    var phi_670_: f32;
+    var phi_681_: f32;
+    var phi_687_: f32;
+    var phi_710_: f32;
+    var phi_721_: f32;
+    var phi_821_: f32;
+    var phi_822_: f32;
+    var phi_3196_: bool;
+    var phi_895_: type_43;
+    var phi_898_: type_62;
+    var phi_900_: u32;
+    var phi_902_: bool;
+    var phi_904_: u32;
+    var phi_915_: bool;
+    var phi_1001_: type_62;
+    var phi_1002_: bool;
+    var phi_1003_: u32;
+    var phi_2124_: type_54;
+    var phi_2133_: type_8;
+    var phi_2134_: type_8;
+    var phi_2157_: type_8;
+    var phi_3189_: bool;
+    var phi_2287_: type_8;
+    var phi_2288_: type_8;
+    var phi_2311_: type_8;
+    var phi_3253_: bool;
+    var phi_2874_: type_62;
+    var phi_2951_: type_62;
+    var phi_2952_: type_62;
     var phi_2953_: u32;
-    var phi_2955_: bool;
-    var phi_2957_: u32;
-    var phi_2968_: bool;
-    var phi_3013_: type_61;
-    var phi_3014_: bool;
-    var phi_3015_: u32;
-    var phi_4136_: type_53;
-    var phi_4145_: type_8;
-    var phi_4146_: type_8;
-    var phi_4169_: type_8;
-    var phi_5149_: bool;
-    var phi_4299_: type_8;
-    var phi_4300_: type_8;
-    var phi_4323_: type_8;
-    var phi_5213_: bool;
-    var phi_4886_: type_61;
-    var phi_4925_: type_61;
-    var phi_4926_: type_61;
-    var phi_4927_: u32;
-    var phi_4929_: type_61;
-    var phi_4930_: u32;
-    var phi_4931_: bool;
-    var phi_4938_: type_61;
-    var phi_4943_: type_61;
-    var phi_4944_: bool;
-    var phi_3033_: type_42;
-    var phi_3036_: type_8;
-    var phi_3037_: type_8;
-    var phi_3059_: type_8;
-    var phi_3080_: u32;
-    var phi_3169_: array<array<f32, 3>, 3>;
-    var phi_3640_: vec3<f32>;
-    var phi_3641_: vec3<f32>;
-    var phi_3672_: bool;
-    var phi_3681_: vec3<f32>;
-    var phi_3721_: type_27;
-    var phi_3723_: type_27;
-    var phi_3724_: bool;
-    var phi_3728_: type_27;
-    var phi_3729_: type_27;
-    var phi_3730_: type_27;
-    var phi_3731_: bool;
-    var phi_3735_: type_27;
-    var phi_3736_: bool;
-    var phi_3740_: type_27;
-    var phi_3741_: bool;
-    var phi_3745_: type_27;
-    var phi_3768_: u32;
-    var phi_3782_: i32;
-    var phi_3802_: vec3<f32>;
-    var phi_3803_: vec3<f32>;
-    var phi_3819_: vec3<f32>;
-    var phi_3820_: vec3<f32>;
-    var phi_3836_: vec3<f32>;
-    var phi_3837_: vec3<f32>;
-    var phi_3873_: vec3<f32>;
-    var phi_4055_: f32;
-    var phi_4073_: bool;
-    var phi_4074_: bool;
-    var phi_4093_: bool;
-    var phi_4094_: bool;
-    var phi_4100_: type_42;
-    var phi_4101_: type_42;
-    var phi_4102_: type_42;
-    var phi_3034_: type_42;
-    var phi_5221_: bool;
-    var phi_5308_: bool;
-    var phi_4946_: type_42;
-    var phi_4947_: type_61;
-    var phi_4948_: bool;
-    var phi_4949_: u32;
-    var phi_5307_: bool;
-    var phi_4950_: type_42;
-    var phi_4951_: type_61;
-    var phi_4952_: u32;
-    var phi_4953_: bool;
-    var phi_4954_: u32;
-    var phi_5306_: bool;
-    var phi_4955_: type_42;
-    var phi_4956_: type_61;
-    var phi_4957_: u32;
-    var phi_4958_: bool;
-    var phi_4959_: u32;
-    var phi_5305_: bool;
-    var phi_2949_: type_42;
-    var phi_2952_: type_61;
-    var phi_2954_: u32;
-    var phi_2956_: bool;
-    var phi_2958_: u32;
-    var phi_4960_: bool;
-    var phi_5304_: bool;
-    var local_12: type_42;
-    var phi_5012_: type_27;
-    var local_13: type_42;
+    var phi_2955_: type_62;
+    var phi_2956_: u32;
+    var phi_2957_: bool;
+    var phi_2964_: type_62;
+    var phi_2969_: type_62;
+    var phi_2970_: bool;
+    var phi_1021_: type_43;
+    var phi_1024_: type_8;
+    var phi_1025_: type_8;
+    var phi_1047_: type_8;
+    var phi_1068_: u32;
+    var phi_1157_: array<array<f32, 3>, 3>;
+    var phi_1628_: vec3<f32>;
+    var phi_1629_: vec3<f32>;
+    var phi_1660_: bool;
+    var phi_1669_: vec3<f32>;
+    var phi_1709_: type_27;
+    var phi_1711_: type_27;
+    var phi_1712_: bool;
+    var phi_1716_: type_27;
+    var phi_1717_: type_27;
+    var phi_1718_: type_27;
+    var phi_1719_: bool;
+    var phi_1723_: type_27;
+    var phi_1724_: bool;
+    var phi_1728_: type_27;
+    var phi_1729_: bool;
+    var phi_1733_: type_27;
+    var phi_1756_: u32;
+    var phi_1770_: i32;
+    var phi_1790_: vec3<f32>;
+    var phi_1791_: vec3<f32>;
+    var phi_1807_: vec3<f32>;
+    var phi_1808_: vec3<f32>;
+    var phi_1824_: vec3<f32>;
+    var phi_1825_: vec3<f32>;
+    var phi_1861_: vec3<f32>;
+    var phi_2043_: f32;
+    var phi_2061_: bool;
+    var phi_2062_: bool;
+    var phi_2081_: bool;
+    var phi_2082_: bool;
+    var phi_2088_: type_43;
+    var phi_2089_: type_43;
+    var phi_2090_: type_43;
+    var phi_1022_: type_43;
+    var phi_3261_: bool;
+    var phi_3348_: bool;
+    var phi_2972_: type_43;
+    var phi_2973_: type_62;
+    var phi_2974_: bool;
+    var phi_2975_: u32;
+    var phi_3347_: bool;
+    var phi_2976_: type_43;
+    var phi_2977_: type_62;
+    var phi_2978_: u32;
+    var phi_2979_: bool;
+    var phi_2980_: u32;
+    var phi_3346_: bool;
+    var phi_2981_: type_43;
+    var phi_2982_: type_62;
+    var phi_2983_: u32;
+    var phi_2984_: bool;
+    var phi_2985_: u32;
+    var phi_3345_: bool;
+    var phi_896_: type_43;
+    var phi_899_: type_62;
+    var phi_901_: u32;
+    var phi_903_: bool;
+    var phi_905_: u32;
+    var phi_2986_: bool;
+    var phi_3344_: bool;
+    var local_18: type_43;
+    var phi_3038_: type_27;
+    var local_19: type_43;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e91 = global;
-            let _e94 = arrayLength((&global_10.member));
-            let _e96 = arrayLength((&global_4.member));
-            let _e108 = arrayLength((&global_9.member));
-            let _e112 = global_3.member[0u][0u];
-            let _e116 = global_3.member[0u][1u];
-            let _e120 = global_3.member[0u][2u];
-            let _e124 = global_3.member[1u][0u];
-            let _e128 = global_3.member[1u][1u];
-            let _e132 = global_3.member[1u][2u];
-            let _e136 = global_3.member[1u][3u];
-            let _e140 = (_e91.x + (_e91.y * 2097152u));
-            let _e147 = (_e140 < arrayLength((&global_7.member)));
-            if _e147 {
-                if _e147 {
+            let _e95 = global;
+            let _e98 = arrayLength((&global_10.member));
+            let _e100 = arrayLength((&global_4.member));
+            let _e112 = arrayLength((&global_9.member));
+            let _e116 = global_3.member[0u][0u];
+            let _e120 = global_3.member[0u][1u];
+            let _e124 = global_3.member[0u][2u];
+            let _e128 = global_3.member[1u][0u];
+            let _e132 = global_3.member[1u][1u];
+            let _e136 = global_3.member[1u][2u];
+            let _e140 = global_3.member[1u][3u];
+            let _e144 = (_e95.x + (_e95.y * 2097152u));
+            let _e151 = (_e144 < arrayLength((&global_7.member)));
+            if _e151 {
+                if _e151 {
                 } else {
                     break;
                 }
-                let _e151 = global_7.member[_e140].member_2;
-                phi_276_ = _e151;
+                let _e155 = global_7.member[_e144].member_2;
+                phi_278_ = _e155;
             } else {
-                phi_276_ = 4294967295u;
+                phi_278_ = 4294967295u;
             }
-            let _e153 = phi_276_;
-            let _e156 = global_1.member[0u];
-            let _e160 = global_2.member[0u][0u];
-            let _e164 = global_2.member[0u][1u];
-            let _e168 = global_2.member[0u][2u];
-            let _e172 = global_2.member[0u][3u];
-            let _e176 = global_2.member[1u][0u];
-            let _e180 = global_2.member[1u][1u];
-            let _e184 = global_2.member[1u][2u];
-            let _e188 = global_2.member[1u][3u];
-            let _e189 = bitcast<f32>(_e160);
-            let _e190 = bitcast<f32>(_e164);
-            let _e191 = bitcast<f32>(_e168);
-            let _e193 = bitcast<f32>(_e176);
-            let _e194 = array<u32, 3>(_e180, _e184, _e188);
-            let _e196 = bitcast<i32>(_e156);
-            if (_e196 < -126i) {
-                phi_320_ = -126i;
+            let _e157 = phi_278_;
+            let _e160 = global_1.member[0u];
+            let _e164 = global_2.member[0u][0u];
+            let _e168 = global_2.member[0u][1u];
+            let _e172 = global_2.member[0u][2u];
+            let _e176 = global_2.member[0u][3u];
+            let _e180 = global_2.member[1u][0u];
+            let _e184 = global_2.member[1u][1u];
+            let _e188 = global_2.member[1u][2u];
+            let _e192 = global_2.member[1u][3u];
+            let _e193 = bitcast<f32>(_e164);
+            let _e194 = bitcast<f32>(_e168);
+            let _e195 = bitcast<f32>(_e172);
+            let _e197 = bitcast<f32>(_e180);
+            let _e198 = array<u32, 3>(_e184, _e188, _e192);
+            let _e200 = bitcast<i32>(_e160);
+            if (_e200 < -126i) {
+                phi_322_ = -126i;
             } else {
-                phi_320_ = select(_e196, 127i, (_e196 > 127i));
+                phi_322_ = select(_e200, 127i, (_e200 > 127i));
             }
-            let _e201 = phi_320_;
-            let _e206 = bitcast<f32>((bitcast<u32>((_e201 + 127i)) << bitcast<u32>(23i)));
-            let _e212 = bitcast<f32>((bitcast<u32>(((_e196 - _e201) + 127i)) << bitcast<u32>(23i)));
-            if (_e172 == 0u) {
-                phi_344_ = type_40(array<f32, 3>(_e189, _e190, _e191), _e172, _e193, _e194);
+            let _e205 = phi_322_;
+            let _e210 = bitcast<f32>((bitcast<u32>((_e205 + 127i)) << bitcast<u32>(23i)));
+            let _e216 = bitcast<f32>((bitcast<u32>(((_e200 - _e205) + 127i)) << bitcast<u32>(23i)));
+            if (_e176 == 0u) {
+                phi_346_ = type_40(array<f32, 3>(_e193, _e194, _e195), _e176, _e197, _e198);
             } else {
-                phi_344_ = type_40(array<f32, 3>(((_e189 * _e206) * _e212), ((_e190 * _e206) * _e212), ((_e191 * _e206) * _e212)), _e172, ((_e193 * _e206) * _e212), _e194);
+                phi_346_ = type_40(array<f32, 3>(((_e193 * _e210) * _e216), ((_e194 * _e210) * _e216), ((_e195 * _e210) * _e216)), _e176, ((_e197 * _e210) * _e216), _e198);
             }
-            let _e225 = phi_344_;
-            if _e147 {
-                let _e226 = (_e140 < arrayLength((&global_8.member)));
-                if _e226 {
-                    if _e147 {
+            let _e229 = phi_346_;
+            if _e151 {
+                let _e230 = (_e144 < arrayLength((&global_8.member)));
+                if _e230 {
+                    if _e151 {
                     } else {
                         break;
                     }
-                    let _e236 = global_7.member[_e140].member.member_2[0u];
-                    let _e238 = (bitcast<u32>(_e236) & 2147483647u);
-                    let _e244 = global_7.member[_e140].member.member_2[1u];
-                    let _e246 = (bitcast<u32>(_e244) & 2147483647u);
-                    let _e252 = global_7.member[_e140].member.member_2[2u];
-                    let _e254 = (bitcast<u32>(_e252) & 2147483647u);
-                    let _e260 = global_7.member[_e140].member.member[0u];
-                    let _e262 = (bitcast<u32>(_e260) & 2147483647u);
-                    let _e268 = global_7.member[_e140].member.member[1u];
-                    let _e270 = (bitcast<u32>(_e268) & 2147483647u);
-                    let _e276 = global_7.member[_e140].member.member[2u];
-                    let _e278 = (bitcast<u32>(_e276) & 2147483647u);
-                    let _e280 = select(_e246, _e238, (_e246 < _e238));
-                    let _e282 = select(_e254, _e280, (_e254 < _e280));
-                    let _e284 = select(_e262, _e282, (_e262 < _e282));
-                    let _e286 = select(_e270, _e284, (_e270 < _e284));
-                    let _e288 = select(_e278, _e286, (_e278 < _e286));
-                    let _e293 = global_7.member[_e140].member.member_1;
-                    let _e295 = (bitcast<u32>(_e293) & 2147483647u);
-                    let _e303 = global_7.member[_e140].member.member_3;
-                    let _e309 = (((select(_e295, _e288, (_e295 < _e288)) < 2139095040u) && ((bitcast<u32>(_e303) & 2147483647u) <= 2139095040u)) && (_e282 > 0u));
-                    if _e309 {
-                        let _e312 = (bitcast<u32>(bitcast<f32>(_e282)) & 2147483647u);
-                        if (_e312 >= 8388608u) {
-                            phi_450_ = (bitcast<i32>((_e312 >> bitcast<u32>(23i))) - 127i);
+                    let _e240 = global_7.member[_e144].member.member_2[0u];
+                    let _e242 = (bitcast<u32>(_e240) & 2147483647u);
+                    let _e248 = global_7.member[_e144].member.member_2[1u];
+                    let _e250 = (bitcast<u32>(_e248) & 2147483647u);
+                    let _e256 = global_7.member[_e144].member.member_2[2u];
+                    let _e258 = (bitcast<u32>(_e256) & 2147483647u);
+                    let _e264 = global_7.member[_e144].member.member[0u];
+                    let _e266 = (bitcast<u32>(_e264) & 2147483647u);
+                    let _e272 = global_7.member[_e144].member.member[1u];
+                    let _e274 = (bitcast<u32>(_e272) & 2147483647u);
+                    let _e280 = global_7.member[_e144].member.member[2u];
+                    let _e282 = (bitcast<u32>(_e280) & 2147483647u);
+                    let _e284 = select(_e250, _e242, (_e250 < _e242));
+                    let _e286 = select(_e258, _e284, (_e258 < _e284));
+                    let _e288 = select(_e266, _e286, (_e266 < _e286));
+                    let _e290 = select(_e274, _e288, (_e274 < _e288));
+                    let _e292 = select(_e282, _e290, (_e282 < _e290));
+                    let _e297 = global_7.member[_e144].member.member_1;
+                    let _e299 = (bitcast<u32>(_e297) & 2147483647u);
+                    let _e307 = global_7.member[_e144].member.member_3;
+                    let _e313 = (((select(_e299, _e292, (_e299 < _e292)) < 2139095040u) && ((bitcast<u32>(_e307) & 2147483647u) <= 2139095040u)) && (_e286 > 0u));
+                    if _e313 {
+                        let _e316 = (bitcast<u32>(bitcast<f32>(_e286)) & 2147483647u);
+                        if (_e316 >= 8388608u) {
+                            phi_452_ = (bitcast<i32>((_e316 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_450_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e312)), 32u, (_e312 == 0u))));
+                            phi_452_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e316)), 32u, (_e316 == 0u))));
                         }
-                        let _e326 = phi_450_;
-                        phi_451_ = _e326;
+                        let _e330 = phi_452_;
+                        phi_453_ = _e330;
                     } else {
-                        phi_451_ = 0i;
+                        phi_453_ = 0i;
                     }
-                    let _e328 = phi_451_;
-                    let _e329 = (_e238 == _e282);
-                    if _e329 {
-                        phi_461_ = true;
+                    let _e332 = phi_453_;
+                    let _e333 = (_e242 == _e286);
+                    if _e333 {
+                        phi_463_ = true;
                     } else {
-                        phi_461_ = (_e246 == _e282);
+                        phi_463_ = (_e250 == _e286);
                     }
-                    let _e332 = phi_461_;
-                    let _e333 = select(1u, 0u, _e329);
-                    if _e332 {
-                        let _e334 = (_e333 + 1u);
-                        phi_471_ = _e334;
-                        phi_472_ = _e334;
-                        phi_474_ = select(true, false, (_e334 == 2u));
+                    let _e336 = phi_463_;
+                    let _e337 = select(1u, 0u, _e333);
+                    if _e336 {
+                        let _e338 = (_e337 + 1u);
+                        phi_473_ = _e338;
+                        phi_474_ = _e338;
+                        phi_476_ = select(true, false, (_e338 == 2u));
                     } else {
-                        phi_471_ = u32();
-                        phi_472_ = 0u;
-                        phi_474_ = true;
+                        phi_473_ = u32();
+                        phi_474_ = 0u;
+                        phi_476_ = true;
                     }
-                    let _e338 = phi_471_;
-                    let _e340 = phi_472_;
-                    let _e342 = phi_474_;
-                    if _e342 {
-                        phi_479_ = (_e340 + 1u);
+                    let _e342 = phi_473_;
+                    let _e344 = phi_474_;
+                    let _e346 = phi_476_;
+                    if _e346 {
+                        phi_481_ = (_e344 + 1u);
                     } else {
-                        phi_479_ = 0u;
+                        phi_481_ = 0u;
                     }
-                    let _e346 = phi_479_;
-                    let _e347 = select(_e338, _e340, _e342);
-                    let _e348 = select(_e333, select(2u, _e333, _e332), _e342);
-                    let _e349 = -(_e328);
-                    if (_e349 < -126i) {
-                        phi_512_ = -126i;
+                    let _e350 = phi_481_;
+                    let _e351 = select(_e342, _e344, _e346);
+                    let _e352 = select(_e337, select(2u, _e337, _e336), _e346);
+                    let _e353 = -(_e332);
+                    if (_e353 < -126i) {
+                        phi_514_ = -126i;
                     } else {
-                        phi_512_ = select(_e349, 127i, (_e349 > 127i));
+                        phi_514_ = select(_e353, 127i, (_e353 > 127i));
                     }
-                    let _e354 = phi_512_;
-                    let _e359 = bitcast<f32>((bitcast<u32>((_e354 + 127i)) << bitcast<u32>(23i)));
-                    let _e365 = bitcast<f32>((bitcast<u32>(((_e349 - _e354) + 127i)) << bitcast<u32>(23i)));
-                    let _e370 = global_7.member[_e140].member.member;
-                    let _e371 = (_e347 == 0u);
-                    if _e371 {
-                        phi_530_ = _e370[0];
+                    let _e358 = phi_514_;
+                    let _e363 = bitcast<f32>((bitcast<u32>((_e358 + 127i)) << bitcast<u32>(23i)));
+                    let _e369 = bitcast<f32>((bitcast<u32>(((_e353 - _e358) + 127i)) << bitcast<u32>(23i)));
+                    let _e374 = global_7.member[_e144].member.member;
+                    let _e375 = (_e351 == 0u);
+                    if _e375 {
+                        phi_532_ = _e374[0];
                     } else {
-                        phi_530_ = _e370[1];
+                        phi_532_ = _e374[1];
                     }
-                    let _e375 = phi_530_;
-                    let _e376 = (_e347 == 2u);
-                    if _e376 {
-                        phi_536_ = _e370[2];
+                    let _e379 = phi_532_;
+                    let _e380 = (_e351 == 2u);
+                    if _e380 {
+                        phi_538_ = _e374[2];
                     } else {
-                        phi_536_ = _e375;
+                        phi_538_ = _e379;
                     }
-                    let _e379 = phi_536_;
-                    let _e380 = global_7.member[_e140].member.member_2;
-                    if _e371 {
-                        phi_547_ = _e380[0];
+                    let _e383 = phi_538_;
+                    let _e384 = global_7.member[_e144].member.member_2;
+                    if _e375 {
+                        phi_549_ = _e384[0];
                     } else {
-                        phi_547_ = _e380[1];
+                        phi_549_ = _e384[1];
                     }
-                    let _e384 = phi_547_;
-                    if _e376 {
-                        phi_553_ = _e380[2];
+                    let _e388 = phi_549_;
+                    if _e380 {
+                        phi_555_ = _e384[2];
                     } else {
-                        phi_553_ = _e384;
+                        phi_555_ = _e388;
                     }
-                    let _e387 = phi_553_;
-                    let _e389 = ((_e387 * _e359) * _e365);
-                    let _e393 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e393 {
-                        let _e397 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
-                        phi_576_ = select(0.00000000000011368684f, _e397, (_e397 > 0.00000000000011368684f));
+                    let _e391 = phi_555_;
+                    let _e393 = ((_e391 * _e363) * _e369);
+                    let _e397 = (bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e397 {
+                        let _e401 = (bitcast<f32>((bitcast<u32>(_e383) & 2147483647u)) * 0.00000011920929f);
+                        phi_578_ = select(0.00000000000011368684f, _e401, (_e401 > 0.00000000000011368684f));
                     } else {
-                        phi_576_ = 0f;
+                        phi_578_ = 0f;
                     }
-                    let _e401 = phi_576_;
-                    let _e402 = (_e379 + _e401);
-                    let _e403 = (_e379 - _e401);
-                    let _e404 = select(_e389, 0f, _e393);
-                    if _e393 {
-                        phi_587_ = 38685626000000000000000000f;
+                    let _e405 = phi_578_;
+                    let _e406 = (_e383 + _e405);
+                    let _e407 = (_e383 - _e405);
+                    let _e408 = select(_e393, 0f, _e397);
+                    if _e397 {
+                        phi_589_ = 38685626000000000000000000f;
                     } else {
-                        phi_587_ = (1f / _e389);
+                        phi_589_ = (1f / _e393);
                     }
-                    let _e407 = phi_587_;
-                    let _e408 = (_e346 == 0u);
-                    if _e408 {
-                        phi_596_ = _e370[0];
+                    let _e411 = phi_589_;
+                    let _e412 = (_e350 == 0u);
+                    if _e412 {
+                        phi_598_ = _e374[0];
                     } else {
-                        phi_596_ = _e370[1];
+                        phi_598_ = _e374[1];
                     }
-                    let _e412 = phi_596_;
-                    let _e413 = (_e346 == 2u);
-                    if _e413 {
-                        phi_602_ = _e370[2];
+                    let _e416 = phi_598_;
+                    let _e417 = (_e350 == 2u);
+                    if _e417 {
+                        phi_604_ = _e374[2];
                     } else {
-                        phi_602_ = _e412;
+                        phi_604_ = _e416;
                     }
-                    let _e416 = phi_602_;
-                    if _e408 {
-                        phi_613_ = _e380[0];
+                    let _e420 = phi_604_;
+                    if _e412 {
+                        phi_615_ = _e384[0];
                     } else {
-                        phi_613_ = _e380[1];
+                        phi_615_ = _e384[1];
                     }
-                    let _e420 = phi_613_;
-                    if _e413 {
-                        phi_619_ = _e380[2];
+                    let _e424 = phi_615_;
+                    if _e417 {
+                        phi_621_ = _e384[2];
                     } else {
-                        phi_619_ = _e420;
+                        phi_621_ = _e424;
                     }
-                    let _e423 = phi_619_;
-                    let _e425 = ((_e423 * _e359) * _e365);
-                    let _e429 = (bitcast<f32>((bitcast<u32>(_e425) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e429 {
-                        let _e433 = (bitcast<f32>((bitcast<u32>(_e416) & 2147483647u)) * 0.00000011920929f);
-                        phi_642_ = select(0.00000000000011368684f, _e433, (_e433 > 0.00000000000011368684f));
+                    let _e427 = phi_621_;
+                    let _e429 = ((_e427 * _e363) * _e369);
+                    let _e433 = (bitcast<f32>((bitcast<u32>(_e429) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e433 {
+                        let _e437 = (bitcast<f32>((bitcast<u32>(_e420) & 2147483647u)) * 0.00000011920929f);
+                        phi_644_ = select(0.00000000000011368684f, _e437, (_e437 > 0.00000000000011368684f));
                     } else {
-                        phi_642_ = 0f;
+                        phi_644_ = 0f;
                     }
-                    let _e437 = phi_642_;
-                    let _e438 = (_e416 + _e437);
-                    let _e439 = (_e416 - _e437);
-                    let _e440 = select(_e425, 0f, _e429);
-                    if _e429 {
-                        phi_653_ = 38685626000000000000000000f;
+                    let _e441 = phi_644_;
+                    let _e442 = (_e420 + _e441);
+                    let _e443 = (_e420 - _e441);
+                    let _e444 = select(_e429, 0f, _e433);
+                    if _e433 {
+                        phi_655_ = 38685626000000000000000000f;
                     } else {
-                        phi_653_ = (1f / _e425);
+                        phi_655_ = (1f / _e429);
                     }
-                    let _e443 = phi_653_;
-                    let _e444 = (_e348 == 0u);
-                    if _e444 {
-                        phi_662_ = _e370[0];
+                    let _e447 = phi_655_;
+                    let _e448 = (_e352 == 0u);
+                    if _e448 {
+                        phi_664_ = _e374[0];
                     } else {
-                        phi_662_ = _e370[1];
+                        phi_664_ = _e374[1];
                     }
-                    let _e448 = phi_662_;
-                    let _e449 = (_e348 == 2u);
-                    if _e449 {
-                        phi_668_ = _e370[2];
+                    let _e452 = phi_664_;
+                    let _e453 = (_e352 == 2u);
+                    if _e453 {
+                        phi_670_ = _e374[2];
                     } else {
-                        phi_668_ = _e448;
+                        phi_670_ = _e452;
                     }
-                    let _e452 = phi_668_;
-                    if _e444 {
-                        phi_679_ = _e380[0];
+                    let _e456 = phi_670_;
+                    if _e448 {
+                        phi_681_ = _e384[0];
                     } else {
-                        phi_679_ = _e380[1];
+                        phi_681_ = _e384[1];
                     }
-                    let _e456 = phi_679_;
-                    if _e449 {
-                        phi_685_ = _e380[2];
+                    let _e460 = phi_681_;
+                    if _e453 {
+                        phi_687_ = _e384[2];
                     } else {
-                        phi_685_ = _e456;
+                        phi_687_ = _e460;
                     }
-                    let _e459 = phi_685_;
-                    let _e461 = ((_e459 * _e359) * _e365);
-                    let _e465 = (bitcast<f32>((bitcast<u32>(_e461) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e465 {
-                        let _e469 = (bitcast<f32>((bitcast<u32>(_e452) & 2147483647u)) * 0.00000011920929f);
-                        phi_708_ = select(0.00000000000011368684f, _e469, (_e469 > 0.00000000000011368684f));
+                    let _e463 = phi_687_;
+                    let _e465 = ((_e463 * _e363) * _e369);
+                    let _e469 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e469 {
+                        let _e473 = (bitcast<f32>((bitcast<u32>(_e456) & 2147483647u)) * 0.00000011920929f);
+                        phi_710_ = select(0.00000000000011368684f, _e473, (_e473 > 0.00000000000011368684f));
                     } else {
-                        phi_708_ = 0f;
+                        phi_710_ = 0f;
                     }
-                    let _e473 = phi_708_;
-                    let _e474 = (_e452 + _e473);
-                    let _e475 = (_e452 - _e473);
-                    let _e476 = select(_e461, 0f, _e465);
-                    if _e465 {
-                        phi_719_ = 38685626000000000000000000f;
+                    let _e477 = phi_710_;
+                    let _e478 = (_e456 + _e477);
+                    let _e479 = (_e456 - _e477);
+                    let _e480 = select(_e465, 0f, _e469);
+                    if _e469 {
+                        phi_721_ = 38685626000000000000000000f;
                     } else {
-                        phi_719_ = (1f / _e461);
+                        phi_721_ = (1f / _e465);
                     }
-                    let _e479 = phi_719_;
-                    let _e482 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
-                    let _e485 = bitcast<f32>((bitcast<u32>(_e416) & 2147483647u));
-                    let _e487 = select(_e485, _e482, (_e482 > _e485));
-                    let _e490 = bitcast<f32>((bitcast<u32>(_e452) & 2147483647u));
-                    if (_e309 && (select(_e490, _e487, (_e487 > _e490)) <= 1099511600000f)) {
-                        let _e495 = (_e328 / 3i);
-                        let _e502 = bitcast<f32>((bitcast<u32>((_e495 + 127i)) << bitcast<u32>(23i)));
-                        let _e509 = bitcast<f32>((bitcast<u32>(((_e328 - (2i * _e495)) + 127i)) << bitcast<u32>(23i)));
-                        let _e510 = (((_e293 * _e502) * _e502) * _e509);
-                        let _e512 = select(340282350000000000000000000000000000000f, _e510, (_e510 < 340282350000000000000000000000000000000f));
-                        let _e517 = (((_e303 * _e502) * _e502) * _e509);
-                        let _e519 = select(340282350000000000000000000000000000000f, _e517, (_e517 < 340282350000000000000000000000000000000f));
-                        phi_819_ = select(-340282350000000000000000000000000000000f, _e519, (_e519 > -340282350000000000000000000000000000000f));
-                        phi_820_ = select(-340282350000000000000000000000000000000f, _e512, (_e512 > -340282350000000000000000000000000000000f));
+                    let _e483 = phi_721_;
+                    let _e486 = bitcast<f32>((bitcast<u32>(_e383) & 2147483647u));
+                    let _e489 = bitcast<f32>((bitcast<u32>(_e420) & 2147483647u));
+                    let _e491 = select(_e489, _e486, (_e486 > _e489));
+                    let _e494 = bitcast<f32>((bitcast<u32>(_e456) & 2147483647u));
+                    if (_e313 && (select(_e494, _e491, (_e491 > _e494)) <= 1099511600000f)) {
+                        let _e499 = (_e332 / 3i);
+                        let _e506 = bitcast<f32>((bitcast<u32>((_e499 + 127i)) << bitcast<u32>(23i)));
+                        let _e513 = bitcast<f32>((bitcast<u32>(((_e332 - (2i * _e499)) + 127i)) << bitcast<u32>(23i)));
+                        let _e514 = (((_e297 * _e506) * _e506) * _e513);
+                        let _e516 = select(340282350000000000000000000000000000000f, _e514, (_e514 < 340282350000000000000000000000000000000f));
+                        let _e521 = (((_e307 * _e506) * _e506) * _e513);
+                        let _e523 = select(340282350000000000000000000000000000000f, _e521, (_e521 < 340282350000000000000000000000000000000f));
+                        phi_821_ = select(-340282350000000000000000000000000000000f, _e523, (_e523 > -340282350000000000000000000000000000000f));
+                        phi_822_ = select(-340282350000000000000000000000000000000f, _e516, (_e516 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_819_ = 0f;
-                        phi_820_ = 1f;
+                        phi_821_ = 0f;
+                        phi_822_ = 1f;
                     }
-                    let _e523 = phi_819_;
-                    let _e525 = phi_820_;
-                    local_3 = array<type_61, 128>(type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_61(type_58(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u));
+                    let _e527 = phi_821_;
+                    let _e529 = phi_822_;
+                    local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_11 = array<f32, 3>(bitcast<f32>(_e112), bitcast<f32>(_e116), bitcast<f32>(_e120));
-                    let _e530 = (_e347 % 3u);
-                    let _e531 = (_e530 < 3u);
-                    if _e531 {
-                    } else {
-                        break;
-                    }
-                    let _e533 = local_11[_e530];
-                    let _e534 = (_e346 % 3u);
+                    local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_17 = array<f32, 3>(bitcast<f32>(_e116), bitcast<f32>(_e120), bitcast<f32>(_e124));
+                    let _e534 = (_e351 % 3u);
                     let _e535 = (_e534 < 3u);
                     if _e535 {
                     } else {
                         break;
                     }
-                    let _e537 = local_11[_e534];
-                    let _e538 = (_e348 % 3u);
+                    let _e537 = local_17[_e534];
+                    let _e538 = (_e350 % 3u);
                     let _e539 = (_e538 < 3u);
                     if _e539 {
                     } else {
                         break;
                     }
-                    let _e541 = local_11[_e538];
-                    local_10 = array<f32, 3>(bitcast<f32>(_e124), bitcast<f32>(_e128), bitcast<f32>(_e132));
-                    if _e531 {
+                    let _e541 = local_17[_e538];
+                    let _e542 = (_e352 % 3u);
+                    let _e543 = (_e542 < 3u);
+                    if _e543 {
                     } else {
                         break;
                     }
-                    let _e545 = local_10[_e530];
+                    let _e545 = local_17[_e542];
+                    local_16 = array<f32, 3>(bitcast<f32>(_e128), bitcast<f32>(_e132), bitcast<f32>(_e136));
                     if _e535 {
                     } else {
                         break;
                     }
-                    let _e547 = local_10[_e534];
+                    let _e549 = local_16[_e534];
                     if _e539 {
                     } else {
                         break;
                     }
-                    let _e549 = local_10[_e538];
-                    phi_5156_ = false;
-                    phi_2948_ = type_42(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e523);
-                    phi_2951_ = type_61(type_58(array<f32, 3>(_e533, _e537, _e541), array<f32, 3>(_e545, _e547, _e549)), select(0u, 2147483648u, (_e94 == 0u)));
-                    phi_2953_ = ((3u * _e94) + 1u);
-                    phi_2955_ = (_e525 <= _e523);
-                    phi_2957_ = 0u;
+                    let _e551 = local_16[_e538];
+                    if _e543 {
+                    } else {
+                        break;
+                    }
+                    let _e553 = local_16[_e542];
+                    phi_3196_ = false;
+                    phi_895_ = type_43(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e527);
+                    phi_898_ = type_62(type_60(array<f32, 3>(_e537, _e541, _e545), array<f32, 3>(_e549, _e551, _e553)), select(0u, 2147483648u, (_e98 == 0u)));
+                    phi_900_ = ((3u * _e98) + 1u);
+                    phi_902_ = (_e529 <= _e527);
+                    phi_904_ = 0u;
                     loop {
-                        let _e557 = phi_5156_;
-                        let _e559 = phi_2948_;
-                        let _e561 = phi_2951_;
-                        let _e563 = phi_2953_;
-                        let _e565 = phi_2955_;
-                        let _e567 = phi_2957_;
-                        local_12 = _e559;
-                        if _e565 {
-                            phi_2968_ = true;
+                        let _e561 = phi_3196_;
+                        let _e563 = phi_895_;
+                        let _e565 = phi_898_;
+                        let _e567 = phi_900_;
+                        let _e569 = phi_902_;
+                        let _e571 = phi_904_;
+                        local_18 = _e563;
+                        if _e569 {
+                            phi_915_ = true;
                         } else {
-                            phi_2968_ = (_e567 > 0u);
+                            phi_915_ = (_e571 > 0u);
                         }
-                        let _e570 = phi_2968_;
-                        if _e570 {
-                            let _e571 = (_e563 > 0u);
-                            if _e571 {
-                                if _e565 {
-                                    phi_3013_ = _e561;
-                                    phi_3014_ = _e565;
-                                    phi_3015_ = _e567;
+                        let _e574 = phi_915_;
+                        if _e574 {
+                            let _e575 = (_e567 > 0u);
+                            if _e575 {
+                                if _e569 {
+                                    phi_1001_ = _e565;
+                                    phi_1002_ = _e569;
+                                    phi_1003_ = _e571;
                                 } else {
-                                    let _e572 = (_e567 - 1u);
-                                    let _e573 = (_e572 % 128u);
-                                    let _e574 = (_e573 < 128u);
-                                    if _e574 {
+                                    let _e576 = (_e571 - 1u);
+                                    let _e577 = (_e576 % 128u);
+                                    let _e578 = (_e577 < 128u);
+                                    if _e578 {
                                     } else {
-                                        phi_5304_ = true;
+                                        phi_3344_ = true;
                                         break;
                                     }
-                                    let _e576 = local_3[_e573];
-                                    if _e574 {
+                                    let _e580 = local_6[_e577];
+                                    if _e578 {
                                     } else {
-                                        phi_5304_ = true;
+                                        phi_3344_ = true;
                                         break;
                                     }
-                                    let _e592 = local_2[_e573];
-                                    phi_3013_ = type_61(type_58(array<f32, 3>(_e576.member.member[0], _e576.member.member[1], _e576.member.member[2]), array<f32, 3>(_e576.member.member_1[0], _e576.member.member_1[1], _e576.member.member_1[2])), _e576.member_1);
-                                    phi_3014_ = (_e592 <= _e559.member_1);
-                                    phi_3015_ = _e572;
+                                    let _e582 = local_5[_e577];
+                                    if _e578 {
+                                    } else {
+                                        phi_3344_ = true;
+                                        break;
+                                    }
+                                    let _e584 = local_4[_e577];
+                                    if _e578 {
+                                    } else {
+                                        phi_3344_ = true;
+                                        break;
+                                    }
+                                    let _e586 = local_3[_e577];
+                                    if _e578 {
+                                    } else {
+                                        phi_3344_ = true;
+                                        break;
+                                    }
+                                    let _e589 = local_2[_e577];
+                                    if _e578 {
+                                    } else {
+                                        phi_3344_ = true;
+                                        break;
+                                    }
+                                    let _e591 = local_1[_e577];
+                                    if _e578 {
+                                    } else {
+                                        phi_3344_ = true;
+                                        break;
+                                    }
+                                    let _e593 = local[_e577];
+                                    if _e578 {
+                                    } else {
+                                        phi_3344_ = true;
+                                        break;
+                                    }
+                                    let _e598 = local_9[_e577];
+                                    phi_1001_ = type_62(type_60(array<f32, 3>(_e582, _e584, _e586), array<f32, 3>(_e589, _e591, _e593)), _e580);
+                                    phi_1002_ = (_e598 <= _e563.member_1);
+                                    phi_1003_ = _e576;
                                 }
-                                let _e596 = phi_3013_;
-                                let _e598 = phi_3014_;
-                                let _e600 = phi_3015_;
-                                if _e598 {
-                                    if ((_e596.member_1 & 2147483648u) != 0u) {
-                                        phi_3033_ = _e559;
-                                        phi_3036_ = type_8(0u, ((_e596.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e602 = phi_1001_;
+                                let _e604 = phi_1002_;
+                                let _e606 = phi_1003_;
+                                if _e604 {
+                                    if ((_e602.member_1 & 2147483648u) != 0u) {
+                                        phi_1021_ = _e563;
+                                        phi_1024_ = type_8(0u, ((_e602.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e922 = phi_3033_;
-                                            let _e924 = phi_3036_;
-                                            local_13 = _e922;
-                                            if (_e924.member < _e924.member_1) {
-                                                phi_3037_ = type_8((_e924.member + 1u), _e924.member_1);
-                                                phi_3059_ = type_8(1u, _e924.member);
+                                            let _e931 = phi_1021_;
+                                            let _e933 = phi_1024_;
+                                            local_19 = _e931;
+                                            if (_e933.member < _e933.member_1) {
+                                                phi_1025_ = type_8((_e933.member + 1u), _e933.member_1);
+                                                phi_1047_ = type_8(1u, _e933.member);
                                             } else {
-                                                phi_3037_ = _e924;
-                                                phi_3059_ = type_8(0u, type_8().member_1);
+                                                phi_1025_ = _e933;
+                                                phi_1047_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e937 = phi_3037_;
-                                            let _e939 = phi_3059_;
-                                            let _e943 = (bitcast<i32>(_e939.member) != 0i);
-                                            if _e943 {
-                                                let _e944 = ((_e596.member_1 & 268435455u) + _e939.member_1);
-                                                let _e945 = (_e944 < _e96);
-                                                if _e945 {
-                                                    if _e945 {
+                                            let _e946 = phi_1025_;
+                                            let _e948 = phi_1047_;
+                                            let _e952 = (bitcast<i32>(_e948.member) != 0i);
+                                            if _e952 {
+                                                let _e953 = ((_e602.member_1 & 268435455u) + _e948.member_1);
+                                                let _e954 = (_e953 < _e100);
+                                                if _e954 {
+                                                    if _e954 {
                                                     } else {
-                                                        phi_5221_ = true;
+                                                        phi_3261_ = true;
                                                         break;
                                                     }
-                                                    let _e949 = global_4.member[_e944].member_1;
-                                                    phi_3080_ = _e949;
+                                                    let _e958 = global_4.member[_e953].member_1;
+                                                    phi_1068_ = _e958;
                                                 } else {
-                                                    phi_3080_ = 4294967295u;
+                                                    phi_1068_ = 4294967295u;
                                                 }
-                                                let _e951 = phi_3080_;
-                                                if (_e944 >= _e96) {
-                                                    phi_3169_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e960 = phi_1068_;
+                                                if (_e953 >= _e100) {
+                                                    phi_1157_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e945 {
+                                                    if _e954 {
                                                     } else {
-                                                        phi_5221_ = true;
+                                                        phi_3261_ = true;
                                                         break;
                                                     }
-                                                    if (_e530 < 9u) {
-                                                    } else {
-                                                        phi_5221_ = true;
-                                                        break;
-                                                    }
-                                                    let _e958 = global_4.member[_e944].member[_e530];
                                                     if (_e534 < 9u) {
                                                     } else {
-                                                        phi_5221_ = true;
+                                                        phi_3261_ = true;
                                                         break;
                                                     }
-                                                    let _e964 = global_4.member[_e944].member[_e534];
+                                                    let _e967 = global_4.member[_e953].member[_e534];
                                                     if (_e538 < 9u) {
                                                     } else {
-                                                        phi_5221_ = true;
+                                                        phi_3261_ = true;
                                                         break;
                                                     }
-                                                    let _e970 = global_4.member[_e944].member[_e538];
-                                                    let _e972 = (3u + _e530);
-                                                    if (_e972 < 9u) {
+                                                    let _e973 = global_4.member[_e953].member[_e538];
+                                                    if (_e542 < 9u) {
                                                     } else {
-                                                        phi_5221_ = true;
+                                                        phi_3261_ = true;
                                                         break;
                                                     }
-                                                    let _e978 = global_4.member[_e944].member[_e972];
-                                                    let _e979 = (3u + _e534);
-                                                    if (_e979 < 9u) {
+                                                    let _e979 = global_4.member[_e953].member[_e542];
+                                                    let _e981 = (3u + _e534);
+                                                    if (_e981 < 9u) {
                                                     } else {
-                                                        phi_5221_ = true;
+                                                        phi_3261_ = true;
                                                         break;
                                                     }
-                                                    let _e985 = global_4.member[_e944].member[_e979];
-                                                    let _e986 = (3u + _e538);
-                                                    if (_e986 < 9u) {
+                                                    let _e987 = global_4.member[_e953].member[_e981];
+                                                    let _e988 = (3u + _e538);
+                                                    if (_e988 < 9u) {
                                                     } else {
-                                                        phi_5221_ = true;
+                                                        phi_3261_ = true;
                                                         break;
                                                     }
-                                                    let _e992 = global_4.member[_e944].member[_e986];
-                                                    let _e994 = (6u + _e530);
-                                                    if (_e994 < 9u) {
+                                                    let _e994 = global_4.member[_e953].member[_e988];
+                                                    let _e995 = (3u + _e542);
+                                                    if (_e995 < 9u) {
                                                     } else {
-                                                        phi_5221_ = true;
+                                                        phi_3261_ = true;
                                                         break;
                                                     }
-                                                    let _e1000 = global_4.member[_e944].member[_e994];
-                                                    let _e1001 = (6u + _e534);
-                                                    if (_e1001 < 9u) {
+                                                    let _e1001 = global_4.member[_e953].member[_e995];
+                                                    let _e1003 = (6u + _e534);
+                                                    if (_e1003 < 9u) {
                                                     } else {
-                                                        phi_5221_ = true;
+                                                        phi_3261_ = true;
                                                         break;
                                                     }
-                                                    let _e1007 = global_4.member[_e944].member[_e1001];
-                                                    let _e1008 = (6u + _e538);
-                                                    if (_e1008 < 9u) {
+                                                    let _e1009 = global_4.member[_e953].member[_e1003];
+                                                    let _e1010 = (6u + _e538);
+                                                    if (_e1010 < 9u) {
                                                     } else {
-                                                        phi_5221_ = true;
+                                                        phi_3261_ = true;
                                                         break;
                                                     }
-                                                    let _e1014 = global_4.member[_e944].member[_e1008];
-                                                    phi_3169_ = array<array<f32, 3>, 3>(array<f32, 3>(_e958, _e964, _e970), array<f32, 3>(_e978, _e985, _e992), array<f32, 3>(_e1000, _e1007, _e1014));
+                                                    let _e1016 = global_4.member[_e953].member[_e1010];
+                                                    let _e1017 = (6u + _e542);
+                                                    if (_e1017 < 9u) {
+                                                    } else {
+                                                        phi_3261_ = true;
+                                                        break;
+                                                    }
+                                                    let _e1023 = global_4.member[_e953].member[_e1017];
+                                                    phi_1157_ = array<array<f32, 3>, 3>(array<f32, 3>(_e967, _e973, _e979), array<f32, 3>(_e987, _e994, _e1001), array<f32, 3>(_e1009, _e1016, _e1023));
                                                 }
-                                                let _e1018 = phi_3169_;
-                                                let _e1026 = (_e1018[0][2] - _e452);
-                                                let _e1029 = (((_e1018[0][0] - _e379) * _e476) - (_e1026 * _e404));
-                                                let _e1032 = (((_e1018[0][1] - _e416) * _e476) - (_e1026 * _e440));
-                                                let _e1039 = (_e1018[1][2] - _e452);
-                                                let _e1042 = (((_e1018[1][0] - _e379) * _e476) - (_e1039 * _e404));
-                                                let _e1045 = (((_e1018[1][1] - _e416) * _e476) - (_e1039 * _e440));
-                                                let _e1052 = (_e1018[2][2] - _e452);
-                                                let _e1055 = (((_e1018[2][0] - _e379) * _e476) - (_e1052 * _e404));
-                                                let _e1058 = (((_e1018[2][1] - _e416) * _e476) - (_e1052 * _e440));
-                                                let _e1059 = (_e1055 * _e1045);
-                                                let _e1060 = (_e1058 * _e1042);
-                                                let _e1061 = (_e1029 * _e1058);
-                                                let _e1062 = (_e1032 * _e1055);
-                                                let _e1063 = (_e1042 * _e1032);
-                                                let _e1064 = (_e1045 * _e1029);
-                                                let _e1069 = (((_e1059 >= _e1060) && (_e1061 >= _e1062)) && (_e1063 >= _e1064));
-                                                if (_e1069 || (((_e1059 <= _e1060) && (_e1061 <= _e1062)) && (_e1063 <= _e1064))) {
-                                                    let _e1076 = select(-1f, 1f, _e1069);
-                                                    let _e1078 = ((_e1059 - _e1060) * _e1076);
-                                                    let _e1080 = select(0f, _e1078, (_e1078 > 0f));
-                                                    let _e1082 = ((_e1061 - _e1062) * _e1076);
-                                                    let _e1084 = select(0f, _e1082, (_e1082 > 0f));
-                                                    let _e1086 = ((_e1063 - _e1064) * _e1076);
-                                                    let _e1088 = select(0f, _e1086, (_e1086 > 0f));
-                                                    let _e1090 = ((_e1080 + _e1084) + _e1088);
-                                                    if (_e1090 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_3735_ = type_27();
-                                                        phi_3736_ = true;
+                                                let _e1027 = phi_1157_;
+                                                let _e1035 = (_e1027[0][2] - _e456);
+                                                let _e1038 = (((_e1027[0][0] - _e383) * _e480) - (_e1035 * _e408));
+                                                let _e1041 = (((_e1027[0][1] - _e420) * _e480) - (_e1035 * _e444));
+                                                let _e1048 = (_e1027[1][2] - _e456);
+                                                let _e1051 = (((_e1027[1][0] - _e383) * _e480) - (_e1048 * _e408));
+                                                let _e1054 = (((_e1027[1][1] - _e420) * _e480) - (_e1048 * _e444));
+                                                let _e1061 = (_e1027[2][2] - _e456);
+                                                let _e1064 = (((_e1027[2][0] - _e383) * _e480) - (_e1061 * _e408));
+                                                let _e1067 = (((_e1027[2][1] - _e420) * _e480) - (_e1061 * _e444));
+                                                let _e1068 = (_e1064 * _e1054);
+                                                let _e1069 = (_e1067 * _e1051);
+                                                let _e1070 = (_e1038 * _e1067);
+                                                let _e1071 = (_e1041 * _e1064);
+                                                let _e1072 = (_e1051 * _e1041);
+                                                let _e1073 = (_e1054 * _e1038);
+                                                let _e1078 = (((_e1068 >= _e1069) && (_e1070 >= _e1071)) && (_e1072 >= _e1073));
+                                                if (_e1078 || (((_e1068 <= _e1069) && (_e1070 <= _e1071)) && (_e1072 <= _e1073))) {
+                                                    let _e1085 = select(-1f, 1f, _e1078);
+                                                    let _e1087 = ((_e1068 - _e1069) * _e1085);
+                                                    let _e1089 = select(0f, _e1087, (_e1087 > 0f));
+                                                    let _e1091 = ((_e1070 - _e1071) * _e1085);
+                                                    let _e1093 = select(0f, _e1091, (_e1091 > 0f));
+                                                    let _e1095 = ((_e1072 - _e1073) * _e1085);
+                                                    let _e1097 = select(0f, _e1095, (_e1095 > 0f));
+                                                    let _e1099 = ((_e1089 + _e1093) + _e1097);
+                                                    if (_e1099 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1723_ = type_27();
+                                                        phi_1724_ = true;
                                                     } else {
-                                                        let _e1093 = select(_e1018[1][0], _e1018[0][0], (_e1018[0][0] < _e1018[1][0]));
-                                                        let _e1097 = select(_e1018[1][0], _e1018[0][0], (_e1018[0][0] > _e1018[1][0]));
-                                                        let _e1101 = select(_e1018[1][1], _e1018[0][1], (_e1018[0][1] < _e1018[1][1]));
-                                                        let _e1105 = select(_e1018[1][1], _e1018[0][1], (_e1018[0][1] > _e1018[1][1]));
-                                                        let _e1109 = select(_e1018[1][2], _e1018[0][2], (_e1018[0][2] < _e1018[1][2]));
-                                                        let _e1113 = select(_e1018[1][2], _e1018[0][2], (_e1018[0][2] > _e1018[1][2]));
-                                                        let _e1118 = ((select(_e1018[2][0], _e1093, (_e1093 < _e1018[2][0])) - _e402) * _e407);
-                                                        let _e1119 = ((select(_e1018[2][0], _e1097, (_e1097 > _e1018[2][0])) - _e403) * _e407);
-                                                        let _e1122 = ((select(_e1018[2][1], _e1101, (_e1101 < _e1018[2][1])) - _e438) * _e443);
-                                                        let _e1123 = ((select(_e1018[2][1], _e1105, (_e1105 > _e1018[2][1])) - _e439) * _e443);
-                                                        let _e1126 = ((select(_e1018[2][2], _e1109, (_e1109 < _e1018[2][2])) - _e474) * _e479);
-                                                        let _e1127 = ((select(_e1018[2][2], _e1113, (_e1113 > _e1018[2][2])) - _e475) * _e479);
-                                                        let _e1129 = select(_e1127, _e1126, (_e1126 < _e1127));
-                                                        let _e1131 = select(_e1127, _e1126, (_e1126 > _e1127));
-                                                        let _e1133 = select(_e1119, _e1118, (_e1118 < _e1119));
-                                                        let _e1135 = select(_e1123, _e1122, (_e1122 < _e1123));
-                                                        let _e1137 = select(_e1135, _e1133, (_e1133 > _e1135));
-                                                        let _e1139 = select(_e1129, _e1137, (_e1137 > _e1129));
-                                                        let _e1141 = select(_e1119, _e1118, (_e1118 > _e1119));
-                                                        let _e1143 = select(_e1123, _e1122, (_e1122 > _e1123));
-                                                        let _e1145 = select(_e1143, _e1141, (_e1141 < _e1143));
-                                                        let _e1147 = select(_e1131, _e1145, (_e1145 < _e1131));
-                                                        let _e1148 = -(_e1129);
-                                                        let _e1154 = select(_e525, _e1139, (_e1139 > _e525));
-                                                        if (_e1154 > (_e1147 + (select(_e1148, _e1131, (_e1131 > _e1148)) * 0.0000019073523f))) {
-                                                            phi_3730_ = type_27();
-                                                            phi_3731_ = true;
+                                                        let _e1102 = select(_e1027[1][0], _e1027[0][0], (_e1027[0][0] < _e1027[1][0]));
+                                                        let _e1106 = select(_e1027[1][0], _e1027[0][0], (_e1027[0][0] > _e1027[1][0]));
+                                                        let _e1110 = select(_e1027[1][1], _e1027[0][1], (_e1027[0][1] < _e1027[1][1]));
+                                                        let _e1114 = select(_e1027[1][1], _e1027[0][1], (_e1027[0][1] > _e1027[1][1]));
+                                                        let _e1118 = select(_e1027[1][2], _e1027[0][2], (_e1027[0][2] < _e1027[1][2]));
+                                                        let _e1122 = select(_e1027[1][2], _e1027[0][2], (_e1027[0][2] > _e1027[1][2]));
+                                                        let _e1127 = ((select(_e1027[2][0], _e1102, (_e1102 < _e1027[2][0])) - _e406) * _e411);
+                                                        let _e1128 = ((select(_e1027[2][0], _e1106, (_e1106 > _e1027[2][0])) - _e407) * _e411);
+                                                        let _e1131 = ((select(_e1027[2][1], _e1110, (_e1110 < _e1027[2][1])) - _e442) * _e447);
+                                                        let _e1132 = ((select(_e1027[2][1], _e1114, (_e1114 > _e1027[2][1])) - _e443) * _e447);
+                                                        let _e1135 = ((select(_e1027[2][2], _e1118, (_e1118 < _e1027[2][2])) - _e478) * _e483);
+                                                        let _e1136 = ((select(_e1027[2][2], _e1122, (_e1122 > _e1027[2][2])) - _e479) * _e483);
+                                                        let _e1138 = select(_e1136, _e1135, (_e1135 < _e1136));
+                                                        let _e1140 = select(_e1136, _e1135, (_e1135 > _e1136));
+                                                        let _e1142 = select(_e1128, _e1127, (_e1127 < _e1128));
+                                                        let _e1144 = select(_e1132, _e1131, (_e1131 < _e1132));
+                                                        let _e1146 = select(_e1144, _e1142, (_e1142 > _e1144));
+                                                        let _e1148 = select(_e1138, _e1146, (_e1146 > _e1138));
+                                                        let _e1150 = select(_e1128, _e1127, (_e1127 > _e1128));
+                                                        let _e1152 = select(_e1132, _e1131, (_e1131 > _e1132));
+                                                        let _e1154 = select(_e1152, _e1150, (_e1150 < _e1152));
+                                                        let _e1156 = select(_e1140, _e1154, (_e1154 < _e1140));
+                                                        let _e1157 = -(_e1138);
+                                                        let _e1163 = select(_e529, _e1148, (_e1148 > _e529));
+                                                        if (_e1163 > (_e1156 + (select(_e1157, _e1140, (_e1140 > _e1157)) * 0.0000019073523f))) {
+                                                            phi_1718_ = type_27();
+                                                            phi_1719_ = true;
                                                         } else {
-                                                            let _e1156 = (_e1154 > _e922.member_1);
-                                                            if _e1156 {
-                                                                phi_3729_ = type_27();
+                                                            let _e1165 = (_e1163 > _e931.member_1);
+                                                            if _e1165 {
+                                                                phi_1717_ = type_27();
                                                             } else {
-                                                                let _e1160 = (_e1018[1][0] - _e1018[0][0]);
-                                                                let _e1161 = (_e1018[1][1] - _e1018[0][1]);
-                                                                let _e1162 = (_e1018[1][2] - _e1018[0][2]);
-                                                                let _e1163 = vec3<f32>(_e1160, _e1161, _e1162);
-                                                                let _e1164 = (_e1018[2][0] - _e1018[1][0]);
-                                                                let _e1165 = (_e1018[2][1] - _e1018[1][1]);
-                                                                let _e1166 = (_e1018[2][2] - _e1018[1][2]);
-                                                                let _e1167 = vec3<f32>(_e1164, _e1165, _e1166);
-                                                                let _e1168 = (_e1018[0][0] - _e1018[2][0]);
-                                                                let _e1169 = (_e1018[0][1] - _e1018[2][1]);
-                                                                let _e1170 = (_e1018[0][2] - _e1018[2][2]);
-                                                                let _e1171 = vec3<f32>(_e1168, _e1169, _e1170);
-                                                                let _e1174 = bitcast<f32>((bitcast<u32>(_e1160) & 2147483647u));
-                                                                let _e1177 = bitcast<f32>((bitcast<u32>(_e1161) & 2147483647u));
-                                                                let _e1179 = select(_e1177, _e1174, (_e1174 > _e1177));
-                                                                let _e1182 = bitcast<f32>((bitcast<u32>(_e1162) & 2147483647u));
-                                                                let _e1184 = select(_e1182, _e1179, (_e1179 > _e1182));
-                                                                let _e1187 = bitcast<f32>((bitcast<u32>(_e1164) & 2147483647u));
-                                                                let _e1190 = bitcast<f32>((bitcast<u32>(_e1165) & 2147483647u));
-                                                                let _e1192 = select(_e1190, _e1187, (_e1187 > _e1190));
-                                                                let _e1195 = bitcast<f32>((bitcast<u32>(_e1166) & 2147483647u));
-                                                                let _e1197 = select(_e1195, _e1192, (_e1192 > _e1195));
-                                                                let _e1200 = bitcast<f32>((bitcast<u32>(_e1168) & 2147483647u));
-                                                                let _e1203 = bitcast<f32>((bitcast<u32>(_e1169) & 2147483647u));
-                                                                let _e1205 = select(_e1203, _e1200, (_e1200 > _e1203));
-                                                                let _e1208 = bitcast<f32>((bitcast<u32>(_e1170) & 2147483647u));
-                                                                let _e1210 = select(_e1208, _e1205, (_e1205 > _e1208));
-                                                                let _e1212 = select(_e1197, _e1184, (_e1184 > _e1197));
-                                                                let _e1214 = select(_e1210, _e1212, (_e1212 > _e1210));
-                                                                if (_e1184 == _e1214) {
-                                                                    phi_3640_ = _e1167;
-                                                                    phi_3641_ = _e1171;
+                                                                let _e1169 = (_e1027[1][0] - _e1027[0][0]);
+                                                                let _e1170 = (_e1027[1][1] - _e1027[0][1]);
+                                                                let _e1171 = (_e1027[1][2] - _e1027[0][2]);
+                                                                let _e1172 = vec3<f32>(_e1169, _e1170, _e1171);
+                                                                let _e1173 = (_e1027[2][0] - _e1027[1][0]);
+                                                                let _e1174 = (_e1027[2][1] - _e1027[1][1]);
+                                                                let _e1175 = (_e1027[2][2] - _e1027[1][2]);
+                                                                let _e1176 = vec3<f32>(_e1173, _e1174, _e1175);
+                                                                let _e1177 = (_e1027[0][0] - _e1027[2][0]);
+                                                                let _e1178 = (_e1027[0][1] - _e1027[2][1]);
+                                                                let _e1179 = (_e1027[0][2] - _e1027[2][2]);
+                                                                let _e1180 = vec3<f32>(_e1177, _e1178, _e1179);
+                                                                let _e1183 = bitcast<f32>((bitcast<u32>(_e1169) & 2147483647u));
+                                                                let _e1186 = bitcast<f32>((bitcast<u32>(_e1170) & 2147483647u));
+                                                                let _e1188 = select(_e1186, _e1183, (_e1183 > _e1186));
+                                                                let _e1191 = bitcast<f32>((bitcast<u32>(_e1171) & 2147483647u));
+                                                                let _e1193 = select(_e1191, _e1188, (_e1188 > _e1191));
+                                                                let _e1196 = bitcast<f32>((bitcast<u32>(_e1173) & 2147483647u));
+                                                                let _e1199 = bitcast<f32>((bitcast<u32>(_e1174) & 2147483647u));
+                                                                let _e1201 = select(_e1199, _e1196, (_e1196 > _e1199));
+                                                                let _e1204 = bitcast<f32>((bitcast<u32>(_e1175) & 2147483647u));
+                                                                let _e1206 = select(_e1204, _e1201, (_e1201 > _e1204));
+                                                                let _e1209 = bitcast<f32>((bitcast<u32>(_e1177) & 2147483647u));
+                                                                let _e1212 = bitcast<f32>((bitcast<u32>(_e1178) & 2147483647u));
+                                                                let _e1214 = select(_e1212, _e1209, (_e1209 > _e1212));
+                                                                let _e1217 = bitcast<f32>((bitcast<u32>(_e1179) & 2147483647u));
+                                                                let _e1219 = select(_e1217, _e1214, (_e1214 > _e1217));
+                                                                let _e1221 = select(_e1206, _e1193, (_e1193 > _e1206));
+                                                                let _e1223 = select(_e1219, _e1221, (_e1221 > _e1219));
+                                                                if (_e1193 == _e1223) {
+                                                                    phi_1628_ = _e1176;
+                                                                    phi_1629_ = _e1180;
                                                                 } else {
-                                                                    let _e1217 = vec3((_e1197 == _e1214));
-                                                                    phi_3640_ = select(_e1163, _e1171, _e1217);
-                                                                    phi_3641_ = select(_e1167, _e1163, _e1217);
+                                                                    let _e1226 = vec3((_e1206 == _e1223));
+                                                                    phi_1628_ = select(_e1172, _e1180, _e1226);
+                                                                    phi_1629_ = select(_e1176, _e1172, _e1226);
                                                                 }
-                                                                let _e1221 = phi_3640_;
-                                                                let _e1223 = phi_3641_;
-                                                                let _e1230 = ((_e1221.y * _e1223.z) - (_e1223.y * _e1221.z));
-                                                                let _e1235 = ((_e1221.z * _e1223.x) - (_e1223.z * _e1221.x));
-                                                                let _e1238 = ((_e1221.x * _e1223.y) - (_e1223.x * _e1221.y));
-                                                                if (_e1080 >= _e1084) {
-                                                                    phi_3672_ = select(true, false, (_e1080 >= _e1088));
+                                                                let _e1230 = phi_1628_;
+                                                                let _e1232 = phi_1629_;
+                                                                let _e1239 = ((_e1230.y * _e1232.z) - (_e1232.y * _e1230.z));
+                                                                let _e1244 = ((_e1230.z * _e1232.x) - (_e1232.z * _e1230.x));
+                                                                let _e1247 = ((_e1230.x * _e1232.y) - (_e1232.x * _e1230.y));
+                                                                if (_e1089 >= _e1093) {
+                                                                    phi_1660_ = select(true, false, (_e1089 >= _e1097));
                                                                 } else {
-                                                                    phi_3672_ = true;
+                                                                    phi_1660_ = true;
                                                                 }
-                                                                let _e1243 = phi_3672_;
-                                                                if _e1243 {
-                                                                    phi_3681_ = select(vec3<f32>(_e1018[2][0], _e1018[2][1], _e1018[2][2]), vec3<f32>(_e1018[1][0], _e1018[1][1], _e1018[1][2]), vec3((_e1084 >= _e1088)));
+                                                                let _e1252 = phi_1660_;
+                                                                if _e1252 {
+                                                                    phi_1669_ = select(vec3<f32>(_e1027[2][0], _e1027[2][1], _e1027[2][2]), vec3<f32>(_e1027[1][0], _e1027[1][1], _e1027[1][2]), vec3((_e1093 >= _e1097)));
                                                                 } else {
-                                                                    phi_3681_ = vec3<f32>(_e1018[0][0], _e1018[0][1], _e1018[0][2]);
+                                                                    phi_1669_ = vec3<f32>(_e1027[0][0], _e1027[0][1], _e1027[0][2]);
                                                                 }
-                                                                let _e1248 = phi_3681_;
-                                                                let _e1265 = ((((_e1230 * (_e1248.x - _e379)) + (_e1235 * (_e1248.y - _e416))) + (_e1238 * (_e1248.z - _e452))) / (((_e1230 * _e404) + (_e1235 * _e440)) + (_e1238 * _e476)));
-                                                                let _e1267 = select(_e1147, _e1265, (_e1265 < _e1147));
-                                                                let _e1269 = select(_e1139, _e1267, (_e1267 > _e1139));
-                                                                if (_e1269 >= _e525) {
-                                                                    let _e1271 = (_e1269 <= _e922.member_1);
-                                                                    if _e1271 {
-                                                                        let _e1272 = (1f / _e1090);
-                                                                        phi_3721_ = type_27(_e1269, (_e1084 * _e1272), (_e1088 * _e1272), _e951);
+                                                                let _e1257 = phi_1669_;
+                                                                let _e1274 = ((((_e1239 * (_e1257.x - _e383)) + (_e1244 * (_e1257.y - _e420))) + (_e1247 * (_e1257.z - _e456))) / (((_e1239 * _e408) + (_e1244 * _e444)) + (_e1247 * _e480)));
+                                                                let _e1276 = select(_e1156, _e1274, (_e1274 < _e1156));
+                                                                let _e1278 = select(_e1148, _e1276, (_e1276 > _e1148));
+                                                                if (_e1278 >= _e529) {
+                                                                    let _e1280 = (_e1278 <= _e931.member_1);
+                                                                    if _e1280 {
+                                                                        let _e1281 = (1f / _e1099);
+                                                                        phi_1709_ = type_27(_e1278, (_e1093 * _e1281), (_e1097 * _e1281), _e960);
                                                                     } else {
-                                                                        phi_3721_ = type_27();
+                                                                        phi_1709_ = type_27();
                                                                     }
-                                                                    let _e1277 = phi_3721_;
-                                                                    phi_3723_ = _e1277;
-                                                                    phi_3724_ = select(true, false, _e1271);
+                                                                    let _e1286 = phi_1709_;
+                                                                    phi_1711_ = _e1286;
+                                                                    phi_1712_ = select(true, false, _e1280);
                                                                 } else {
-                                                                    phi_3723_ = type_27();
-                                                                    phi_3724_ = true;
+                                                                    phi_1711_ = type_27();
+                                                                    phi_1712_ = true;
                                                                 }
-                                                                let _e1280 = phi_3723_;
-                                                                let _e1282 = phi_3724_;
-                                                                if _e1282 {
-                                                                    phi_3728_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1289 = phi_1711_;
+                                                                let _e1291 = phi_1712_;
+                                                                if _e1291 {
+                                                                    phi_1716_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_3728_ = _e1280;
+                                                                    phi_1716_ = _e1289;
                                                                 }
-                                                                let _e1284 = phi_3728_;
-                                                                phi_3729_ = _e1284;
+                                                                let _e1293 = phi_1716_;
+                                                                phi_1717_ = _e1293;
                                                             }
-                                                            let _e1286 = phi_3729_;
-                                                            phi_3730_ = _e1286;
-                                                            phi_3731_ = _e1156;
+                                                            let _e1295 = phi_1717_;
+                                                            phi_1718_ = _e1295;
+                                                            phi_1719_ = _e1165;
                                                         }
-                                                        let _e1288 = phi_3730_;
-                                                        let _e1290 = phi_3731_;
-                                                        phi_3735_ = _e1288;
-                                                        phi_3736_ = _e1290;
+                                                        let _e1297 = phi_1718_;
+                                                        let _e1299 = phi_1719_;
+                                                        phi_1723_ = _e1297;
+                                                        phi_1724_ = _e1299;
                                                     }
-                                                    let _e1292 = phi_3735_;
-                                                    let _e1294 = phi_3736_;
-                                                    phi_3740_ = _e1292;
-                                                    phi_3741_ = _e1294;
+                                                    let _e1301 = phi_1723_;
+                                                    let _e1303 = phi_1724_;
+                                                    phi_1728_ = _e1301;
+                                                    phi_1729_ = _e1303;
                                                 } else {
-                                                    phi_3740_ = type_27();
-                                                    phi_3741_ = true;
+                                                    phi_1728_ = type_27();
+                                                    phi_1729_ = true;
                                                 }
-                                                let _e1296 = phi_3740_;
-                                                let _e1298 = phi_3741_;
-                                                if _e1298 {
-                                                    phi_3745_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1305 = phi_1728_;
+                                                let _e1307 = phi_1729_;
+                                                if _e1307 {
+                                                    phi_1733_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_3745_ = _e1296;
+                                                    phi_1733_ = _e1305;
                                                 }
-                                                let _e1300 = phi_3745_;
-                                                if (_e1300.member_3 != 4294967295u) {
-                                                    if (_e951 == _e153) {
-                                                        phi_4074_ = false;
+                                                let _e1309 = phi_1733_;
+                                                if (_e1309.member_3 != 4294967295u) {
+                                                    if (_e960 == _e157) {
+                                                        phi_2062_ = false;
                                                     } else {
-                                                        let _e1304 = (_e951 < arrayLength((&global_5.member)));
-                                                        if _e1304 {
-                                                            if _e1304 {
+                                                        let _e1313 = (_e960 < arrayLength((&global_5.member)));
+                                                        if _e1313 {
+                                                            if _e1313 {
                                                             } else {
-                                                                phi_5221_ = true;
+                                                                phi_3261_ = true;
                                                                 break;
                                                             }
-                                                            let _e1306 = global_5.member[_e951];
-                                                            phi_3768_ = _e1306;
+                                                            let _e1315 = global_5.member[_e960];
+                                                            phi_1756_ = _e1315;
                                                         } else {
-                                                            phi_3768_ = 4294967295u;
+                                                            phi_1756_ = 4294967295u;
                                                         }
-                                                        let _e1308 = phi_3768_;
-                                                        let _e1309 = (_e1308 < arrayLength((&global_6.member)));
-                                                        if _e1309 {
-                                                            if _e1309 {
+                                                        let _e1317 = phi_1756_;
+                                                        let _e1318 = (_e1317 < arrayLength((&global_6.member)));
+                                                        if _e1318 {
+                                                            if _e1318 {
                                                             } else {
-                                                                phi_5221_ = true;
+                                                                phi_3261_ = true;
                                                                 break;
                                                             }
-                                                            let _e1311 = global_6.member[_e1308];
-                                                            phi_3782_ = _e1311;
+                                                            let _e1320 = global_6.member[_e1317];
+                                                            phi_1770_ = _e1320;
                                                         } else {
-                                                            phi_3782_ = 0i;
+                                                            phi_1770_ = 0i;
                                                         }
-                                                        let _e1313 = phi_3782_;
-                                                        let _e1314 = (_e1313 == 0i);
-                                                        if _e1314 {
-                                                            phi_4073_ = true;
+                                                        let _e1322 = phi_1770_;
+                                                        let _e1323 = (_e1322 == 0i);
+                                                        if _e1323 {
+                                                            phi_2061_ = true;
                                                         } else {
-                                                            if _e371 {
-                                                                phi_3803_ = vec3<f32>(_e1018[0][0], _e1018[0][1], _e1018[0][2]);
+                                                            if _e375 {
+                                                                phi_1791_ = vec3<f32>(_e1027[0][0], _e1027[0][1], _e1027[0][2]);
                                                             } else {
-                                                                if (_e347 == 1u) {
-                                                                    phi_3802_ = vec3<f32>(_e1018[0][2], _e1018[0][0], _e1018[0][1]);
+                                                                if (_e351 == 1u) {
+                                                                    phi_1790_ = vec3<f32>(_e1027[0][2], _e1027[0][0], _e1027[0][1]);
                                                                 } else {
-                                                                    phi_3802_ = vec3<f32>(_e1018[0][1], _e1018[0][2], _e1018[0][0]);
+                                                                    phi_1790_ = vec3<f32>(_e1027[0][1], _e1027[0][2], _e1027[0][0]);
                                                                 }
-                                                                let _e1319 = phi_3802_;
-                                                                phi_3803_ = _e1319;
+                                                                let _e1328 = phi_1790_;
+                                                                phi_1791_ = _e1328;
                                                             }
-                                                            let _e1322 = phi_3803_;
-                                                            if _e371 {
-                                                                phi_3820_ = vec3<f32>(_e1018[1][0], _e1018[1][1], _e1018[1][2]);
+                                                            let _e1331 = phi_1791_;
+                                                            if _e375 {
+                                                                phi_1808_ = vec3<f32>(_e1027[1][0], _e1027[1][1], _e1027[1][2]);
                                                             } else {
-                                                                if (_e347 == 1u) {
-                                                                    phi_3819_ = vec3<f32>(_e1018[1][2], _e1018[1][0], _e1018[1][1]);
+                                                                if (_e351 == 1u) {
+                                                                    phi_1807_ = vec3<f32>(_e1027[1][2], _e1027[1][0], _e1027[1][1]);
                                                                 } else {
-                                                                    phi_3819_ = vec3<f32>(_e1018[1][1], _e1018[1][2], _e1018[1][0]);
+                                                                    phi_1807_ = vec3<f32>(_e1027[1][1], _e1027[1][2], _e1027[1][0]);
                                                                 }
-                                                                let _e1327 = phi_3819_;
-                                                                phi_3820_ = _e1327;
+                                                                let _e1336 = phi_1807_;
+                                                                phi_1808_ = _e1336;
                                                             }
-                                                            let _e1330 = phi_3820_;
-                                                            if _e371 {
-                                                                phi_3837_ = vec3<f32>(_e1018[2][0], _e1018[2][1], _e1018[2][2]);
+                                                            let _e1339 = phi_1808_;
+                                                            if _e375 {
+                                                                phi_1825_ = vec3<f32>(_e1027[2][0], _e1027[2][1], _e1027[2][2]);
                                                             } else {
-                                                                if (_e347 == 1u) {
-                                                                    phi_3836_ = vec3<f32>(_e1018[2][2], _e1018[2][0], _e1018[2][1]);
+                                                                if (_e351 == 1u) {
+                                                                    phi_1824_ = vec3<f32>(_e1027[2][2], _e1027[2][0], _e1027[2][1]);
                                                                 } else {
-                                                                    phi_3836_ = vec3<f32>(_e1018[2][1], _e1018[2][2], _e1018[2][0]);
+                                                                    phi_1824_ = vec3<f32>(_e1027[2][1], _e1027[2][2], _e1027[2][0]);
                                                                 }
-                                                                let _e1335 = phi_3836_;
-                                                                phi_3837_ = _e1335;
+                                                                let _e1344 = phi_1824_;
+                                                                phi_1825_ = _e1344;
                                                             }
-                                                            let _e1338 = phi_3837_;
-                                                            let _e1341 = (_e1330.x - _e1322.x);
-                                                            let _e1344 = (_e1330.y - _e1322.y);
-                                                            let _e1347 = (_e1330.z - _e1322.z);
-                                                            let _e1349 = (_e1338.x - _e1322.x);
-                                                            let _e1351 = (_e1338.y - _e1322.y);
-                                                            let _e1353 = (_e1338.z - _e1322.z);
-                                                            if (_e225.member_1 == 1u) {
-                                                                phi_3873_ = (vec3<f32>(_e225.member[0], _e225.member[1], _e225.member[2]) - _e1322);
+                                                            let _e1347 = phi_1825_;
+                                                            let _e1350 = (_e1339.x - _e1331.x);
+                                                            let _e1353 = (_e1339.y - _e1331.y);
+                                                            let _e1356 = (_e1339.z - _e1331.z);
+                                                            let _e1358 = (_e1347.x - _e1331.x);
+                                                            let _e1360 = (_e1347.y - _e1331.y);
+                                                            let _e1362 = (_e1347.z - _e1331.z);
+                                                            if (_e229.member_1 == 1u) {
+                                                                phi_1861_ = (vec3<f32>(_e229.member[0], _e229.member[1], _e229.member[2]) - _e1331);
                                                             } else {
-                                                                phi_3873_ = vec3<f32>(_e225.member[0], _e225.member[1], _e225.member[2]);
+                                                                phi_1861_ = vec3<f32>(_e229.member[0], _e229.member[1], _e229.member[2]);
                                                             }
-                                                            let _e1368 = phi_3873_;
-                                                            let _e1374 = bitcast<f32>((bitcast<u32>((_e1341 * _e1351)) ^ _e225.member_3[0]));
-                                                            let _e1378 = bitcast<f32>((bitcast<u32>((_e1344 * _e1349)) ^ _e225.member_3[0]));
-                                                            let _e1382 = bitcast<f32>((bitcast<u32>((_e1344 * _e1353)) ^ _e225.member_3[0]));
-                                                            let _e1386 = bitcast<f32>((bitcast<u32>((_e1347 * _e1351)) ^ _e225.member_3[0]));
-                                                            let _e1390 = bitcast<f32>((bitcast<u32>((_e1347 * _e1349)) ^ _e225.member_3[0]));
-                                                            let _e1394 = bitcast<f32>((bitcast<u32>((_e1341 * _e1353)) ^ _e225.member_3[0]));
-                                                            let _e1395 = (_e1382 - _e1386);
-                                                            let _e1396 = (_e1390 - _e1394);
-                                                            let _e1397 = (_e1374 - _e1378);
-                                                            let _e1421 = (bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u)));
-                                                            let _e1428 = (bitcast<f32>((bitcast<u32>(_e1390) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1394) & 2147483647u)));
-                                                            let _e1435 = (bitcast<f32>((bitcast<u32>(_e1374) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1378) & 2147483647u)));
-                                                            if (_e225.member_2 == 0f) {
-                                                                phi_4055_ = 0f;
+                                                            let _e1377 = phi_1861_;
+                                                            let _e1383 = bitcast<f32>((bitcast<u32>((_e1350 * _e1360)) ^ _e229.member_3[0]));
+                                                            let _e1387 = bitcast<f32>((bitcast<u32>((_e1353 * _e1358)) ^ _e229.member_3[0]));
+                                                            let _e1391 = bitcast<f32>((bitcast<u32>((_e1353 * _e1362)) ^ _e229.member_3[0]));
+                                                            let _e1395 = bitcast<f32>((bitcast<u32>((_e1356 * _e1360)) ^ _e229.member_3[0]));
+                                                            let _e1399 = bitcast<f32>((bitcast<u32>((_e1356 * _e1358)) ^ _e229.member_3[0]));
+                                                            let _e1403 = bitcast<f32>((bitcast<u32>((_e1350 * _e1362)) ^ _e229.member_3[0]));
+                                                            let _e1404 = (_e1391 - _e1395);
+                                                            let _e1405 = (_e1399 - _e1403);
+                                                            let _e1406 = (_e1383 - _e1387);
+                                                            let _e1430 = (bitcast<f32>((bitcast<u32>(_e1391) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1395) & 2147483647u)));
+                                                            let _e1437 = (bitcast<f32>((bitcast<u32>(_e1399) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1403) & 2147483647u)));
+                                                            let _e1444 = (bitcast<f32>((bitcast<u32>(_e1383) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1387) & 2147483647u)));
+                                                            if (_e229.member_2 == 0f) {
+                                                                phi_2043_ = 0f;
                                                             } else {
-                                                                let _e1465 = bitcast<f32>((bitcast<u32>(_e1395) & 2147483647u));
-                                                                let _e1468 = bitcast<f32>((bitcast<u32>(_e1396) & 2147483647u));
-                                                                let _e1471 = bitcast<f32>((bitcast<u32>(_e1397) & 2147483647u));
-                                                                let _e1473 = select(_e1471, _e1468, (_e1468 > _e1471));
-                                                                let _e1477 = select(_e1471, _e1468, (_e1468 < _e1471));
-                                                                let _e1481 = select(_e1468, _e1465, (_e1465 < _e1468));
-                                                                let _e1483 = select(_e1468, _e1465, (_e1465 > _e1468));
-                                                                let _e1485 = select(_e1471, _e1483, (_e1483 < _e1471));
-                                                                phi_4055_ = bitcast<f32>((bitcast<u32>((_e225.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1473, _e1465, (_e1465 > _e1473)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1485, _e1481, (_e1481 > _e1485)))) ^ _e225.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1477, _e1465, (_e1465 < _e1477)))) ^ _e225.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1421 + _e1428) + _e1435))) ^ _e225.member_3[0]))) * 1.0000005f)) ^ _e225.member_3[0])))) ^ _e225.member_3[0]));
+                                                                let _e1474 = bitcast<f32>((bitcast<u32>(_e1404) & 2147483647u));
+                                                                let _e1477 = bitcast<f32>((bitcast<u32>(_e1405) & 2147483647u));
+                                                                let _e1480 = bitcast<f32>((bitcast<u32>(_e1406) & 2147483647u));
+                                                                let _e1482 = select(_e1480, _e1477, (_e1477 > _e1480));
+                                                                let _e1486 = select(_e1480, _e1477, (_e1477 < _e1480));
+                                                                let _e1490 = select(_e1477, _e1474, (_e1474 < _e1477));
+                                                                let _e1492 = select(_e1477, _e1474, (_e1474 > _e1477));
+                                                                let _e1494 = select(_e1480, _e1492, (_e1492 < _e1480));
+                                                                phi_2043_ = bitcast<f32>((bitcast<u32>((_e229.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1482, _e1474, (_e1474 > _e1482)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1494, _e1490, (_e1490 > _e1494)))) ^ _e229.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1486, _e1474, (_e1474 < _e1486)))) ^ _e229.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1430 + _e1437) + _e1444))) ^ _e229.member_3[0]))) * 1.0000005f)) ^ _e229.member_3[0])))) ^ _e229.member_3[0]));
                                                             }
-                                                            let _e1512 = phi_4055_;
-                                                            phi_4073_ = (_e1314 || !(((((bitcast<f32>((bitcast<u32>((_e1368.x * _e1395)) ^ _e225.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1368.y * _e1396)) ^ _e225.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1368.z * _e1397)) ^ _e225.member_3[0]))) * f32(-(_e1313))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1368.x) & 2147483647u)) * _e1421)) ^ _e225.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1368.y) & 2147483647u)) * _e1428)) ^ _e225.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1368.z) & 2147483647u)) * _e1435)) ^ _e225.member_3[0]))))) ^ _e225.member_3[0])) + _e1512) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1521 = phi_2043_;
+                                                            phi_2061_ = (_e1323 || !(((((bitcast<f32>((bitcast<u32>((_e1377.x * _e1404)) ^ _e229.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1377.y * _e1405)) ^ _e229.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1377.z * _e1406)) ^ _e229.member_3[0]))) * f32(-(_e1322))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1377.x) & 2147483647u)) * _e1430)) ^ _e229.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1377.y) & 2147483647u)) * _e1437)) ^ _e229.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1377.z) & 2147483647u)) * _e1444)) ^ _e229.member_3[0]))))) ^ _e229.member_3[0])) + _e1521) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1526 = phi_4073_;
-                                                        phi_4074_ = _e1526;
+                                                        let _e1535 = phi_2061_;
+                                                        phi_2062_ = _e1535;
                                                     }
-                                                    let _e1528 = phi_4074_;
-                                                    if _e1528 {
-                                                        if (_e1300.member < _e922.member.member) {
-                                                            phi_4094_ = true;
+                                                    let _e1537 = phi_2062_;
+                                                    if _e1537 {
+                                                        if (_e1309.member < _e931.member.member) {
+                                                            phi_2082_ = true;
                                                         } else {
-                                                            if (_e1300.member == _e922.member.member) {
-                                                                phi_4093_ = (_e1300.member_3 < _e922.member.member_3);
+                                                            if (_e1309.member == _e931.member.member) {
+                                                                phi_2081_ = (_e1309.member_3 < _e931.member.member_3);
                                                             } else {
-                                                                phi_4093_ = false;
+                                                                phi_2081_ = false;
                                                             }
-                                                            let _e1538 = phi_4093_;
-                                                            phi_4094_ = _e1538;
+                                                            let _e1547 = phi_2081_;
+                                                            phi_2082_ = _e1547;
                                                         }
-                                                        let _e1540 = phi_4094_;
-                                                        if _e1540 {
-                                                            phi_4100_ = type_42(_e1300, _e1300.member);
+                                                        let _e1549 = phi_2082_;
+                                                        if _e1549 {
+                                                            phi_2088_ = type_43(_e1309, _e1309.member);
                                                         } else {
-                                                            phi_4100_ = _e922;
+                                                            phi_2088_ = _e931;
                                                         }
-                                                        let _e1543 = phi_4100_;
-                                                        phi_4101_ = _e1543;
+                                                        let _e1552 = phi_2088_;
+                                                        phi_2089_ = _e1552;
                                                     } else {
-                                                        phi_4101_ = _e922;
+                                                        phi_2089_ = _e931;
                                                     }
-                                                    let _e1545 = phi_4101_;
-                                                    phi_4102_ = _e1545;
+                                                    let _e1554 = phi_2089_;
+                                                    phi_2090_ = _e1554;
                                                 } else {
-                                                    phi_4102_ = _e922;
+                                                    phi_2090_ = _e931;
                                                 }
-                                                let _e1547 = phi_4102_;
-                                                phi_3034_ = _e1547;
+                                                let _e1556 = phi_2090_;
+                                                phi_1022_ = _e1556;
                                             } else {
-                                                phi_3034_ = type_42();
+                                                phi_1022_ = type_43();
                                             }
-                                            let _e1549 = phi_3034_;
+                                            let _e1558 = phi_1022_;
                                             continue;
                                             continuing {
-                                                phi_3033_ = _e1549;
-                                                phi_3036_ = _e937;
-                                                phi_5221_ = _e557;
-                                                break if !(_e943);
+                                                phi_1021_ = _e1558;
+                                                phi_1024_ = _e946;
+                                                phi_3261_ = _e561;
+                                                break if !(_e952);
                                             }
                                         }
-                                        let _e1552 = phi_5221_;
-                                        phi_5304_ = _e1552;
-                                        if _e1552 {
+                                        let _e1561 = phi_3261_;
+                                        phi_3344_ = _e1561;
+                                        if _e1561 {
                                             break;
                                         }
-                                        phi_5308_ = _e1552;
-                                        let _e1768 = local_13;
-                                        phi_4946_ = _e1768;
-                                        phi_4947_ = _e596;
-                                        phi_4948_ = false;
-                                        phi_4949_ = _e600;
+                                        phi_3348_ = _e1561;
+                                        let _e1777 = local_19;
+                                        phi_2972_ = _e1777;
+                                        phi_2973_ = _e602;
+                                        phi_2974_ = false;
+                                        phi_2975_ = _e606;
                                     } else {
-                                        local_1 = array<f32, 3>(_e596.member.member[0], _e596.member.member[1], _e596.member.member[2]);
-                                        local = array<f32, 3>(_e596.member.member_1[0], _e596.member.member_1[1], _e596.member.member_1[2]);
-                                        let _e620 = (_e596.member_1 < _e94);
-                                        if _e620 {
-                                            if _e620 {
+                                        local_8 = array<f32, 3>(_e602.member.member[0], _e602.member.member[1], _e602.member.member[2]);
+                                        local_7 = array<f32, 3>(_e602.member.member_1[0], _e602.member.member_1[1], _e602.member.member_1[2]);
+                                        let _e626 = (_e602.member_1 < _e98);
+                                        if _e626 {
+                                            if _e626 {
                                             } else {
-                                                phi_5304_ = true;
+                                                phi_3344_ = true;
                                                 break;
                                             }
-                                            let _e622 = global_10.member[_e596.member_1];
-                                            phi_4136_ = _e622;
+                                            let _e628 = global_10.member[_e602.member_1];
+                                            phi_2124_ = _e628;
                                         } else {
-                                            phi_4136_ = type_53(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2124_ = type_54(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e624 = phi_4136_;
-                                        let _e626 = array<u32, 3>(_e347, _e346, _e348);
-                                        local_9 = _e626;
-                                        local_5 = array<f32, 3>(0f, 0f, 0f);
-                                        local_4 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_4145_ = type_8(0u, 3u);
+                                        let _e630 = phi_2124_;
+                                        let _e632 = array<u32, 3>(_e351, _e350, _e352);
+                                        local_15 = _e632;
+                                        local_11 = array<f32, 3>(0f, 0f, 0f);
+                                        local_10 = array<f32, 3>(0f, 0f, 0f);
+                                        phi_2133_ = type_8(0u, 3u);
                                         loop {
-                                            let _e628 = phi_4145_;
-                                            if (_e628.member < _e628.member_1) {
-                                                phi_4146_ = type_8((_e628.member + 1u), _e628.member_1);
-                                                phi_4169_ = type_8(1u, _e628.member);
+                                            let _e634 = phi_2133_;
+                                            if (_e634.member < _e634.member_1) {
+                                                phi_2134_ = type_8((_e634.member + 1u), _e634.member_1);
+                                                phi_2157_ = type_8(1u, _e634.member);
                                             } else {
-                                                phi_4146_ = _e628;
-                                                phi_4169_ = type_8(0u, type_8().member_1);
+                                                phi_2134_ = _e634;
+                                                phi_2157_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e641 = phi_4146_;
-                                            let _e643 = phi_4169_;
-                                            let _e647 = (bitcast<i32>(_e643.member) != 0i);
-                                            if _e647 {
-                                                let _e648 = (_e643.member_1 < 3u);
-                                                if _e648 {
+                                            let _e647 = phi_2134_;
+                                            let _e649 = phi_2157_;
+                                            let _e653 = (bitcast<i32>(_e649.member) != 0i);
+                                            if _e653 {
+                                                let _e654 = (_e649.member_1 < 3u);
+                                                if _e654 {
                                                 } else {
-                                                    phi_5149_ = true;
+                                                    phi_3189_ = true;
                                                     break;
                                                 }
-                                                let _e650 = local_9[_e643.member_1];
-                                                if _e648 {
+                                                let _e656 = local_15[_e649.member_1];
+                                                if _e654 {
                                                 } else {
-                                                    phi_5149_ = true;
+                                                    phi_3189_ = true;
                                                     break;
                                                 }
-                                                let _e652 = local_1[_e643.member_1];
-                                                if _e648 {
+                                                let _e658 = local_8[_e649.member_1];
+                                                if _e654 {
                                                 } else {
-                                                    phi_5149_ = true;
+                                                    phi_3189_ = true;
                                                     break;
                                                 }
-                                                let _e654 = local[_e643.member_1];
-                                                let _e657 = ((10u * _e650) & 31u);
-                                                let _e660 = ((_e624.member[0] >> bitcast<u32>(_e657)) & 1023u);
-                                                let _e665 = bitcast<f32>((bitcast<u32>(((_e654 - _e652) * 0.0009775171f)) ^ _e136));
-                                                let _e671 = (_e652 + bitcast<f32>((bitcast<u32>((f32(_e660) * _e665)) ^ _e136)));
-                                                if _e648 {
+                                                let _e660 = local_7[_e649.member_1];
+                                                let _e663 = ((10u * _e656) & 31u);
+                                                let _e666 = ((_e630.member[0] >> bitcast<u32>(_e663)) & 1023u);
+                                                let _e671 = bitcast<f32>((bitcast<u32>(((_e660 - _e658) * 0.0009775171f)) ^ _e140));
+                                                let _e677 = (_e658 + bitcast<f32>((bitcast<u32>((f32(_e666) * _e671)) ^ _e140)));
+                                                if _e654 {
                                                 } else {
-                                                    phi_5149_ = true;
+                                                    phi_3189_ = true;
                                                     break;
                                                 }
-                                                local_5[_e643.member_1] = select(select(_e654, _e671, (_e671 < _e654)), _e654, (_e660 == 1023u));
-                                                let _e680 = ((_e624.member[1] >> bitcast<u32>(_e657)) & 1023u);
-                                                let _e686 = (_e652 + bitcast<f32>((bitcast<u32>((f32(_e680) * _e665)) ^ _e136)));
-                                                if _e648 {
+                                                local_11[_e649.member_1] = select(select(_e660, _e677, (_e677 < _e660)), _e660, (_e666 == 1023u));
+                                                let _e686 = ((_e630.member[1] >> bitcast<u32>(_e663)) & 1023u);
+                                                let _e692 = (_e658 + bitcast<f32>((bitcast<u32>((f32(_e686) * _e671)) ^ _e140)));
+                                                if _e654 {
                                                 } else {
-                                                    phi_5149_ = true;
+                                                    phi_3189_ = true;
                                                     break;
                                                 }
-                                                local_4[_e643.member_1] = select(select(_e654, _e686, (_e686 < _e654)), _e654, (_e680 == 1023u));
+                                                local_10[_e649.member_1] = select(select(_e660, _e692, (_e692 < _e660)), _e660, (_e686 == 1023u));
                                             }
                                             continue;
                                             continuing {
-                                                phi_4145_ = _e641;
-                                                phi_5149_ = _e557;
-                                                break if !(_e647);
+                                                phi_2133_ = _e647;
+                                                phi_3189_ = _e561;
+                                                break if !(_e653);
                                             }
                                         }
-                                        let _e694 = phi_5149_;
-                                        phi_5304_ = _e694;
-                                        if _e694 {
+                                        let _e700 = phi_3189_;
+                                        phi_3344_ = _e700;
+                                        if _e700 {
                                             break;
                                         }
-                                        let _e695 = local_4;
-                                        let _e696 = local_5;
-                                        local_8 = _e626;
-                                        local_7 = array<f32, 3>(0f, 0f, 0f);
-                                        local_6 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_4299_ = type_8(0u, 3u);
+                                        let _e701 = local_10;
+                                        let _e702 = local_11;
+                                        local_14 = _e632;
+                                        local_13 = array<f32, 3>(0f, 0f, 0f);
+                                        local_12 = array<f32, 3>(0f, 0f, 0f);
+                                        phi_2287_ = type_8(0u, 3u);
                                         loop {
-                                            let _e705 = phi_4299_;
-                                            if (_e705.member < _e705.member_1) {
-                                                phi_4300_ = type_8((_e705.member + 1u), _e705.member_1);
-                                                phi_4323_ = type_8(1u, _e705.member);
+                                            let _e711 = phi_2287_;
+                                            if (_e711.member < _e711.member_1) {
+                                                phi_2288_ = type_8((_e711.member + 1u), _e711.member_1);
+                                                phi_2311_ = type_8(1u, _e711.member);
                                             } else {
-                                                phi_4300_ = _e705;
-                                                phi_4323_ = type_8(0u, type_8().member_1);
+                                                phi_2288_ = _e711;
+                                                phi_2311_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e718 = phi_4300_;
-                                            let _e720 = phi_4323_;
-                                            let _e724 = (bitcast<i32>(_e720.member) != 0i);
-                                            if _e724 {
-                                                let _e725 = (_e720.member_1 < 3u);
-                                                if _e725 {
+                                            let _e724 = phi_2288_;
+                                            let _e726 = phi_2311_;
+                                            let _e730 = (bitcast<i32>(_e726.member) != 0i);
+                                            if _e730 {
+                                                let _e731 = (_e726.member_1 < 3u);
+                                                if _e731 {
                                                 } else {
-                                                    phi_5213_ = true;
+                                                    phi_3253_ = true;
                                                     break;
                                                 }
-                                                let _e727 = local_8[_e720.member_1];
-                                                if _e725 {
+                                                let _e733 = local_14[_e726.member_1];
+                                                if _e731 {
                                                 } else {
-                                                    phi_5213_ = true;
+                                                    phi_3253_ = true;
                                                     break;
                                                 }
-                                                let _e729 = local_1[_e720.member_1];
-                                                if _e725 {
+                                                let _e735 = local_8[_e726.member_1];
+                                                if _e731 {
                                                 } else {
-                                                    phi_5213_ = true;
+                                                    phi_3253_ = true;
                                                     break;
                                                 }
-                                                let _e731 = local[_e720.member_1];
-                                                let _e734 = ((10u * _e727) & 31u);
-                                                let _e737 = ((_e624.member_1[0] >> bitcast<u32>(_e734)) & 1023u);
-                                                let _e742 = bitcast<f32>((bitcast<u32>(((_e731 - _e729) * 0.0009775171f)) ^ _e136));
-                                                let _e748 = (_e729 + bitcast<f32>((bitcast<u32>((f32(_e737) * _e742)) ^ _e136)));
-                                                if _e725 {
+                                                let _e737 = local_7[_e726.member_1];
+                                                let _e740 = ((10u * _e733) & 31u);
+                                                let _e743 = ((_e630.member_1[0] >> bitcast<u32>(_e740)) & 1023u);
+                                                let _e748 = bitcast<f32>((bitcast<u32>(((_e737 - _e735) * 0.0009775171f)) ^ _e140));
+                                                let _e754 = (_e735 + bitcast<f32>((bitcast<u32>((f32(_e743) * _e748)) ^ _e140)));
+                                                if _e731 {
                                                 } else {
-                                                    phi_5213_ = true;
+                                                    phi_3253_ = true;
                                                     break;
                                                 }
-                                                local_7[_e720.member_1] = select(select(_e731, _e748, (_e748 < _e731)), _e731, (_e737 == 1023u));
-                                                let _e757 = ((_e624.member_1[1] >> bitcast<u32>(_e734)) & 1023u);
-                                                let _e763 = (_e729 + bitcast<f32>((bitcast<u32>((f32(_e757) * _e742)) ^ _e136)));
-                                                if _e725 {
+                                                local_13[_e726.member_1] = select(select(_e737, _e754, (_e754 < _e737)), _e737, (_e743 == 1023u));
+                                                let _e763 = ((_e630.member_1[1] >> bitcast<u32>(_e740)) & 1023u);
+                                                let _e769 = (_e735 + bitcast<f32>((bitcast<u32>((f32(_e763) * _e748)) ^ _e140)));
+                                                if _e731 {
                                                 } else {
-                                                    phi_5213_ = true;
+                                                    phi_3253_ = true;
                                                     break;
                                                 }
-                                                local_6[_e720.member_1] = select(select(_e731, _e763, (_e763 < _e731)), _e731, (_e757 == 1023u));
+                                                local_12[_e726.member_1] = select(select(_e737, _e769, (_e769 < _e737)), _e737, (_e763 == 1023u));
                                             }
                                             continue;
                                             continuing {
-                                                phi_4299_ = _e718;
-                                                phi_5213_ = _e694;
-                                                break if !(_e724);
+                                                phi_2287_ = _e724;
+                                                phi_3253_ = _e700;
+                                                break if !(_e730);
                                             }
                                         }
-                                        let _e771 = phi_5213_;
-                                        phi_5304_ = _e771;
-                                        if _e771 {
+                                        let _e777 = phi_3253_;
+                                        phi_3344_ = _e777;
+                                        if _e777 {
                                             break;
                                         }
-                                        let _e772 = local_6;
-                                        let _e773 = local_7;
-                                        let _e784 = type_61(type_58(array<f32, 3>(_e696[0], _e696[1], _e696[2]), array<f32, 3>(_e695[0], _e695[1], _e695[2])), _e624.member_2);
-                                        let _e789 = type_61(type_58(array<f32, 3>(_e773[0], _e773[1], _e773[2]), array<f32, 3>(_e772[0], _e772[1], _e772[2])), _e624.member_3);
-                                        let _e795 = ((_e696[0] - _e402) * _e407);
-                                        let _e796 = ((_e773[0] - _e402) * _e407);
-                                        let _e797 = ((_e695[0] - _e403) * _e407);
-                                        let _e798 = ((_e772[0] - _e403) * _e407);
-                                        let _e803 = ((_e696[1] - _e438) * _e443);
-                                        let _e804 = ((_e773[1] - _e438) * _e443);
-                                        let _e805 = ((_e695[1] - _e439) * _e443);
-                                        let _e806 = ((_e772[1] - _e439) * _e443);
-                                        let _e811 = ((_e696[2] - _e474) * _e479);
-                                        let _e812 = ((_e773[2] - _e474) * _e479);
-                                        let _e813 = ((_e695[2] - _e475) * _e479);
-                                        let _e814 = ((_e772[2] - _e475) * _e479);
-                                        let _e816 = select(_e813, _e811, (_e811 < _e813));
-                                        let _e818 = select(_e814, _e812, (_e812 < _e814));
-                                        let _e820 = select(_e813, _e811, (_e811 > _e813));
-                                        let _e822 = select(_e814, _e812, (_e812 > _e814));
-                                        let _e824 = select(_e797, _e795, (_e795 < _e797));
-                                        let _e826 = select(_e798, _e796, (_e796 < _e798));
-                                        let _e828 = select(_e805, _e803, (_e803 < _e805));
-                                        let _e830 = select(_e806, _e804, (_e804 < _e806));
-                                        let _e832 = select(_e828, _e824, (_e824 > _e828));
-                                        let _e834 = select(_e830, _e826, (_e826 > _e830));
-                                        let _e836 = select(_e816, _e832, (_e832 > _e816));
-                                        let _e838 = select(_e818, _e834, (_e834 > _e818));
-                                        let _e840 = select(_e797, _e795, (_e795 > _e797));
-                                        let _e842 = select(_e798, _e796, (_e796 > _e798));
-                                        let _e844 = select(_e805, _e803, (_e803 > _e805));
-                                        let _e846 = select(_e806, _e804, (_e804 > _e806));
-                                        let _e848 = select(_e844, _e840, (_e840 < _e844));
-                                        let _e850 = select(_e846, _e842, (_e842 < _e846));
-                                        let _e855 = -(_e816);
-                                        let _e856 = -(_e818);
-                                        let _e863 = (select(_e820, _e848, (_e848 < _e820)) + (select(_e855, _e820, (_e820 > _e855)) * 0.0000019073523f));
-                                        let _e864 = (select(_e822, _e850, (_e850 < _e822)) + (select(_e856, _e822, (_e822 > _e856)) * 0.0000019073523f));
-                                        let _e866 = select(_e525, _e836, (_e836 > _e525));
-                                        let _e868 = select(_e525, _e838, (_e838 > _e525));
-                                        let _e873 = (_e866 <= select(_e559.member_1, _e863, (_e863 < _e559.member_1)));
-                                        let _e874 = (_e868 <= select(_e559.member_1, _e864, (_e864 < _e559.member_1)));
-                                        let _e875 = (_e866 <= _e868);
-                                        if _e873 {
-                                            if _e874 {
-                                                if _e875 {
-                                                    phi_4886_ = _e789;
+                                        let _e778 = local_12;
+                                        let _e779 = local_13;
+                                        let _e790 = type_62(type_60(array<f32, 3>(_e702[0], _e702[1], _e702[2]), array<f32, 3>(_e701[0], _e701[1], _e701[2])), _e630.member_2);
+                                        let _e795 = type_62(type_60(array<f32, 3>(_e779[0], _e779[1], _e779[2]), array<f32, 3>(_e778[0], _e778[1], _e778[2])), _e630.member_3);
+                                        let _e801 = ((_e702[0] - _e406) * _e411);
+                                        let _e802 = ((_e779[0] - _e406) * _e411);
+                                        let _e803 = ((_e701[0] - _e407) * _e411);
+                                        let _e804 = ((_e778[0] - _e407) * _e411);
+                                        let _e809 = ((_e702[1] - _e442) * _e447);
+                                        let _e810 = ((_e779[1] - _e442) * _e447);
+                                        let _e811 = ((_e701[1] - _e443) * _e447);
+                                        let _e812 = ((_e778[1] - _e443) * _e447);
+                                        let _e817 = ((_e702[2] - _e478) * _e483);
+                                        let _e818 = ((_e779[2] - _e478) * _e483);
+                                        let _e819 = ((_e701[2] - _e479) * _e483);
+                                        let _e820 = ((_e778[2] - _e479) * _e483);
+                                        let _e822 = select(_e819, _e817, (_e817 < _e819));
+                                        let _e824 = select(_e820, _e818, (_e818 < _e820));
+                                        let _e826 = select(_e819, _e817, (_e817 > _e819));
+                                        let _e828 = select(_e820, _e818, (_e818 > _e820));
+                                        let _e830 = select(_e803, _e801, (_e801 < _e803));
+                                        let _e832 = select(_e804, _e802, (_e802 < _e804));
+                                        let _e834 = select(_e811, _e809, (_e809 < _e811));
+                                        let _e836 = select(_e812, _e810, (_e810 < _e812));
+                                        let _e838 = select(_e834, _e830, (_e830 > _e834));
+                                        let _e840 = select(_e836, _e832, (_e832 > _e836));
+                                        let _e842 = select(_e822, _e838, (_e838 > _e822));
+                                        let _e844 = select(_e824, _e840, (_e840 > _e824));
+                                        let _e846 = select(_e803, _e801, (_e801 > _e803));
+                                        let _e848 = select(_e804, _e802, (_e802 > _e804));
+                                        let _e850 = select(_e811, _e809, (_e809 > _e811));
+                                        let _e852 = select(_e812, _e810, (_e810 > _e812));
+                                        let _e854 = select(_e850, _e846, (_e846 < _e850));
+                                        let _e856 = select(_e852, _e848, (_e848 < _e852));
+                                        let _e861 = -(_e822);
+                                        let _e862 = -(_e824);
+                                        let _e869 = (select(_e826, _e854, (_e854 < _e826)) + (select(_e861, _e826, (_e826 > _e861)) * 0.0000019073523f));
+                                        let _e870 = (select(_e828, _e856, (_e856 < _e828)) + (select(_e862, _e828, (_e828 > _e862)) * 0.0000019073523f));
+                                        let _e872 = select(_e529, _e842, (_e842 > _e529));
+                                        let _e874 = select(_e529, _e844, (_e844 > _e529));
+                                        let _e879 = (_e872 <= select(_e563.member_1, _e869, (_e869 < _e563.member_1)));
+                                        let _e880 = (_e874 <= select(_e563.member_1, _e870, (_e870 < _e563.member_1)));
+                                        let _e881 = (_e872 <= _e874);
+                                        if _e879 {
+                                            if _e880 {
+                                                if _e881 {
+                                                    phi_2874_ = _e795;
                                                 } else {
-                                                    phi_4886_ = _e784;
+                                                    phi_2874_ = _e790;
                                                 }
-                                                let _e877 = phi_4886_;
-                                                let _e878 = (_e600 % 128u);
-                                                let _e879 = (_e878 < 128u);
-                                                if _e879 {
+                                                let _e883 = phi_2874_;
+                                                let _e891 = (_e606 % 128u);
+                                                let _e892 = (_e891 < 128u);
+                                                if _e892 {
                                                 } else {
-                                                    phi_5304_ = true;
+                                                    phi_3344_ = true;
                                                     break;
                                                 }
-                                                local_3[_e878] = type_61(type_58(array<f32, 3>(_e877.member.member[0], _e877.member.member[1], _e877.member.member[2]), array<f32, 3>(_e877.member.member_1[0], _e877.member.member_1[1], _e877.member.member_1[2])), _e877.member_1);
-                                                if _e879 {
+                                                local_6[_e891] = _e883.member_1;
+                                                if _e892 {
                                                 } else {
-                                                    phi_5304_ = true;
+                                                    phi_3344_ = true;
                                                     break;
                                                 }
-                                                local_2[_e878] = select(_e868, _e866, (_e866 > _e868));
-                                                if _e875 {
-                                                    phi_4925_ = _e784;
+                                                local_5[_e891] = _e883.member.member[0];
+                                                if _e892 {
                                                 } else {
-                                                    phi_4925_ = _e789;
+                                                    phi_3344_ = true;
+                                                    break;
                                                 }
-                                                let _e900 = phi_4925_;
-                                                phi_4926_ = _e900;
-                                                phi_4927_ = (_e600 + 1u);
+                                                local_4[_e891] = _e883.member.member[1];
+                                                if _e892 {
+                                                } else {
+                                                    phi_3344_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e891] = _e883.member.member[2];
+                                                if _e892 {
+                                                } else {
+                                                    phi_3344_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e891] = _e883.member.member_1[0];
+                                                if _e892 {
+                                                } else {
+                                                    phi_3344_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e891] = _e883.member.member_1[1];
+                                                if _e892 {
+                                                } else {
+                                                    phi_3344_ = true;
+                                                    break;
+                                                }
+                                                local[_e891] = _e883.member.member_1[2];
+                                                if _e892 {
+                                                } else {
+                                                    phi_3344_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e891] = select(_e874, _e872, (_e872 > _e874));
+                                                if _e881 {
+                                                    phi_2951_ = _e790;
+                                                } else {
+                                                    phi_2951_ = _e795;
+                                                }
+                                                let _e909 = phi_2951_;
+                                                phi_2952_ = _e909;
+                                                phi_2953_ = (_e606 + 1u);
                                             } else {
-                                                phi_4926_ = type_61();
-                                                phi_4927_ = u32();
+                                                phi_2952_ = type_62();
+                                                phi_2953_ = u32();
                                             }
-                                            let _e902 = phi_4926_;
-                                            let _e904 = phi_4927_;
-                                            phi_4929_ = _e902;
-                                            phi_4930_ = _e904;
-                                            phi_4931_ = select(true, false, _e874);
+                                            let _e911 = phi_2952_;
+                                            let _e913 = phi_2953_;
+                                            phi_2955_ = _e911;
+                                            phi_2956_ = _e913;
+                                            phi_2957_ = select(true, false, _e880);
                                         } else {
-                                            phi_4929_ = type_61();
-                                            phi_4930_ = u32();
-                                            phi_4931_ = true;
+                                            phi_2955_ = type_62();
+                                            phi_2956_ = u32();
+                                            phi_2957_ = true;
                                         }
-                                        let _e907 = phi_4929_;
-                                        let _e909 = phi_4930_;
-                                        let _e911 = phi_4931_;
-                                        if _e911 {
-                                            if _e873 {
-                                                phi_4938_ = _e784;
+                                        let _e916 = phi_2955_;
+                                        let _e918 = phi_2956_;
+                                        let _e920 = phi_2957_;
+                                        if _e920 {
+                                            if _e879 {
+                                                phi_2964_ = _e790;
                                             } else {
-                                                phi_4938_ = _e789;
+                                                phi_2964_ = _e795;
                                             }
-                                            let _e913 = phi_4938_;
-                                            phi_4943_ = _e913;
-                                            phi_4944_ = select(_e874, true, _e873);
+                                            let _e922 = phi_2964_;
+                                            phi_2969_ = _e922;
+                                            phi_2970_ = select(_e880, true, _e879);
                                         } else {
-                                            phi_4943_ = _e907;
-                                            phi_4944_ = _e598;
+                                            phi_2969_ = _e916;
+                                            phi_2970_ = _e604;
                                         }
-                                        let _e916 = phi_4943_;
-                                        let _e918 = phi_4944_;
-                                        phi_5308_ = _e771;
-                                        phi_4946_ = _e559;
-                                        phi_4947_ = _e916;
-                                        phi_4948_ = _e918;
-                                        phi_4949_ = select(_e909, _e600, _e911);
+                                        let _e925 = phi_2969_;
+                                        let _e927 = phi_2970_;
+                                        phi_3348_ = _e777;
+                                        phi_2972_ = _e563;
+                                        phi_2973_ = _e925;
+                                        phi_2974_ = _e927;
+                                        phi_2975_ = select(_e918, _e606, _e920);
                                     }
-                                    let _e1554 = phi_5308_;
-                                    let _e1556 = phi_4946_;
-                                    let _e1558 = phi_4947_;
-                                    let _e1560 = phi_4948_;
-                                    let _e1562 = phi_4949_;
-                                    phi_5307_ = _e1554;
-                                    phi_4950_ = _e1556;
-                                    phi_4951_ = _e1558;
-                                    phi_4952_ = (_e563 - 1u);
-                                    phi_4953_ = _e1560;
-                                    phi_4954_ = _e1562;
+                                    let _e1563 = phi_3348_;
+                                    let _e1565 = phi_2972_;
+                                    let _e1567 = phi_2973_;
+                                    let _e1569 = phi_2974_;
+                                    let _e1571 = phi_2975_;
+                                    phi_3347_ = _e1563;
+                                    phi_2976_ = _e1565;
+                                    phi_2977_ = _e1567;
+                                    phi_2978_ = (_e567 - 1u);
+                                    phi_2979_ = _e1569;
+                                    phi_2980_ = _e1571;
                                 } else {
-                                    phi_5307_ = _e557;
-                                    phi_4950_ = _e559;
-                                    phi_4951_ = _e596;
-                                    phi_4952_ = _e563;
-                                    phi_4953_ = _e598;
-                                    phi_4954_ = _e600;
+                                    phi_3347_ = _e561;
+                                    phi_2976_ = _e563;
+                                    phi_2977_ = _e602;
+                                    phi_2978_ = _e567;
+                                    phi_2979_ = _e604;
+                                    phi_2980_ = _e606;
                                 }
-                                let _e1564 = phi_5307_;
-                                let _e1566 = phi_4950_;
-                                let _e1568 = phi_4951_;
-                                let _e1570 = phi_4952_;
-                                let _e1572 = phi_4953_;
-                                let _e1574 = phi_4954_;
-                                phi_5306_ = _e1564;
-                                phi_4955_ = _e1566;
-                                phi_4956_ = _e1568;
-                                phi_4957_ = _e1570;
-                                phi_4958_ = _e1572;
-                                phi_4959_ = _e1574;
+                                let _e1573 = phi_3347_;
+                                let _e1575 = phi_2976_;
+                                let _e1577 = phi_2977_;
+                                let _e1579 = phi_2978_;
+                                let _e1581 = phi_2979_;
+                                let _e1583 = phi_2980_;
+                                phi_3346_ = _e1573;
+                                phi_2981_ = _e1575;
+                                phi_2982_ = _e1577;
+                                phi_2983_ = _e1579;
+                                phi_2984_ = _e1581;
+                                phi_2985_ = _e1583;
                             } else {
-                                phi_5306_ = _e557;
-                                phi_4955_ = type_42();
-                                phi_4956_ = type_61();
-                                phi_4957_ = u32();
-                                phi_4958_ = bool();
-                                phi_4959_ = u32();
+                                phi_3346_ = _e561;
+                                phi_2981_ = type_43();
+                                phi_2982_ = type_62();
+                                phi_2983_ = u32();
+                                phi_2984_ = bool();
+                                phi_2985_ = u32();
                             }
-                            let _e1576 = phi_5306_;
-                            let _e1578 = phi_4955_;
-                            let _e1580 = phi_4956_;
-                            let _e1582 = phi_4957_;
-                            let _e1584 = phi_4958_;
-                            let _e1586 = phi_4959_;
-                            phi_5305_ = _e1576;
-                            phi_2949_ = _e1578;
-                            phi_2952_ = _e1580;
-                            phi_2954_ = _e1582;
-                            phi_2956_ = _e1584;
-                            phi_2958_ = _e1586;
-                            phi_4960_ = _e571;
+                            let _e1585 = phi_3346_;
+                            let _e1587 = phi_2981_;
+                            let _e1589 = phi_2982_;
+                            let _e1591 = phi_2983_;
+                            let _e1593 = phi_2984_;
+                            let _e1595 = phi_2985_;
+                            phi_3345_ = _e1585;
+                            phi_896_ = _e1587;
+                            phi_899_ = _e1589;
+                            phi_901_ = _e1591;
+                            phi_903_ = _e1593;
+                            phi_905_ = _e1595;
+                            phi_2986_ = _e575;
                         } else {
-                            phi_5305_ = _e557;
-                            phi_2949_ = type_42();
-                            phi_2952_ = type_61();
-                            phi_2954_ = u32();
-                            phi_2956_ = bool();
-                            phi_2958_ = u32();
-                            phi_4960_ = false;
+                            phi_3345_ = _e561;
+                            phi_896_ = type_43();
+                            phi_899_ = type_62();
+                            phi_901_ = u32();
+                            phi_903_ = bool();
+                            phi_905_ = u32();
+                            phi_2986_ = false;
                         }
-                        let _e1588 = phi_5305_;
-                        let _e1590 = phi_2949_;
-                        let _e1592 = phi_2952_;
-                        let _e1594 = phi_2954_;
-                        let _e1596 = phi_2956_;
-                        let _e1598 = phi_2958_;
-                        let _e1600 = phi_4960_;
+                        let _e1597 = phi_3345_;
+                        let _e1599 = phi_896_;
+                        let _e1601 = phi_899_;
+                        let _e1603 = phi_901_;
+                        let _e1605 = phi_903_;
+                        let _e1607 = phi_905_;
+                        let _e1609 = phi_2986_;
                         continue;
                         continuing {
-                            phi_5156_ = _e1588;
-                            phi_2948_ = _e1590;
-                            phi_2951_ = _e1592;
-                            phi_2953_ = _e1594;
-                            phi_2955_ = _e1596;
-                            phi_2957_ = _e1598;
-                            phi_5304_ = _e1588;
-                            break if !(_e1600);
+                            phi_3196_ = _e1597;
+                            phi_895_ = _e1599;
+                            phi_898_ = _e1601;
+                            phi_900_ = _e1603;
+                            phi_902_ = _e1605;
+                            phi_904_ = _e1607;
+                            phi_3344_ = _e1597;
+                            break if !(_e1609);
                         }
                     }
-                    let _e1603 = phi_5304_;
-                    if _e1603 {
+                    let _e1612 = phi_3344_;
+                    if _e1612 {
                         break;
                     }
-                    let _e1605 = local_12;
-                    if (_e1605.member.member_3 != 4294967295u) {
-                        let _e1610 = (_e349 / 3i);
-                        let _e1617 = bitcast<f32>((bitcast<u32>((_e1610 + 127i)) << bitcast<u32>(23i)));
-                        let _e1625 = (((_e1605.member.member * _e1617) * _e1617) * bitcast<f32>((bitcast<u32>(((_e349 - (2i * _e1610)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1627 = select(340282350000000000000000000000000000000f, _e1625, (_e1625 < 340282350000000000000000000000000000000f));
-                        phi_5012_ = type_27(select(-340282350000000000000000000000000000000f, _e1627, (_e1627 > -340282350000000000000000000000000000000f)), _e1605.member.member_1, _e1605.member.member_2, _e1605.member.member_3);
+                    let _e1614 = local_18;
+                    if (_e1614.member.member_3 != 4294967295u) {
+                        let _e1619 = (_e353 / 3i);
+                        let _e1626 = bitcast<f32>((bitcast<u32>((_e1619 + 127i)) << bitcast<u32>(23i)));
+                        let _e1634 = (((_e1614.member.member * _e1626) * _e1626) * bitcast<f32>((bitcast<u32>(((_e353 - (2i * _e1619)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1636 = select(340282350000000000000000000000000000000f, _e1634, (_e1634 < 340282350000000000000000000000000000000f));
+                        phi_3038_ = type_27(select(-340282350000000000000000000000000000000f, _e1636, (_e1636 > -340282350000000000000000000000000000000f)), _e1614.member.member_1, _e1614.member.member_2, _e1614.member.member_3);
                     } else {
-                        phi_5012_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3038_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1634 = phi_5012_;
-                    if _e226 {
-                    } else {
-                        break;
-                    }
-                    global_8.member[_e140] = _e1634;
-                    if _e147 {
+                    let _e1643 = phi_3038_;
+                    if _e230 {
                     } else {
                         break;
                     }
-                    let _e1638 = select(0u, 1u, (_e293 <= _e303));
-                    if (_e1638 > 0u) {
-                        let _e1640 = (1u < _e108);
-                        if _e1640 {
-                            if (0u < _e108) {
+                    global_8.member[_e144] = _e1643;
+                    if _e151 {
+                    } else {
+                        break;
+                    }
+                    let _e1647 = select(0u, 1u, (_e297 <= _e307));
+                    if (_e1647 > 0u) {
+                        let _e1649 = (1u < _e112);
+                        if _e1649 {
+                            if (0u < _e112) {
                             } else {
                                 break;
                             }
-                            let _e1644 = atomicAdd((&global_9.member[0u]), _e1638);
-                            if ((_e1644 + _e1638) < _e1644) {
-                                if _e1640 {
+                            let _e1653 = atomicAdd((&global_9.member[0u]), _e1647);
+                            if ((_e1653 + _e1647) < _e1653) {
+                                if _e1649 {
                                 } else {
                                     break;
                                 }
-                                let _e1649 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e1658 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1652 = select(0u, 1u, (_e1634.member_3 != 4294967295u));
-                    if (_e1652 > 0u) {
-                        let _e1654 = (3u < _e108);
-                        if _e1654 {
-                            if (2u < _e108) {
+                    let _e1661 = select(0u, 1u, (_e1643.member_3 != 4294967295u));
+                    if (_e1661 > 0u) {
+                        let _e1663 = (3u < _e112);
+                        if _e1663 {
+                            if (2u < _e112) {
                             } else {
                                 break;
                             }
-                            let _e1658 = atomicAdd((&global_9.member[2u]), _e1652);
-                            if ((_e1658 + _e1652) < _e1658) {
-                                if _e1654 {
+                            let _e1667 = atomicAdd((&global_9.member[2u]), _e1661);
+                            if ((_e1667 + _e1661) < _e1667) {
+                                if _e1663 {
                                 } else {
                                     break;
                                 }
-                                let _e1663 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e1672 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

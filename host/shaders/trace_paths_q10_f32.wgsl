@@ -24,70 +24,70 @@ struct type_24 {
     member: array<type_22>,
 }
 
-struct type_29 {
+struct type_30 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_31 {
-    member: array<type_29>,
+struct type_32 {
+    member: array<type_30>,
 }
 
-struct type_33 {
+struct type_34 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
     member_3: f32,
 }
 
-struct type_34 {
-    member: type_33,
+struct type_35 {
+    member: type_34,
     member_1: array<f32, 3>,
     member_2: u32,
     member_3: array<f32, 3>,
     member_4: u32,
 }
 
-struct type_36 {
-    member: array<type_34>,
+struct type_37 {
+    member: array<type_35>,
 }
 
-struct type_41 {
+struct type_42 {
     member: vec4<f32>,
     member_1: vec4<f32>,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: f32,
     member_3: array<u32, 3>,
 }
 
-struct type_45 {
-    member: type_29,
+struct type_47 {
+    member: type_30,
     member_1: f32,
 }
 
-struct type_50 {
+struct type_52 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_53 {
+struct type_55 {
     member: array<i32>,
 }
 
-struct type_60 {
-    member: type_41,
+struct type_62 {
+    member: type_42,
     member_1: u32,
 }
 
 struct type_63 {
     member: array<vec4<f32>, 3>,
-    member_1: type_60,
-    member_2: type_60,
+    member_1: type_62,
+    member_2: type_62,
 }
 
 struct type_68 {
@@ -98,9 +98,9 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_16;
 @group(0) @binding(1) 
-var<uniform> global_2: type_50;
+var<uniform> global_2: type_52;
 @group(0) @binding(2) 
-var<uniform> global_3: type_50;
+var<uniform> global_3: type_52;
 @group(0) @binding(3) 
 var<storage> global_4: type_13;
 @group(0) @binding(4) 
@@ -108,11 +108,11 @@ var<storage> global_5: type_24;
 @group(0) @binding(5) 
 var<storage> global_6: type_4;
 @group(0) @binding(6) 
-var<storage> global_7: type_53;
+var<storage> global_7: type_55;
 @group(0) @binding(7) 
-var<storage> global_8: type_36;
+var<storage> global_8: type_37;
 @group(0) @binding(8) 
-var<storage, read_write> global_9: type_31;
+var<storage, read_write> global_9: type_32;
 @group(0) @binding(9) 
 var<storage, read_write> global_10: type_68;
 
@@ -120,1335 +120,1419 @@ fn function_() {
     var local: array<i32, 3>;
     var local_1: array<i32, 3>;
     var local_2: array<f32, 128>;
-    var local_3: array<type_60, 128>;
-    var phi_324_: u32;
-    var phi_368_: i32;
-    var phi_392_: type_43;
+    var local_3: array<f32, 128>;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<f32, 128>;
+    var local_7: array<f32, 128>;
+    var local_8: array<u32, 128>;
+    var local_9: array<f32, 128>;
+    var phi_323_: u32;
+    var phi_367_: i32;
+    var phi_391_: type_44;
+    var phi_497_: i32;
     var phi_498_: i32;
-    var phi_499_: i32;
-    var phi_509_: bool;
+    var phi_508_: bool;
+    var phi_518_: u32;
     var phi_519_: u32;
-    var phi_520_: u32;
-    var phi_522_: bool;
-    var phi_527_: u32;
-    var phi_560_: i32;
-    var phi_578_: f32;
-    var phi_584_: f32;
-    var phi_595_: f32;
-    var phi_601_: f32;
-    var phi_624_: f32;
-    var phi_635_: f32;
-    var phi_644_: f32;
-    var phi_650_: f32;
-    var phi_661_: f32;
-    var phi_667_: f32;
-    var phi_690_: f32;
-    var phi_701_: f32;
-    var phi_710_: f32;
-    var phi_716_: f32;
-    var phi_727_: f32;
-    var phi_733_: f32;
-    var phi_756_: f32;
-    var phi_767_: f32;
+    var phi_521_: bool;
+    var phi_526_: u32;
+    var phi_559_: i32;
+    var phi_577_: f32;
+    var phi_583_: f32;
+    var phi_594_: f32;
+    var phi_600_: f32;
+    var phi_623_: f32;
+    var phi_634_: f32;
+    var phi_643_: f32;
+    var phi_649_: f32;
+    var phi_660_: f32;
+    var phi_666_: f32;
+    var phi_689_: f32;
+    var phi_700_: f32;
+    var phi_709_: f32;
+    var phi_715_: f32;
+    var phi_726_: f32;
+    var phi_732_: f32;
+    var phi_755_: f32;
+    var phi_766_: f32;
+    var phi_866_: f32;
     var phi_867_: f32;
-    var phi_868_: f32;
-    var phi_4768_: bool;
-    var phi_1988_: type_45;
-    var phi_1991_: type_60;
-    var phi_1993_: u32;
-    var phi_1995_: bool;
-    var phi_1997_: u32;
-    var phi_2008_: bool;
-    var phi_2045_: type_60;
-    var phi_2046_: bool;
-    var phi_2047_: u32;
-    var phi_3998_: u32;
-    var phi_3999_: u32;
-    var phi_4009_: u32;
-    var phi_4011_: u32;
-    var phi_4012_: bool;
-    var phi_4032_: u32;
-    var phi_4033_: u32;
-    var phi_4037_: type_63;
-    var phi_4381_: type_60;
-    var phi_4414_: type_60;
-    var phi_4415_: type_60;
-    var phi_4416_: u32;
-    var phi_4418_: type_60;
-    var phi_4419_: u32;
-    var phi_4420_: bool;
-    var phi_4429_: type_60;
-    var phi_4434_: type_60;
-    var phi_4435_: bool;
-    var phi_2065_: type_45;
-    var phi_2068_: type_8;
-    var phi_2069_: type_8;
-    var phi_2091_: type_8;
-    var phi_2112_: u32;
-    var phi_2201_: array<array<f32, 3>, 3>;
-    var phi_2672_: vec3<f32>;
-    var phi_2673_: vec3<f32>;
-    var phi_2704_: bool;
-    var phi_2713_: vec3<f32>;
-    var phi_2753_: type_29;
-    var phi_2755_: type_29;
-    var phi_2756_: bool;
-    var phi_2760_: type_29;
-    var phi_2761_: type_29;
-    var phi_2762_: type_29;
-    var phi_2763_: bool;
-    var phi_2767_: type_29;
-    var phi_2768_: bool;
-    var phi_2772_: type_29;
-    var phi_2773_: bool;
-    var phi_2777_: type_29;
-    var phi_2800_: u32;
-    var phi_2814_: i32;
-    var phi_2834_: vec3<f32>;
-    var phi_2835_: vec3<f32>;
-    var phi_2851_: vec3<f32>;
-    var phi_2852_: vec3<f32>;
-    var phi_2868_: vec3<f32>;
-    var phi_2869_: vec3<f32>;
-    var phi_2905_: vec3<f32>;
-    var phi_3087_: f32;
-    var phi_3105_: bool;
-    var phi_3106_: bool;
-    var phi_3125_: bool;
-    var phi_3126_: bool;
-    var phi_3132_: type_45;
-    var phi_3133_: type_45;
-    var phi_3134_: type_45;
-    var phi_2066_: type_45;
-    var phi_4762_: bool;
-    var phi_4904_: bool;
-    var phi_4437_: type_45;
-    var phi_4438_: type_60;
-    var phi_4439_: bool;
-    var phi_4440_: u32;
-    var phi_4903_: bool;
-    var phi_4441_: type_45;
-    var phi_4442_: type_60;
-    var phi_4443_: u32;
-    var phi_4444_: bool;
-    var phi_4445_: u32;
-    var phi_4902_: bool;
-    var phi_4446_: type_45;
-    var phi_4447_: type_60;
-    var phi_4448_: u32;
-    var phi_4449_: bool;
-    var phi_4450_: u32;
-    var phi_4901_: bool;
-    var phi_1989_: type_45;
-    var phi_1992_: type_60;
-    var phi_1994_: u32;
-    var phi_1996_: bool;
-    var phi_1998_: u32;
-    var phi_4451_: bool;
-    var phi_4900_: bool;
-    var local_4: type_45;
-    var phi_4503_: type_29;
-    var local_5: type_45;
+    var phi_3843_: bool;
+    var phi_956_: type_47;
+    var phi_959_: type_62;
+    var phi_961_: u32;
+    var phi_963_: bool;
+    var phi_965_: u32;
+    var phi_976_: bool;
+    var phi_1062_: type_62;
+    var phi_1063_: bool;
+    var phi_1064_: u32;
+    var phi_3015_: u32;
+    var phi_3016_: u32;
+    var phi_3026_: u32;
+    var phi_3028_: u32;
+    var phi_3029_: bool;
+    var phi_3049_: u32;
+    var phi_3050_: u32;
+    var phi_3054_: type_63;
+    var phi_3398_: type_62;
+    var phi_3475_: type_62;
+    var phi_3476_: type_62;
+    var phi_3477_: u32;
+    var phi_3479_: type_62;
+    var phi_3480_: u32;
+    var phi_3481_: bool;
+    var phi_3490_: type_62;
+    var phi_3495_: type_62;
+    var phi_3496_: bool;
+    var phi_1082_: type_47;
+    var phi_1085_: type_8;
+    var phi_1086_: type_8;
+    var phi_1108_: type_8;
+    var phi_1129_: u32;
+    var phi_1218_: array<array<f32, 3>, 3>;
+    var phi_1689_: vec3<f32>;
+    var phi_1690_: vec3<f32>;
+    var phi_1721_: bool;
+    var phi_1730_: vec3<f32>;
+    var phi_1770_: type_30;
+    var phi_1772_: type_30;
+    var phi_1773_: bool;
+    var phi_1777_: type_30;
+    var phi_1778_: type_30;
+    var phi_1779_: type_30;
+    var phi_1780_: bool;
+    var phi_1784_: type_30;
+    var phi_1785_: bool;
+    var phi_1789_: type_30;
+    var phi_1790_: bool;
+    var phi_1794_: type_30;
+    var phi_1817_: u32;
+    var phi_1831_: i32;
+    var phi_1851_: vec3<f32>;
+    var phi_1852_: vec3<f32>;
+    var phi_1868_: vec3<f32>;
+    var phi_1869_: vec3<f32>;
+    var phi_1885_: vec3<f32>;
+    var phi_1886_: vec3<f32>;
+    var phi_1922_: vec3<f32>;
+    var phi_2104_: f32;
+    var phi_2122_: bool;
+    var phi_2123_: bool;
+    var phi_2142_: bool;
+    var phi_2143_: bool;
+    var phi_2149_: type_47;
+    var phi_2150_: type_47;
+    var phi_2151_: type_47;
+    var phi_1083_: type_47;
+    var phi_3837_: bool;
+    var phi_3979_: bool;
+    var phi_3498_: type_47;
+    var phi_3499_: type_62;
+    var phi_3500_: bool;
+    var phi_3501_: u32;
+    var phi_3978_: bool;
+    var phi_3502_: type_47;
+    var phi_3503_: type_62;
+    var phi_3504_: u32;
+    var phi_3505_: bool;
+    var phi_3506_: u32;
+    var phi_3977_: bool;
+    var phi_3507_: type_47;
+    var phi_3508_: type_62;
+    var phi_3509_: u32;
+    var phi_3510_: bool;
+    var phi_3511_: u32;
+    var phi_3976_: bool;
+    var phi_957_: type_47;
+    var phi_960_: type_62;
+    var phi_962_: u32;
+    var phi_964_: bool;
+    var phi_966_: u32;
+    var phi_3512_: bool;
+    var phi_3975_: bool;
+    var local_10: type_47;
+    var phi_3564_: type_30;
+    var local_11: type_47;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e89 = global;
-            let _e91 = arrayLength((&global_4.member));
-            let _e93 = arrayLength((&global_5.member));
-            let _e105 = arrayLength((&global_10.member));
-            let _e109 = global_3.member[0u][0u];
-            let _e113 = global_3.member[0u][1u];
-            let _e117 = global_3.member[0u][2u];
-            let _e121 = global_3.member[0u][3u];
-            let _e125 = global_3.member[1u][0u];
-            let _e129 = global_3.member[1u][1u];
-            let _e133 = global_3.member[1u][2u];
-            let _e137 = (_e89.x + (_e89.y * 2097152u));
-            let _e149 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e121) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e109), bitcast<i32>(_e113), bitcast<i32>(_e117));
-            local = array<i32, 3>(bitcast<i32>(_e125), bitcast<i32>(_e129), bitcast<i32>(_e133));
-            let _e152 = (_e137 < arrayLength((&global_8.member)));
-            if _e152 {
-                if _e152 {
+            let _e93 = global;
+            let _e95 = arrayLength((&global_4.member));
+            let _e97 = arrayLength((&global_5.member));
+            let _e109 = arrayLength((&global_10.member));
+            let _e113 = global_3.member[0u][0u];
+            let _e117 = global_3.member[0u][1u];
+            let _e121 = global_3.member[0u][2u];
+            let _e125 = global_3.member[0u][3u];
+            let _e129 = global_3.member[1u][0u];
+            let _e133 = global_3.member[1u][1u];
+            let _e137 = global_3.member[1u][2u];
+            let _e141 = (_e93.x + (_e93.y * 2097152u));
+            let _e153 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e125) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e113), bitcast<i32>(_e117), bitcast<i32>(_e121));
+            local = array<i32, 3>(bitcast<i32>(_e129), bitcast<i32>(_e133), bitcast<i32>(_e137));
+            let _e156 = (_e141 < arrayLength((&global_8.member)));
+            if _e156 {
+                if _e156 {
                 } else {
                     break;
                 }
-                let _e156 = global_8.member[_e137].member_2;
-                phi_324_ = _e156;
+                let _e160 = global_8.member[_e141].member_2;
+                phi_323_ = _e160;
             } else {
-                phi_324_ = 4294967295u;
+                phi_323_ = 4294967295u;
             }
-            let _e158 = phi_324_;
-            let _e161 = global_1.member[0u];
-            let _e165 = global_2.member[0u][0u];
-            let _e169 = global_2.member[0u][1u];
-            let _e173 = global_2.member[0u][2u];
-            let _e177 = global_2.member[0u][3u];
-            let _e181 = global_2.member[1u][0u];
-            let _e185 = global_2.member[1u][1u];
-            let _e189 = global_2.member[1u][2u];
-            let _e193 = global_2.member[1u][3u];
-            let _e194 = bitcast<f32>(_e165);
-            let _e195 = bitcast<f32>(_e169);
-            let _e196 = bitcast<f32>(_e173);
-            let _e198 = bitcast<f32>(_e181);
-            let _e199 = array<u32, 3>(_e185, _e189, _e193);
-            let _e201 = bitcast<i32>(_e161);
-            if (_e201 < -126i) {
-                phi_368_ = -126i;
+            let _e162 = phi_323_;
+            let _e165 = global_1.member[0u];
+            let _e169 = global_2.member[0u][0u];
+            let _e173 = global_2.member[0u][1u];
+            let _e177 = global_2.member[0u][2u];
+            let _e181 = global_2.member[0u][3u];
+            let _e185 = global_2.member[1u][0u];
+            let _e189 = global_2.member[1u][1u];
+            let _e193 = global_2.member[1u][2u];
+            let _e197 = global_2.member[1u][3u];
+            let _e198 = bitcast<f32>(_e169);
+            let _e199 = bitcast<f32>(_e173);
+            let _e200 = bitcast<f32>(_e177);
+            let _e202 = bitcast<f32>(_e185);
+            let _e203 = array<u32, 3>(_e189, _e193, _e197);
+            let _e205 = bitcast<i32>(_e165);
+            if (_e205 < -126i) {
+                phi_367_ = -126i;
             } else {
-                phi_368_ = select(_e201, 127i, (_e201 > 127i));
+                phi_367_ = select(_e205, 127i, (_e205 > 127i));
             }
-            let _e206 = phi_368_;
-            let _e211 = bitcast<f32>((bitcast<u32>((_e206 + 127i)) << bitcast<u32>(23i)));
-            let _e217 = bitcast<f32>((bitcast<u32>(((_e201 - _e206) + 127i)) << bitcast<u32>(23i)));
-            if (_e177 == 0u) {
-                phi_392_ = type_43(array<f32, 3>(_e194, _e195, _e196), _e177, _e198, _e199);
+            let _e210 = phi_367_;
+            let _e215 = bitcast<f32>((bitcast<u32>((_e210 + 127i)) << bitcast<u32>(23i)));
+            let _e221 = bitcast<f32>((bitcast<u32>(((_e205 - _e210) + 127i)) << bitcast<u32>(23i)));
+            if (_e181 == 0u) {
+                phi_391_ = type_44(array<f32, 3>(_e198, _e199, _e200), _e181, _e202, _e203);
             } else {
-                phi_392_ = type_43(array<f32, 3>(((_e194 * _e211) * _e217), ((_e195 * _e211) * _e217), ((_e196 * _e211) * _e217)), _e177, ((_e198 * _e211) * _e217), _e199);
+                phi_391_ = type_44(array<f32, 3>(((_e198 * _e215) * _e221), ((_e199 * _e215) * _e221), ((_e200 * _e215) * _e221)), _e181, ((_e202 * _e215) * _e221), _e203);
             }
-            let _e230 = phi_392_;
-            if _e152 {
-                let _e231 = (_e137 < arrayLength((&global_9.member)));
-                if _e231 {
-                    if _e152 {
+            let _e234 = phi_391_;
+            if _e156 {
+                let _e235 = (_e141 < arrayLength((&global_9.member)));
+                if _e235 {
+                    if _e156 {
                     } else {
                         break;
                     }
-                    let _e241 = global_8.member[_e137].member.member_2[0u];
-                    let _e243 = (bitcast<u32>(_e241) & 2147483647u);
-                    let _e249 = global_8.member[_e137].member.member_2[1u];
-                    let _e251 = (bitcast<u32>(_e249) & 2147483647u);
-                    let _e257 = global_8.member[_e137].member.member_2[2u];
-                    let _e259 = (bitcast<u32>(_e257) & 2147483647u);
-                    let _e265 = global_8.member[_e137].member.member[0u];
-                    let _e267 = (bitcast<u32>(_e265) & 2147483647u);
-                    let _e273 = global_8.member[_e137].member.member[1u];
-                    let _e275 = (bitcast<u32>(_e273) & 2147483647u);
-                    let _e281 = global_8.member[_e137].member.member[2u];
-                    let _e283 = (bitcast<u32>(_e281) & 2147483647u);
-                    let _e285 = select(_e251, _e243, (_e251 < _e243));
-                    let _e287 = select(_e259, _e285, (_e259 < _e285));
-                    let _e289 = select(_e267, _e287, (_e267 < _e287));
-                    let _e291 = select(_e275, _e289, (_e275 < _e289));
-                    let _e293 = select(_e283, _e291, (_e283 < _e291));
-                    let _e298 = global_8.member[_e137].member.member_1;
-                    let _e300 = (bitcast<u32>(_e298) & 2147483647u);
-                    let _e308 = global_8.member[_e137].member.member_3;
-                    let _e314 = (((select(_e300, _e293, (_e300 < _e293)) < 2139095040u) && ((bitcast<u32>(_e308) & 2147483647u) <= 2139095040u)) && (_e287 > 0u));
-                    if _e314 {
-                        let _e317 = (bitcast<u32>(bitcast<f32>(_e287)) & 2147483647u);
-                        if (_e317 >= 8388608u) {
-                            phi_498_ = (bitcast<i32>((_e317 >> bitcast<u32>(23i))) - 127i);
+                    let _e245 = global_8.member[_e141].member.member_2[0u];
+                    let _e247 = (bitcast<u32>(_e245) & 2147483647u);
+                    let _e253 = global_8.member[_e141].member.member_2[1u];
+                    let _e255 = (bitcast<u32>(_e253) & 2147483647u);
+                    let _e261 = global_8.member[_e141].member.member_2[2u];
+                    let _e263 = (bitcast<u32>(_e261) & 2147483647u);
+                    let _e269 = global_8.member[_e141].member.member[0u];
+                    let _e271 = (bitcast<u32>(_e269) & 2147483647u);
+                    let _e277 = global_8.member[_e141].member.member[1u];
+                    let _e279 = (bitcast<u32>(_e277) & 2147483647u);
+                    let _e285 = global_8.member[_e141].member.member[2u];
+                    let _e287 = (bitcast<u32>(_e285) & 2147483647u);
+                    let _e289 = select(_e255, _e247, (_e255 < _e247));
+                    let _e291 = select(_e263, _e289, (_e263 < _e289));
+                    let _e293 = select(_e271, _e291, (_e271 < _e291));
+                    let _e295 = select(_e279, _e293, (_e279 < _e293));
+                    let _e297 = select(_e287, _e295, (_e287 < _e295));
+                    let _e302 = global_8.member[_e141].member.member_1;
+                    let _e304 = (bitcast<u32>(_e302) & 2147483647u);
+                    let _e312 = global_8.member[_e141].member.member_3;
+                    let _e318 = (((select(_e304, _e297, (_e304 < _e297)) < 2139095040u) && ((bitcast<u32>(_e312) & 2147483647u) <= 2139095040u)) && (_e291 > 0u));
+                    if _e318 {
+                        let _e321 = (bitcast<u32>(bitcast<f32>(_e291)) & 2147483647u);
+                        if (_e321 >= 8388608u) {
+                            phi_497_ = (bitcast<i32>((_e321 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_498_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e317)), 32u, (_e317 == 0u))));
+                            phi_497_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e321)), 32u, (_e321 == 0u))));
                         }
-                        let _e331 = phi_498_;
-                        phi_499_ = _e331;
+                        let _e335 = phi_497_;
+                        phi_498_ = _e335;
                     } else {
-                        phi_499_ = 0i;
+                        phi_498_ = 0i;
                     }
-                    let _e333 = phi_499_;
-                    let _e334 = (_e243 == _e287);
-                    if _e334 {
-                        phi_509_ = true;
+                    let _e337 = phi_498_;
+                    let _e338 = (_e247 == _e291);
+                    if _e338 {
+                        phi_508_ = true;
                     } else {
-                        phi_509_ = (_e251 == _e287);
+                        phi_508_ = (_e255 == _e291);
                     }
-                    let _e337 = phi_509_;
-                    let _e338 = select(1u, 0u, _e334);
-                    if _e337 {
-                        let _e339 = (_e338 + 1u);
-                        phi_519_ = _e339;
-                        phi_520_ = _e339;
-                        phi_522_ = select(true, false, (_e339 == 2u));
+                    let _e341 = phi_508_;
+                    let _e342 = select(1u, 0u, _e338);
+                    if _e341 {
+                        let _e343 = (_e342 + 1u);
+                        phi_518_ = _e343;
+                        phi_519_ = _e343;
+                        phi_521_ = select(true, false, (_e343 == 2u));
                     } else {
-                        phi_519_ = u32();
-                        phi_520_ = 0u;
-                        phi_522_ = true;
+                        phi_518_ = u32();
+                        phi_519_ = 0u;
+                        phi_521_ = true;
                     }
-                    let _e343 = phi_519_;
-                    let _e345 = phi_520_;
-                    let _e347 = phi_522_;
-                    if _e347 {
-                        phi_527_ = (_e345 + 1u);
+                    let _e347 = phi_518_;
+                    let _e349 = phi_519_;
+                    let _e351 = phi_521_;
+                    if _e351 {
+                        phi_526_ = (_e349 + 1u);
                     } else {
-                        phi_527_ = 0u;
+                        phi_526_ = 0u;
                     }
-                    let _e351 = phi_527_;
-                    let _e352 = select(_e343, _e345, _e347);
-                    let _e353 = select(_e338, select(2u, _e338, _e337), _e347);
-                    let _e354 = -(_e333);
-                    if (_e354 < -126i) {
-                        phi_560_ = -126i;
+                    let _e355 = phi_526_;
+                    let _e356 = select(_e347, _e349, _e351);
+                    let _e357 = select(_e342, select(2u, _e342, _e341), _e351);
+                    let _e358 = -(_e337);
+                    if (_e358 < -126i) {
+                        phi_559_ = -126i;
                     } else {
-                        phi_560_ = select(_e354, 127i, (_e354 > 127i));
+                        phi_559_ = select(_e358, 127i, (_e358 > 127i));
                     }
-                    let _e359 = phi_560_;
-                    let _e364 = bitcast<f32>((bitcast<u32>((_e359 + 127i)) << bitcast<u32>(23i)));
-                    let _e370 = bitcast<f32>((bitcast<u32>(((_e354 - _e359) + 127i)) << bitcast<u32>(23i)));
-                    let _e375 = global_8.member[_e137].member.member;
-                    let _e376 = (_e352 == 0u);
-                    if _e376 {
-                        phi_578_ = _e375[0];
+                    let _e363 = phi_559_;
+                    let _e368 = bitcast<f32>((bitcast<u32>((_e363 + 127i)) << bitcast<u32>(23i)));
+                    let _e374 = bitcast<f32>((bitcast<u32>(((_e358 - _e363) + 127i)) << bitcast<u32>(23i)));
+                    let _e379 = global_8.member[_e141].member.member;
+                    let _e380 = (_e356 == 0u);
+                    if _e380 {
+                        phi_577_ = _e379[0];
                     } else {
-                        phi_578_ = _e375[1];
+                        phi_577_ = _e379[1];
                     }
-                    let _e380 = phi_578_;
-                    let _e381 = (_e352 == 2u);
-                    if _e381 {
-                        phi_584_ = _e375[2];
+                    let _e384 = phi_577_;
+                    let _e385 = (_e356 == 2u);
+                    if _e385 {
+                        phi_583_ = _e379[2];
                     } else {
-                        phi_584_ = _e380;
+                        phi_583_ = _e384;
                     }
-                    let _e384 = phi_584_;
-                    let _e385 = global_8.member[_e137].member.member_2;
-                    if _e376 {
-                        phi_595_ = _e385[0];
+                    let _e388 = phi_583_;
+                    let _e389 = global_8.member[_e141].member.member_2;
+                    if _e380 {
+                        phi_594_ = _e389[0];
                     } else {
-                        phi_595_ = _e385[1];
+                        phi_594_ = _e389[1];
                     }
-                    let _e389 = phi_595_;
-                    if _e381 {
-                        phi_601_ = _e385[2];
+                    let _e393 = phi_594_;
+                    if _e385 {
+                        phi_600_ = _e389[2];
                     } else {
-                        phi_601_ = _e389;
+                        phi_600_ = _e393;
                     }
-                    let _e392 = phi_601_;
-                    let _e394 = ((_e392 * _e364) * _e370);
-                    let _e398 = (bitcast<f32>((bitcast<u32>(_e394) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e398 {
-                        let _e402 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) * 0.00000011920929f);
-                        phi_624_ = select(0.00000000000011368684f, _e402, (_e402 > 0.00000000000011368684f));
+                    let _e396 = phi_600_;
+                    let _e398 = ((_e396 * _e368) * _e374);
+                    let _e402 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e402 {
+                        let _e406 = (bitcast<f32>((bitcast<u32>(_e388) & 2147483647u)) * 0.00000011920929f);
+                        phi_623_ = select(0.00000000000011368684f, _e406, (_e406 > 0.00000000000011368684f));
                     } else {
-                        phi_624_ = 0f;
+                        phi_623_ = 0f;
                     }
-                    let _e406 = phi_624_;
-                    let _e407 = (_e384 + _e406);
-                    let _e408 = (_e384 - _e406);
-                    let _e409 = select(_e394, 0f, _e398);
-                    if _e398 {
-                        phi_635_ = 38685626000000000000000000f;
+                    let _e410 = phi_623_;
+                    let _e411 = (_e388 + _e410);
+                    let _e412 = (_e388 - _e410);
+                    let _e413 = select(_e398, 0f, _e402);
+                    if _e402 {
+                        phi_634_ = 38685626000000000000000000f;
                     } else {
-                        phi_635_ = (1f / _e394);
+                        phi_634_ = (1f / _e398);
                     }
-                    let _e412 = phi_635_;
-                    let _e413 = (_e351 == 0u);
-                    if _e413 {
-                        phi_644_ = _e375[0];
+                    let _e416 = phi_634_;
+                    let _e417 = (_e355 == 0u);
+                    if _e417 {
+                        phi_643_ = _e379[0];
                     } else {
-                        phi_644_ = _e375[1];
+                        phi_643_ = _e379[1];
                     }
-                    let _e417 = phi_644_;
-                    let _e418 = (_e351 == 2u);
-                    if _e418 {
-                        phi_650_ = _e375[2];
+                    let _e421 = phi_643_;
+                    let _e422 = (_e355 == 2u);
+                    if _e422 {
+                        phi_649_ = _e379[2];
                     } else {
-                        phi_650_ = _e417;
+                        phi_649_ = _e421;
                     }
-                    let _e421 = phi_650_;
-                    if _e413 {
-                        phi_661_ = _e385[0];
+                    let _e425 = phi_649_;
+                    if _e417 {
+                        phi_660_ = _e389[0];
                     } else {
-                        phi_661_ = _e385[1];
+                        phi_660_ = _e389[1];
                     }
-                    let _e425 = phi_661_;
-                    if _e418 {
-                        phi_667_ = _e385[2];
+                    let _e429 = phi_660_;
+                    if _e422 {
+                        phi_666_ = _e389[2];
                     } else {
-                        phi_667_ = _e425;
+                        phi_666_ = _e429;
                     }
-                    let _e428 = phi_667_;
-                    let _e430 = ((_e428 * _e364) * _e370);
-                    let _e434 = (bitcast<f32>((bitcast<u32>(_e430) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e434 {
-                        let _e438 = (bitcast<f32>((bitcast<u32>(_e421) & 2147483647u)) * 0.00000011920929f);
-                        phi_690_ = select(0.00000000000011368684f, _e438, (_e438 > 0.00000000000011368684f));
+                    let _e432 = phi_666_;
+                    let _e434 = ((_e432 * _e368) * _e374);
+                    let _e438 = (bitcast<f32>((bitcast<u32>(_e434) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e438 {
+                        let _e442 = (bitcast<f32>((bitcast<u32>(_e425) & 2147483647u)) * 0.00000011920929f);
+                        phi_689_ = select(0.00000000000011368684f, _e442, (_e442 > 0.00000000000011368684f));
                     } else {
-                        phi_690_ = 0f;
+                        phi_689_ = 0f;
                     }
-                    let _e442 = phi_690_;
-                    let _e443 = (_e421 + _e442);
-                    let _e444 = (_e421 - _e442);
-                    let _e445 = select(_e430, 0f, _e434);
-                    if _e434 {
-                        phi_701_ = 38685626000000000000000000f;
+                    let _e446 = phi_689_;
+                    let _e447 = (_e425 + _e446);
+                    let _e448 = (_e425 - _e446);
+                    let _e449 = select(_e434, 0f, _e438);
+                    if _e438 {
+                        phi_700_ = 38685626000000000000000000f;
                     } else {
-                        phi_701_ = (1f / _e430);
+                        phi_700_ = (1f / _e434);
                     }
-                    let _e448 = phi_701_;
-                    let _e449 = (_e353 == 0u);
-                    if _e449 {
-                        phi_710_ = _e375[0];
+                    let _e452 = phi_700_;
+                    let _e453 = (_e357 == 0u);
+                    if _e453 {
+                        phi_709_ = _e379[0];
                     } else {
-                        phi_710_ = _e375[1];
+                        phi_709_ = _e379[1];
                     }
-                    let _e453 = phi_710_;
-                    let _e454 = (_e353 == 2u);
-                    if _e454 {
-                        phi_716_ = _e375[2];
+                    let _e457 = phi_709_;
+                    let _e458 = (_e357 == 2u);
+                    if _e458 {
+                        phi_715_ = _e379[2];
                     } else {
-                        phi_716_ = _e453;
+                        phi_715_ = _e457;
                     }
-                    let _e457 = phi_716_;
-                    if _e449 {
-                        phi_727_ = _e385[0];
+                    let _e461 = phi_715_;
+                    if _e453 {
+                        phi_726_ = _e389[0];
                     } else {
-                        phi_727_ = _e385[1];
+                        phi_726_ = _e389[1];
                     }
-                    let _e461 = phi_727_;
-                    if _e454 {
-                        phi_733_ = _e385[2];
+                    let _e465 = phi_726_;
+                    if _e458 {
+                        phi_732_ = _e389[2];
                     } else {
-                        phi_733_ = _e461;
+                        phi_732_ = _e465;
                     }
-                    let _e464 = phi_733_;
-                    let _e466 = ((_e464 * _e364) * _e370);
-                    let _e470 = (bitcast<f32>((bitcast<u32>(_e466) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e470 {
-                        let _e474 = (bitcast<f32>((bitcast<u32>(_e457) & 2147483647u)) * 0.00000011920929f);
-                        phi_756_ = select(0.00000000000011368684f, _e474, (_e474 > 0.00000000000011368684f));
+                    let _e468 = phi_732_;
+                    let _e470 = ((_e468 * _e368) * _e374);
+                    let _e474 = (bitcast<f32>((bitcast<u32>(_e470) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e474 {
+                        let _e478 = (bitcast<f32>((bitcast<u32>(_e461) & 2147483647u)) * 0.00000011920929f);
+                        phi_755_ = select(0.00000000000011368684f, _e478, (_e478 > 0.00000000000011368684f));
                     } else {
-                        phi_756_ = 0f;
+                        phi_755_ = 0f;
                     }
-                    let _e478 = phi_756_;
-                    let _e479 = (_e457 + _e478);
-                    let _e480 = (_e457 - _e478);
-                    let _e481 = select(_e466, 0f, _e470);
-                    if _e470 {
-                        phi_767_ = 38685626000000000000000000f;
+                    let _e482 = phi_755_;
+                    let _e483 = (_e461 + _e482);
+                    let _e484 = (_e461 - _e482);
+                    let _e485 = select(_e470, 0f, _e474);
+                    if _e474 {
+                        phi_766_ = 38685626000000000000000000f;
                     } else {
-                        phi_767_ = (1f / _e466);
+                        phi_766_ = (1f / _e470);
                     }
-                    let _e484 = phi_767_;
-                    let _e487 = bitcast<f32>((bitcast<u32>(_e384) & 2147483647u));
-                    let _e490 = bitcast<f32>((bitcast<u32>(_e421) & 2147483647u));
-                    let _e492 = select(_e490, _e487, (_e487 > _e490));
-                    let _e495 = bitcast<f32>((bitcast<u32>(_e457) & 2147483647u));
-                    if (_e314 && (select(_e495, _e492, (_e492 > _e495)) <= 1099511600000f)) {
-                        let _e500 = (_e333 / 3i);
-                        let _e507 = bitcast<f32>((bitcast<u32>((_e500 + 127i)) << bitcast<u32>(23i)));
-                        let _e514 = bitcast<f32>((bitcast<u32>(((_e333 - (2i * _e500)) + 127i)) << bitcast<u32>(23i)));
-                        let _e515 = (((_e298 * _e507) * _e507) * _e514);
-                        let _e517 = select(340282350000000000000000000000000000000f, _e515, (_e515 < 340282350000000000000000000000000000000f));
-                        let _e522 = (((_e308 * _e507) * _e507) * _e514);
-                        let _e524 = select(340282350000000000000000000000000000000f, _e522, (_e522 < 340282350000000000000000000000000000000f));
-                        phi_867_ = select(-340282350000000000000000000000000000000f, _e524, (_e524 > -340282350000000000000000000000000000000f));
-                        phi_868_ = select(-340282350000000000000000000000000000000f, _e517, (_e517 > -340282350000000000000000000000000000000f));
+                    let _e488 = phi_766_;
+                    let _e491 = bitcast<f32>((bitcast<u32>(_e388) & 2147483647u));
+                    let _e494 = bitcast<f32>((bitcast<u32>(_e425) & 2147483647u));
+                    let _e496 = select(_e494, _e491, (_e491 > _e494));
+                    let _e499 = bitcast<f32>((bitcast<u32>(_e461) & 2147483647u));
+                    if (_e318 && (select(_e499, _e496, (_e496 > _e499)) <= 1099511600000f)) {
+                        let _e504 = (_e337 / 3i);
+                        let _e511 = bitcast<f32>((bitcast<u32>((_e504 + 127i)) << bitcast<u32>(23i)));
+                        let _e518 = bitcast<f32>((bitcast<u32>(((_e337 - (2i * _e504)) + 127i)) << bitcast<u32>(23i)));
+                        let _e519 = (((_e302 * _e511) * _e511) * _e518);
+                        let _e521 = select(340282350000000000000000000000000000000f, _e519, (_e519 < 340282350000000000000000000000000000000f));
+                        let _e526 = (((_e312 * _e511) * _e511) * _e518);
+                        let _e528 = select(340282350000000000000000000000000000000f, _e526, (_e526 < 340282350000000000000000000000000000000f));
+                        phi_866_ = select(-340282350000000000000000000000000000000f, _e528, (_e528 > -340282350000000000000000000000000000000f));
+                        phi_867_ = select(-340282350000000000000000000000000000000f, _e521, (_e521 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_867_ = 0f;
-                        phi_868_ = 1f;
+                        phi_866_ = 0f;
+                        phi_867_ = 1f;
                     }
-                    let _e528 = phi_867_;
-                    let _e530 = phi_868_;
-                    local_3 = array<type_60, 128>(type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u));
+                    let _e532 = phi_866_;
+                    let _e534 = phi_867_;
+                    local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                    local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e534 = (_e352 % 3u);
-                    let _e535 = (_e534 < 3u);
-                    if _e535 {
+                    local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    let _e538 = (_e356 % 3u);
+                    let _e539 = (_e538 < 3u);
+                    if _e539 {
                     } else {
                         break;
                     }
-                    let _e537 = local_1[_e534];
-                    let _e540 = (_e351 % 3u);
-                    let _e541 = (_e540 < 3u);
-                    if _e541 {
+                    let _e541 = local_1[_e538];
+                    let _e544 = (_e355 % 3u);
+                    let _e545 = (_e544 < 3u);
+                    if _e545 {
                     } else {
                         break;
                     }
-                    let _e543 = local_1[_e540];
-                    let _e546 = (_e353 % 3u);
-                    let _e547 = (_e546 < 3u);
-                    if _e547 {
+                    let _e547 = local_1[_e544];
+                    let _e550 = (_e357 % 3u);
+                    let _e551 = (_e550 < 3u);
+                    if _e551 {
                     } else {
                         break;
                     }
-                    let _e549 = local_1[_e546];
-                    if _e535 {
+                    let _e553 = local_1[_e550];
+                    if _e539 {
                     } else {
                         break;
                     }
-                    let _e554 = local[_e534];
-                    if _e541 {
+                    let _e558 = local[_e538];
+                    if _e545 {
                     } else {
                         break;
                     }
-                    let _e558 = local[_e540];
-                    if _e547 {
+                    let _e562 = local[_e544];
+                    if _e551 {
                     } else {
                         break;
                     }
-                    let _e562 = local[_e546];
-                    phi_4768_ = false;
-                    phi_1988_ = type_45(type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e528);
-                    phi_1991_ = type_60(type_41(vec4<f32>((f32(_e537) * _e149), (f32(_e543) * _e149), (f32(_e549) * _e149), 0f), vec4<f32>((f32(_e554) * _e149), (f32(_e558) * _e149), (f32(_e562) * _e149), 0f)), select(0u, 2147483648u, (_e91 == 0u)));
-                    phi_1993_ = ((3u * _e91) + 1u);
-                    phi_1995_ = (_e530 <= _e528);
-                    phi_1997_ = 0u;
+                    let _e566 = local[_e550];
+                    phi_3843_ = false;
+                    phi_956_ = type_47(type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e532);
+                    phi_959_ = type_62(type_42(vec4<f32>((f32(_e541) * _e153), (f32(_e547) * _e153), (f32(_e553) * _e153), 0f), vec4<f32>((f32(_e558) * _e153), (f32(_e562) * _e153), (f32(_e566) * _e153), 0f)), select(0u, 2147483648u, (_e95 == 0u)));
+                    phi_961_ = ((3u * _e95) + 1u);
+                    phi_963_ = (_e534 <= _e532);
+                    phi_965_ = 0u;
                     loop {
-                        let _e572 = phi_4768_;
-                        let _e574 = phi_1988_;
-                        let _e576 = phi_1991_;
-                        let _e578 = phi_1993_;
-                        let _e580 = phi_1995_;
-                        let _e582 = phi_1997_;
-                        local_4 = _e574;
-                        if _e580 {
-                            phi_2008_ = true;
+                        let _e576 = phi_3843_;
+                        let _e578 = phi_956_;
+                        let _e580 = phi_959_;
+                        let _e582 = phi_961_;
+                        let _e584 = phi_963_;
+                        let _e586 = phi_965_;
+                        local_10 = _e578;
+                        if _e584 {
+                            phi_976_ = true;
                         } else {
-                            phi_2008_ = (_e582 > 0u);
+                            phi_976_ = (_e586 > 0u);
                         }
-                        let _e585 = phi_2008_;
-                        if _e585 {
-                            let _e586 = (_e578 > 0u);
-                            if _e586 {
-                                if _e580 {
-                                    phi_2045_ = _e576;
-                                    phi_2046_ = _e580;
-                                    phi_2047_ = _e582;
+                        let _e589 = phi_976_;
+                        if _e589 {
+                            let _e590 = (_e582 > 0u);
+                            if _e590 {
+                                if _e584 {
+                                    phi_1062_ = _e580;
+                                    phi_1063_ = _e584;
+                                    phi_1064_ = _e586;
                                 } else {
-                                    let _e587 = (_e582 - 1u);
-                                    let _e588 = (_e587 % 128u);
-                                    let _e589 = (_e588 < 128u);
-                                    if _e589 {
+                                    let _e591 = (_e586 - 1u);
+                                    let _e592 = (_e591 % 128u);
+                                    let _e593 = (_e592 < 128u);
+                                    if _e593 {
                                     } else {
-                                        phi_4900_ = true;
+                                        phi_3975_ = true;
                                         break;
                                     }
-                                    let _e591 = local_3[_e588];
-                                    if _e589 {
+                                    let _e595 = local_7[_e592];
+                                    if _e593 {
                                     } else {
-                                        phi_4900_ = true;
+                                        phi_3975_ = true;
                                         break;
                                     }
-                                    let _e599 = local_2[_e588];
-                                    phi_2045_ = type_60(type_41(_e591.member.member, _e591.member.member_1), _e591.member_1);
-                                    phi_2046_ = (_e599 <= _e574.member_1);
-                                    phi_2047_ = _e587;
+                                    let _e597 = local_6[_e592];
+                                    if _e593 {
+                                    } else {
+                                        phi_3975_ = true;
+                                        break;
+                                    }
+                                    let _e599 = local_5[_e592];
+                                    if _e593 {
+                                    } else {
+                                        phi_3975_ = true;
+                                        break;
+                                    }
+                                    let _e601 = local_4[_e592];
+                                    if _e593 {
+                                    } else {
+                                        phi_3975_ = true;
+                                        break;
+                                    }
+                                    let _e603 = local_3[_e592];
+                                    if _e593 {
+                                    } else {
+                                        phi_3975_ = true;
+                                        break;
+                                    }
+                                    let _e605 = local_2[_e592];
+                                    if _e593 {
+                                    } else {
+                                        phi_3975_ = true;
+                                        break;
+                                    }
+                                    let _e610 = local_8[_e592];
+                                    if _e593 {
+                                    } else {
+                                        phi_3975_ = true;
+                                        break;
+                                    }
+                                    let _e613 = local_9[_e592];
+                                    phi_1062_ = type_62(type_42(vec4<f32>(_e595, _e597, _e599, 0f), vec4<f32>(_e601, _e603, _e605, 0f)), _e610);
+                                    phi_1063_ = (_e613 <= _e578.member_1);
+                                    phi_1064_ = _e591;
                                 }
-                                let _e603 = phi_2045_;
-                                let _e605 = phi_2046_;
-                                let _e607 = phi_2047_;
-                                if _e605 {
-                                    if ((_e603.member_1 & 2147483648u) != 0u) {
-                                        phi_2065_ = _e574;
-                                        phi_2068_ = type_8(0u, ((_e603.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e617 = phi_1062_;
+                                let _e619 = phi_1063_;
+                                let _e621 = phi_1064_;
+                                if _e619 {
+                                    if ((_e617.member_1 & 2147483648u) != 0u) {
+                                        phi_1082_ = _e578;
+                                        phi_1085_ = type_8(0u, ((_e617.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1053 = phi_2065_;
-                                            let _e1055 = phi_2068_;
-                                            local_5 = _e1053;
-                                            if (_e1055.member < _e1055.member_1) {
-                                                phi_2069_ = type_8((_e1055.member + 1u), _e1055.member_1);
-                                                phi_2091_ = type_8(1u, _e1055.member);
+                                            let _e1086 = phi_1082_;
+                                            let _e1088 = phi_1085_;
+                                            local_11 = _e1086;
+                                            if (_e1088.member < _e1088.member_1) {
+                                                phi_1086_ = type_8((_e1088.member + 1u), _e1088.member_1);
+                                                phi_1108_ = type_8(1u, _e1088.member);
                                             } else {
-                                                phi_2069_ = _e1055;
-                                                phi_2091_ = type_8(0u, type_8().member_1);
+                                                phi_1086_ = _e1088;
+                                                phi_1108_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1068 = phi_2069_;
-                                            let _e1070 = phi_2091_;
-                                            let _e1074 = (bitcast<i32>(_e1070.member) != 0i);
-                                            if _e1074 {
-                                                let _e1075 = ((_e603.member_1 & 268435455u) + _e1070.member_1);
-                                                let _e1076 = (_e1075 < _e93);
-                                                if _e1076 {
-                                                    if _e1076 {
+                                            let _e1101 = phi_1086_;
+                                            let _e1103 = phi_1108_;
+                                            let _e1107 = (bitcast<i32>(_e1103.member) != 0i);
+                                            if _e1107 {
+                                                let _e1108 = ((_e617.member_1 & 268435455u) + _e1103.member_1);
+                                                let _e1109 = (_e1108 < _e97);
+                                                if _e1109 {
+                                                    if _e1109 {
                                                     } else {
-                                                        phi_4762_ = true;
+                                                        phi_3837_ = true;
                                                         break;
                                                     }
-                                                    let _e1080 = global_5.member[_e1075].member_1;
-                                                    phi_2112_ = _e1080;
+                                                    let _e1113 = global_5.member[_e1108].member_1;
+                                                    phi_1129_ = _e1113;
                                                 } else {
-                                                    phi_2112_ = 4294967295u;
+                                                    phi_1129_ = 4294967295u;
                                                 }
-                                                let _e1082 = phi_2112_;
-                                                if (_e1075 >= _e93) {
-                                                    phi_2201_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1115 = phi_1129_;
+                                                if (_e1108 >= _e97) {
+                                                    phi_1218_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1076 {
+                                                    if _e1109 {
                                                     } else {
-                                                        phi_4762_ = true;
+                                                        phi_3837_ = true;
                                                         break;
                                                     }
-                                                    if (_e534 < 9u) {
+                                                    if (_e538 < 9u) {
                                                     } else {
-                                                        phi_4762_ = true;
+                                                        phi_3837_ = true;
                                                         break;
                                                     }
-                                                    let _e1089 = global_5.member[_e1075].member[_e534];
-                                                    if (_e540 < 9u) {
+                                                    let _e1122 = global_5.member[_e1108].member[_e538];
+                                                    if (_e544 < 9u) {
                                                     } else {
-                                                        phi_4762_ = true;
+                                                        phi_3837_ = true;
                                                         break;
                                                     }
-                                                    let _e1095 = global_5.member[_e1075].member[_e540];
-                                                    if (_e546 < 9u) {
+                                                    let _e1128 = global_5.member[_e1108].member[_e544];
+                                                    if (_e550 < 9u) {
                                                     } else {
-                                                        phi_4762_ = true;
+                                                        phi_3837_ = true;
                                                         break;
                                                     }
-                                                    let _e1101 = global_5.member[_e1075].member[_e546];
-                                                    let _e1103 = (3u + _e534);
-                                                    if (_e1103 < 9u) {
+                                                    let _e1134 = global_5.member[_e1108].member[_e550];
+                                                    let _e1136 = (3u + _e538);
+                                                    if (_e1136 < 9u) {
                                                     } else {
-                                                        phi_4762_ = true;
+                                                        phi_3837_ = true;
                                                         break;
                                                     }
-                                                    let _e1109 = global_5.member[_e1075].member[_e1103];
-                                                    let _e1110 = (3u + _e540);
-                                                    if (_e1110 < 9u) {
+                                                    let _e1142 = global_5.member[_e1108].member[_e1136];
+                                                    let _e1143 = (3u + _e544);
+                                                    if (_e1143 < 9u) {
                                                     } else {
-                                                        phi_4762_ = true;
+                                                        phi_3837_ = true;
                                                         break;
                                                     }
-                                                    let _e1116 = global_5.member[_e1075].member[_e1110];
-                                                    let _e1117 = (3u + _e546);
-                                                    if (_e1117 < 9u) {
+                                                    let _e1149 = global_5.member[_e1108].member[_e1143];
+                                                    let _e1150 = (3u + _e550);
+                                                    if (_e1150 < 9u) {
                                                     } else {
-                                                        phi_4762_ = true;
+                                                        phi_3837_ = true;
                                                         break;
                                                     }
-                                                    let _e1123 = global_5.member[_e1075].member[_e1117];
-                                                    let _e1125 = (6u + _e534);
-                                                    if (_e1125 < 9u) {
+                                                    let _e1156 = global_5.member[_e1108].member[_e1150];
+                                                    let _e1158 = (6u + _e538);
+                                                    if (_e1158 < 9u) {
                                                     } else {
-                                                        phi_4762_ = true;
+                                                        phi_3837_ = true;
                                                         break;
                                                     }
-                                                    let _e1131 = global_5.member[_e1075].member[_e1125];
-                                                    let _e1132 = (6u + _e540);
-                                                    if (_e1132 < 9u) {
+                                                    let _e1164 = global_5.member[_e1108].member[_e1158];
+                                                    let _e1165 = (6u + _e544);
+                                                    if (_e1165 < 9u) {
                                                     } else {
-                                                        phi_4762_ = true;
+                                                        phi_3837_ = true;
                                                         break;
                                                     }
-                                                    let _e1138 = global_5.member[_e1075].member[_e1132];
-                                                    let _e1139 = (6u + _e546);
-                                                    if (_e1139 < 9u) {
+                                                    let _e1171 = global_5.member[_e1108].member[_e1165];
+                                                    let _e1172 = (6u + _e550);
+                                                    if (_e1172 < 9u) {
                                                     } else {
-                                                        phi_4762_ = true;
+                                                        phi_3837_ = true;
                                                         break;
                                                     }
-                                                    let _e1145 = global_5.member[_e1075].member[_e1139];
-                                                    phi_2201_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1089, _e1095, _e1101), array<f32, 3>(_e1109, _e1116, _e1123), array<f32, 3>(_e1131, _e1138, _e1145));
+                                                    let _e1178 = global_5.member[_e1108].member[_e1172];
+                                                    phi_1218_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1122, _e1128, _e1134), array<f32, 3>(_e1142, _e1149, _e1156), array<f32, 3>(_e1164, _e1171, _e1178));
                                                 }
-                                                let _e1149 = phi_2201_;
-                                                let _e1157 = (_e1149[0][2] - _e457);
-                                                let _e1160 = (((_e1149[0][0] - _e384) * _e481) - (_e1157 * _e409));
-                                                let _e1163 = (((_e1149[0][1] - _e421) * _e481) - (_e1157 * _e445));
-                                                let _e1170 = (_e1149[1][2] - _e457);
-                                                let _e1173 = (((_e1149[1][0] - _e384) * _e481) - (_e1170 * _e409));
-                                                let _e1176 = (((_e1149[1][1] - _e421) * _e481) - (_e1170 * _e445));
-                                                let _e1183 = (_e1149[2][2] - _e457);
-                                                let _e1186 = (((_e1149[2][0] - _e384) * _e481) - (_e1183 * _e409));
-                                                let _e1189 = (((_e1149[2][1] - _e421) * _e481) - (_e1183 * _e445));
-                                                let _e1190 = (_e1186 * _e1176);
-                                                let _e1191 = (_e1189 * _e1173);
-                                                let _e1192 = (_e1160 * _e1189);
-                                                let _e1193 = (_e1163 * _e1186);
-                                                let _e1194 = (_e1173 * _e1163);
-                                                let _e1195 = (_e1176 * _e1160);
-                                                let _e1200 = (((_e1190 >= _e1191) && (_e1192 >= _e1193)) && (_e1194 >= _e1195));
-                                                if (_e1200 || (((_e1190 <= _e1191) && (_e1192 <= _e1193)) && (_e1194 <= _e1195))) {
-                                                    let _e1207 = select(-1f, 1f, _e1200);
-                                                    let _e1209 = ((_e1190 - _e1191) * _e1207);
-                                                    let _e1211 = select(0f, _e1209, (_e1209 > 0f));
-                                                    let _e1213 = ((_e1192 - _e1193) * _e1207);
-                                                    let _e1215 = select(0f, _e1213, (_e1213 > 0f));
-                                                    let _e1217 = ((_e1194 - _e1195) * _e1207);
-                                                    let _e1219 = select(0f, _e1217, (_e1217 > 0f));
-                                                    let _e1221 = ((_e1211 + _e1215) + _e1219);
-                                                    if (_e1221 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2767_ = type_29();
-                                                        phi_2768_ = true;
+                                                let _e1182 = phi_1218_;
+                                                let _e1190 = (_e1182[0][2] - _e461);
+                                                let _e1193 = (((_e1182[0][0] - _e388) * _e485) - (_e1190 * _e413));
+                                                let _e1196 = (((_e1182[0][1] - _e425) * _e485) - (_e1190 * _e449));
+                                                let _e1203 = (_e1182[1][2] - _e461);
+                                                let _e1206 = (((_e1182[1][0] - _e388) * _e485) - (_e1203 * _e413));
+                                                let _e1209 = (((_e1182[1][1] - _e425) * _e485) - (_e1203 * _e449));
+                                                let _e1216 = (_e1182[2][2] - _e461);
+                                                let _e1219 = (((_e1182[2][0] - _e388) * _e485) - (_e1216 * _e413));
+                                                let _e1222 = (((_e1182[2][1] - _e425) * _e485) - (_e1216 * _e449));
+                                                let _e1223 = (_e1219 * _e1209);
+                                                let _e1224 = (_e1222 * _e1206);
+                                                let _e1225 = (_e1193 * _e1222);
+                                                let _e1226 = (_e1196 * _e1219);
+                                                let _e1227 = (_e1206 * _e1196);
+                                                let _e1228 = (_e1209 * _e1193);
+                                                let _e1233 = (((_e1223 >= _e1224) && (_e1225 >= _e1226)) && (_e1227 >= _e1228));
+                                                if (_e1233 || (((_e1223 <= _e1224) && (_e1225 <= _e1226)) && (_e1227 <= _e1228))) {
+                                                    let _e1240 = select(-1f, 1f, _e1233);
+                                                    let _e1242 = ((_e1223 - _e1224) * _e1240);
+                                                    let _e1244 = select(0f, _e1242, (_e1242 > 0f));
+                                                    let _e1246 = ((_e1225 - _e1226) * _e1240);
+                                                    let _e1248 = select(0f, _e1246, (_e1246 > 0f));
+                                                    let _e1250 = ((_e1227 - _e1228) * _e1240);
+                                                    let _e1252 = select(0f, _e1250, (_e1250 > 0f));
+                                                    let _e1254 = ((_e1244 + _e1248) + _e1252);
+                                                    if (_e1254 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1784_ = type_30();
+                                                        phi_1785_ = true;
                                                     } else {
-                                                        let _e1224 = select(_e1149[1][0], _e1149[0][0], (_e1149[0][0] < _e1149[1][0]));
-                                                        let _e1228 = select(_e1149[1][0], _e1149[0][0], (_e1149[0][0] > _e1149[1][0]));
-                                                        let _e1232 = select(_e1149[1][1], _e1149[0][1], (_e1149[0][1] < _e1149[1][1]));
-                                                        let _e1236 = select(_e1149[1][1], _e1149[0][1], (_e1149[0][1] > _e1149[1][1]));
-                                                        let _e1240 = select(_e1149[1][2], _e1149[0][2], (_e1149[0][2] < _e1149[1][2]));
-                                                        let _e1244 = select(_e1149[1][2], _e1149[0][2], (_e1149[0][2] > _e1149[1][2]));
-                                                        let _e1249 = ((select(_e1149[2][0], _e1224, (_e1224 < _e1149[2][0])) - _e407) * _e412);
-                                                        let _e1250 = ((select(_e1149[2][0], _e1228, (_e1228 > _e1149[2][0])) - _e408) * _e412);
-                                                        let _e1253 = ((select(_e1149[2][1], _e1232, (_e1232 < _e1149[2][1])) - _e443) * _e448);
-                                                        let _e1254 = ((select(_e1149[2][1], _e1236, (_e1236 > _e1149[2][1])) - _e444) * _e448);
-                                                        let _e1257 = ((select(_e1149[2][2], _e1240, (_e1240 < _e1149[2][2])) - _e479) * _e484);
-                                                        let _e1258 = ((select(_e1149[2][2], _e1244, (_e1244 > _e1149[2][2])) - _e480) * _e484);
-                                                        let _e1260 = select(_e1258, _e1257, (_e1257 < _e1258));
-                                                        let _e1262 = select(_e1258, _e1257, (_e1257 > _e1258));
-                                                        let _e1264 = select(_e1250, _e1249, (_e1249 < _e1250));
-                                                        let _e1266 = select(_e1254, _e1253, (_e1253 < _e1254));
-                                                        let _e1268 = select(_e1266, _e1264, (_e1264 > _e1266));
-                                                        let _e1270 = select(_e1260, _e1268, (_e1268 > _e1260));
-                                                        let _e1272 = select(_e1250, _e1249, (_e1249 > _e1250));
-                                                        let _e1274 = select(_e1254, _e1253, (_e1253 > _e1254));
-                                                        let _e1276 = select(_e1274, _e1272, (_e1272 < _e1274));
-                                                        let _e1278 = select(_e1262, _e1276, (_e1276 < _e1262));
-                                                        let _e1279 = -(_e1260);
-                                                        let _e1285 = select(_e530, _e1270, (_e1270 > _e530));
-                                                        if (_e1285 > (_e1278 + (select(_e1279, _e1262, (_e1262 > _e1279)) * 0.0000019073523f))) {
-                                                            phi_2762_ = type_29();
-                                                            phi_2763_ = true;
+                                                        let _e1257 = select(_e1182[1][0], _e1182[0][0], (_e1182[0][0] < _e1182[1][0]));
+                                                        let _e1261 = select(_e1182[1][0], _e1182[0][0], (_e1182[0][0] > _e1182[1][0]));
+                                                        let _e1265 = select(_e1182[1][1], _e1182[0][1], (_e1182[0][1] < _e1182[1][1]));
+                                                        let _e1269 = select(_e1182[1][1], _e1182[0][1], (_e1182[0][1] > _e1182[1][1]));
+                                                        let _e1273 = select(_e1182[1][2], _e1182[0][2], (_e1182[0][2] < _e1182[1][2]));
+                                                        let _e1277 = select(_e1182[1][2], _e1182[0][2], (_e1182[0][2] > _e1182[1][2]));
+                                                        let _e1282 = ((select(_e1182[2][0], _e1257, (_e1257 < _e1182[2][0])) - _e411) * _e416);
+                                                        let _e1283 = ((select(_e1182[2][0], _e1261, (_e1261 > _e1182[2][0])) - _e412) * _e416);
+                                                        let _e1286 = ((select(_e1182[2][1], _e1265, (_e1265 < _e1182[2][1])) - _e447) * _e452);
+                                                        let _e1287 = ((select(_e1182[2][1], _e1269, (_e1269 > _e1182[2][1])) - _e448) * _e452);
+                                                        let _e1290 = ((select(_e1182[2][2], _e1273, (_e1273 < _e1182[2][2])) - _e483) * _e488);
+                                                        let _e1291 = ((select(_e1182[2][2], _e1277, (_e1277 > _e1182[2][2])) - _e484) * _e488);
+                                                        let _e1293 = select(_e1291, _e1290, (_e1290 < _e1291));
+                                                        let _e1295 = select(_e1291, _e1290, (_e1290 > _e1291));
+                                                        let _e1297 = select(_e1283, _e1282, (_e1282 < _e1283));
+                                                        let _e1299 = select(_e1287, _e1286, (_e1286 < _e1287));
+                                                        let _e1301 = select(_e1299, _e1297, (_e1297 > _e1299));
+                                                        let _e1303 = select(_e1293, _e1301, (_e1301 > _e1293));
+                                                        let _e1305 = select(_e1283, _e1282, (_e1282 > _e1283));
+                                                        let _e1307 = select(_e1287, _e1286, (_e1286 > _e1287));
+                                                        let _e1309 = select(_e1307, _e1305, (_e1305 < _e1307));
+                                                        let _e1311 = select(_e1295, _e1309, (_e1309 < _e1295));
+                                                        let _e1312 = -(_e1293);
+                                                        let _e1318 = select(_e534, _e1303, (_e1303 > _e534));
+                                                        if (_e1318 > (_e1311 + (select(_e1312, _e1295, (_e1295 > _e1312)) * 0.0000019073523f))) {
+                                                            phi_1779_ = type_30();
+                                                            phi_1780_ = true;
                                                         } else {
-                                                            let _e1287 = (_e1285 > _e1053.member_1);
-                                                            if _e1287 {
-                                                                phi_2761_ = type_29();
+                                                            let _e1320 = (_e1318 > _e1086.member_1);
+                                                            if _e1320 {
+                                                                phi_1778_ = type_30();
                                                             } else {
-                                                                let _e1291 = (_e1149[1][0] - _e1149[0][0]);
-                                                                let _e1292 = (_e1149[1][1] - _e1149[0][1]);
-                                                                let _e1293 = (_e1149[1][2] - _e1149[0][2]);
-                                                                let _e1294 = vec3<f32>(_e1291, _e1292, _e1293);
-                                                                let _e1295 = (_e1149[2][0] - _e1149[1][0]);
-                                                                let _e1296 = (_e1149[2][1] - _e1149[1][1]);
-                                                                let _e1297 = (_e1149[2][2] - _e1149[1][2]);
-                                                                let _e1298 = vec3<f32>(_e1295, _e1296, _e1297);
-                                                                let _e1299 = (_e1149[0][0] - _e1149[2][0]);
-                                                                let _e1300 = (_e1149[0][1] - _e1149[2][1]);
-                                                                let _e1301 = (_e1149[0][2] - _e1149[2][2]);
-                                                                let _e1302 = vec3<f32>(_e1299, _e1300, _e1301);
-                                                                let _e1305 = bitcast<f32>((bitcast<u32>(_e1291) & 2147483647u));
-                                                                let _e1308 = bitcast<f32>((bitcast<u32>(_e1292) & 2147483647u));
-                                                                let _e1310 = select(_e1308, _e1305, (_e1305 > _e1308));
-                                                                let _e1313 = bitcast<f32>((bitcast<u32>(_e1293) & 2147483647u));
-                                                                let _e1315 = select(_e1313, _e1310, (_e1310 > _e1313));
-                                                                let _e1318 = bitcast<f32>((bitcast<u32>(_e1295) & 2147483647u));
-                                                                let _e1321 = bitcast<f32>((bitcast<u32>(_e1296) & 2147483647u));
-                                                                let _e1323 = select(_e1321, _e1318, (_e1318 > _e1321));
-                                                                let _e1326 = bitcast<f32>((bitcast<u32>(_e1297) & 2147483647u));
-                                                                let _e1328 = select(_e1326, _e1323, (_e1323 > _e1326));
-                                                                let _e1331 = bitcast<f32>((bitcast<u32>(_e1299) & 2147483647u));
-                                                                let _e1334 = bitcast<f32>((bitcast<u32>(_e1300) & 2147483647u));
-                                                                let _e1336 = select(_e1334, _e1331, (_e1331 > _e1334));
-                                                                let _e1339 = bitcast<f32>((bitcast<u32>(_e1301) & 2147483647u));
-                                                                let _e1341 = select(_e1339, _e1336, (_e1336 > _e1339));
-                                                                let _e1343 = select(_e1328, _e1315, (_e1315 > _e1328));
-                                                                let _e1345 = select(_e1341, _e1343, (_e1343 > _e1341));
-                                                                if (_e1315 == _e1345) {
-                                                                    phi_2672_ = _e1298;
-                                                                    phi_2673_ = _e1302;
+                                                                let _e1324 = (_e1182[1][0] - _e1182[0][0]);
+                                                                let _e1325 = (_e1182[1][1] - _e1182[0][1]);
+                                                                let _e1326 = (_e1182[1][2] - _e1182[0][2]);
+                                                                let _e1327 = vec3<f32>(_e1324, _e1325, _e1326);
+                                                                let _e1328 = (_e1182[2][0] - _e1182[1][0]);
+                                                                let _e1329 = (_e1182[2][1] - _e1182[1][1]);
+                                                                let _e1330 = (_e1182[2][2] - _e1182[1][2]);
+                                                                let _e1331 = vec3<f32>(_e1328, _e1329, _e1330);
+                                                                let _e1332 = (_e1182[0][0] - _e1182[2][0]);
+                                                                let _e1333 = (_e1182[0][1] - _e1182[2][1]);
+                                                                let _e1334 = (_e1182[0][2] - _e1182[2][2]);
+                                                                let _e1335 = vec3<f32>(_e1332, _e1333, _e1334);
+                                                                let _e1338 = bitcast<f32>((bitcast<u32>(_e1324) & 2147483647u));
+                                                                let _e1341 = bitcast<f32>((bitcast<u32>(_e1325) & 2147483647u));
+                                                                let _e1343 = select(_e1341, _e1338, (_e1338 > _e1341));
+                                                                let _e1346 = bitcast<f32>((bitcast<u32>(_e1326) & 2147483647u));
+                                                                let _e1348 = select(_e1346, _e1343, (_e1343 > _e1346));
+                                                                let _e1351 = bitcast<f32>((bitcast<u32>(_e1328) & 2147483647u));
+                                                                let _e1354 = bitcast<f32>((bitcast<u32>(_e1329) & 2147483647u));
+                                                                let _e1356 = select(_e1354, _e1351, (_e1351 > _e1354));
+                                                                let _e1359 = bitcast<f32>((bitcast<u32>(_e1330) & 2147483647u));
+                                                                let _e1361 = select(_e1359, _e1356, (_e1356 > _e1359));
+                                                                let _e1364 = bitcast<f32>((bitcast<u32>(_e1332) & 2147483647u));
+                                                                let _e1367 = bitcast<f32>((bitcast<u32>(_e1333) & 2147483647u));
+                                                                let _e1369 = select(_e1367, _e1364, (_e1364 > _e1367));
+                                                                let _e1372 = bitcast<f32>((bitcast<u32>(_e1334) & 2147483647u));
+                                                                let _e1374 = select(_e1372, _e1369, (_e1369 > _e1372));
+                                                                let _e1376 = select(_e1361, _e1348, (_e1348 > _e1361));
+                                                                let _e1378 = select(_e1374, _e1376, (_e1376 > _e1374));
+                                                                if (_e1348 == _e1378) {
+                                                                    phi_1689_ = _e1331;
+                                                                    phi_1690_ = _e1335;
                                                                 } else {
-                                                                    let _e1348 = vec3((_e1328 == _e1345));
-                                                                    phi_2672_ = select(_e1294, _e1302, _e1348);
-                                                                    phi_2673_ = select(_e1298, _e1294, _e1348);
+                                                                    let _e1381 = vec3((_e1361 == _e1378));
+                                                                    phi_1689_ = select(_e1327, _e1335, _e1381);
+                                                                    phi_1690_ = select(_e1331, _e1327, _e1381);
                                                                 }
-                                                                let _e1352 = phi_2672_;
-                                                                let _e1354 = phi_2673_;
-                                                                let _e1361 = ((_e1352.y * _e1354.z) - (_e1354.y * _e1352.z));
-                                                                let _e1366 = ((_e1352.z * _e1354.x) - (_e1354.z * _e1352.x));
-                                                                let _e1369 = ((_e1352.x * _e1354.y) - (_e1354.x * _e1352.y));
-                                                                if (_e1211 >= _e1215) {
-                                                                    phi_2704_ = select(true, false, (_e1211 >= _e1219));
+                                                                let _e1385 = phi_1689_;
+                                                                let _e1387 = phi_1690_;
+                                                                let _e1394 = ((_e1385.y * _e1387.z) - (_e1387.y * _e1385.z));
+                                                                let _e1399 = ((_e1385.z * _e1387.x) - (_e1387.z * _e1385.x));
+                                                                let _e1402 = ((_e1385.x * _e1387.y) - (_e1387.x * _e1385.y));
+                                                                if (_e1244 >= _e1248) {
+                                                                    phi_1721_ = select(true, false, (_e1244 >= _e1252));
                                                                 } else {
-                                                                    phi_2704_ = true;
+                                                                    phi_1721_ = true;
                                                                 }
-                                                                let _e1374 = phi_2704_;
-                                                                if _e1374 {
-                                                                    phi_2713_ = select(vec3<f32>(_e1149[2][0], _e1149[2][1], _e1149[2][2]), vec3<f32>(_e1149[1][0], _e1149[1][1], _e1149[1][2]), vec3((_e1215 >= _e1219)));
+                                                                let _e1407 = phi_1721_;
+                                                                if _e1407 {
+                                                                    phi_1730_ = select(vec3<f32>(_e1182[2][0], _e1182[2][1], _e1182[2][2]), vec3<f32>(_e1182[1][0], _e1182[1][1], _e1182[1][2]), vec3((_e1248 >= _e1252)));
                                                                 } else {
-                                                                    phi_2713_ = vec3<f32>(_e1149[0][0], _e1149[0][1], _e1149[0][2]);
+                                                                    phi_1730_ = vec3<f32>(_e1182[0][0], _e1182[0][1], _e1182[0][2]);
                                                                 }
-                                                                let _e1379 = phi_2713_;
-                                                                let _e1396 = ((((_e1361 * (_e1379.x - _e384)) + (_e1366 * (_e1379.y - _e421))) + (_e1369 * (_e1379.z - _e457))) / (((_e1361 * _e409) + (_e1366 * _e445)) + (_e1369 * _e481)));
-                                                                let _e1398 = select(_e1278, _e1396, (_e1396 < _e1278));
-                                                                let _e1400 = select(_e1270, _e1398, (_e1398 > _e1270));
-                                                                if (_e1400 >= _e530) {
-                                                                    let _e1402 = (_e1400 <= _e1053.member_1);
-                                                                    if _e1402 {
-                                                                        let _e1403 = (1f / _e1221);
-                                                                        phi_2753_ = type_29(_e1400, (_e1215 * _e1403), (_e1219 * _e1403), _e1082);
+                                                                let _e1412 = phi_1730_;
+                                                                let _e1429 = ((((_e1394 * (_e1412.x - _e388)) + (_e1399 * (_e1412.y - _e425))) + (_e1402 * (_e1412.z - _e461))) / (((_e1394 * _e413) + (_e1399 * _e449)) + (_e1402 * _e485)));
+                                                                let _e1431 = select(_e1311, _e1429, (_e1429 < _e1311));
+                                                                let _e1433 = select(_e1303, _e1431, (_e1431 > _e1303));
+                                                                if (_e1433 >= _e534) {
+                                                                    let _e1435 = (_e1433 <= _e1086.member_1);
+                                                                    if _e1435 {
+                                                                        let _e1436 = (1f / _e1254);
+                                                                        phi_1770_ = type_30(_e1433, (_e1248 * _e1436), (_e1252 * _e1436), _e1115);
                                                                     } else {
-                                                                        phi_2753_ = type_29();
+                                                                        phi_1770_ = type_30();
                                                                     }
-                                                                    let _e1408 = phi_2753_;
-                                                                    phi_2755_ = _e1408;
-                                                                    phi_2756_ = select(true, false, _e1402);
+                                                                    let _e1441 = phi_1770_;
+                                                                    phi_1772_ = _e1441;
+                                                                    phi_1773_ = select(true, false, _e1435);
                                                                 } else {
-                                                                    phi_2755_ = type_29();
-                                                                    phi_2756_ = true;
+                                                                    phi_1772_ = type_30();
+                                                                    phi_1773_ = true;
                                                                 }
-                                                                let _e1411 = phi_2755_;
-                                                                let _e1413 = phi_2756_;
-                                                                if _e1413 {
-                                                                    phi_2760_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1444 = phi_1772_;
+                                                                let _e1446 = phi_1773_;
+                                                                if _e1446 {
+                                                                    phi_1777_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_2760_ = _e1411;
+                                                                    phi_1777_ = _e1444;
                                                                 }
-                                                                let _e1415 = phi_2760_;
-                                                                phi_2761_ = _e1415;
+                                                                let _e1448 = phi_1777_;
+                                                                phi_1778_ = _e1448;
                                                             }
-                                                            let _e1417 = phi_2761_;
-                                                            phi_2762_ = _e1417;
-                                                            phi_2763_ = _e1287;
+                                                            let _e1450 = phi_1778_;
+                                                            phi_1779_ = _e1450;
+                                                            phi_1780_ = _e1320;
                                                         }
-                                                        let _e1419 = phi_2762_;
-                                                        let _e1421 = phi_2763_;
-                                                        phi_2767_ = _e1419;
-                                                        phi_2768_ = _e1421;
+                                                        let _e1452 = phi_1779_;
+                                                        let _e1454 = phi_1780_;
+                                                        phi_1784_ = _e1452;
+                                                        phi_1785_ = _e1454;
                                                     }
-                                                    let _e1423 = phi_2767_;
-                                                    let _e1425 = phi_2768_;
-                                                    phi_2772_ = _e1423;
-                                                    phi_2773_ = _e1425;
+                                                    let _e1456 = phi_1784_;
+                                                    let _e1458 = phi_1785_;
+                                                    phi_1789_ = _e1456;
+                                                    phi_1790_ = _e1458;
                                                 } else {
-                                                    phi_2772_ = type_29();
-                                                    phi_2773_ = true;
+                                                    phi_1789_ = type_30();
+                                                    phi_1790_ = true;
                                                 }
-                                                let _e1427 = phi_2772_;
-                                                let _e1429 = phi_2773_;
-                                                if _e1429 {
-                                                    phi_2777_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1460 = phi_1789_;
+                                                let _e1462 = phi_1790_;
+                                                if _e1462 {
+                                                    phi_1794_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2777_ = _e1427;
+                                                    phi_1794_ = _e1460;
                                                 }
-                                                let _e1431 = phi_2777_;
-                                                if (_e1431.member_3 != 4294967295u) {
-                                                    if (_e1082 == _e158) {
-                                                        phi_3106_ = false;
+                                                let _e1464 = phi_1794_;
+                                                if (_e1464.member_3 != 4294967295u) {
+                                                    if (_e1115 == _e162) {
+                                                        phi_2123_ = false;
                                                     } else {
-                                                        let _e1435 = (_e1082 < arrayLength((&global_6.member)));
-                                                        if _e1435 {
-                                                            if _e1435 {
+                                                        let _e1468 = (_e1115 < arrayLength((&global_6.member)));
+                                                        if _e1468 {
+                                                            if _e1468 {
                                                             } else {
-                                                                phi_4762_ = true;
+                                                                phi_3837_ = true;
                                                                 break;
                                                             }
-                                                            let _e1437 = global_6.member[_e1082];
-                                                            phi_2800_ = _e1437;
+                                                            let _e1470 = global_6.member[_e1115];
+                                                            phi_1817_ = _e1470;
                                                         } else {
-                                                            phi_2800_ = 4294967295u;
+                                                            phi_1817_ = 4294967295u;
                                                         }
-                                                        let _e1439 = phi_2800_;
-                                                        let _e1440 = (_e1439 < arrayLength((&global_7.member)));
-                                                        if _e1440 {
-                                                            if _e1440 {
+                                                        let _e1472 = phi_1817_;
+                                                        let _e1473 = (_e1472 < arrayLength((&global_7.member)));
+                                                        if _e1473 {
+                                                            if _e1473 {
                                                             } else {
-                                                                phi_4762_ = true;
+                                                                phi_3837_ = true;
                                                                 break;
                                                             }
-                                                            let _e1442 = global_7.member[_e1439];
-                                                            phi_2814_ = _e1442;
+                                                            let _e1475 = global_7.member[_e1472];
+                                                            phi_1831_ = _e1475;
                                                         } else {
-                                                            phi_2814_ = 0i;
+                                                            phi_1831_ = 0i;
                                                         }
-                                                        let _e1444 = phi_2814_;
-                                                        let _e1445 = (_e1444 == 0i);
-                                                        if _e1445 {
-                                                            phi_3105_ = true;
+                                                        let _e1477 = phi_1831_;
+                                                        let _e1478 = (_e1477 == 0i);
+                                                        if _e1478 {
+                                                            phi_2122_ = true;
                                                         } else {
-                                                            if _e376 {
-                                                                phi_2835_ = vec3<f32>(_e1149[0][0], _e1149[0][1], _e1149[0][2]);
+                                                            if _e380 {
+                                                                phi_1852_ = vec3<f32>(_e1182[0][0], _e1182[0][1], _e1182[0][2]);
                                                             } else {
-                                                                if (_e352 == 1u) {
-                                                                    phi_2834_ = vec3<f32>(_e1149[0][2], _e1149[0][0], _e1149[0][1]);
+                                                                if (_e356 == 1u) {
+                                                                    phi_1851_ = vec3<f32>(_e1182[0][2], _e1182[0][0], _e1182[0][1]);
                                                                 } else {
-                                                                    phi_2834_ = vec3<f32>(_e1149[0][1], _e1149[0][2], _e1149[0][0]);
+                                                                    phi_1851_ = vec3<f32>(_e1182[0][1], _e1182[0][2], _e1182[0][0]);
                                                                 }
-                                                                let _e1450 = phi_2834_;
-                                                                phi_2835_ = _e1450;
+                                                                let _e1483 = phi_1851_;
+                                                                phi_1852_ = _e1483;
                                                             }
-                                                            let _e1453 = phi_2835_;
-                                                            if _e376 {
-                                                                phi_2852_ = vec3<f32>(_e1149[1][0], _e1149[1][1], _e1149[1][2]);
+                                                            let _e1486 = phi_1852_;
+                                                            if _e380 {
+                                                                phi_1869_ = vec3<f32>(_e1182[1][0], _e1182[1][1], _e1182[1][2]);
                                                             } else {
-                                                                if (_e352 == 1u) {
-                                                                    phi_2851_ = vec3<f32>(_e1149[1][2], _e1149[1][0], _e1149[1][1]);
+                                                                if (_e356 == 1u) {
+                                                                    phi_1868_ = vec3<f32>(_e1182[1][2], _e1182[1][0], _e1182[1][1]);
                                                                 } else {
-                                                                    phi_2851_ = vec3<f32>(_e1149[1][1], _e1149[1][2], _e1149[1][0]);
+                                                                    phi_1868_ = vec3<f32>(_e1182[1][1], _e1182[1][2], _e1182[1][0]);
                                                                 }
-                                                                let _e1458 = phi_2851_;
-                                                                phi_2852_ = _e1458;
+                                                                let _e1491 = phi_1868_;
+                                                                phi_1869_ = _e1491;
                                                             }
-                                                            let _e1461 = phi_2852_;
-                                                            if _e376 {
-                                                                phi_2869_ = vec3<f32>(_e1149[2][0], _e1149[2][1], _e1149[2][2]);
+                                                            let _e1494 = phi_1869_;
+                                                            if _e380 {
+                                                                phi_1886_ = vec3<f32>(_e1182[2][0], _e1182[2][1], _e1182[2][2]);
                                                             } else {
-                                                                if (_e352 == 1u) {
-                                                                    phi_2868_ = vec3<f32>(_e1149[2][2], _e1149[2][0], _e1149[2][1]);
+                                                                if (_e356 == 1u) {
+                                                                    phi_1885_ = vec3<f32>(_e1182[2][2], _e1182[2][0], _e1182[2][1]);
                                                                 } else {
-                                                                    phi_2868_ = vec3<f32>(_e1149[2][1], _e1149[2][2], _e1149[2][0]);
+                                                                    phi_1885_ = vec3<f32>(_e1182[2][1], _e1182[2][2], _e1182[2][0]);
                                                                 }
-                                                                let _e1466 = phi_2868_;
-                                                                phi_2869_ = _e1466;
+                                                                let _e1499 = phi_1885_;
+                                                                phi_1886_ = _e1499;
                                                             }
-                                                            let _e1469 = phi_2869_;
-                                                            let _e1472 = (_e1461.x - _e1453.x);
-                                                            let _e1475 = (_e1461.y - _e1453.y);
-                                                            let _e1478 = (_e1461.z - _e1453.z);
-                                                            let _e1480 = (_e1469.x - _e1453.x);
-                                                            let _e1482 = (_e1469.y - _e1453.y);
-                                                            let _e1484 = (_e1469.z - _e1453.z);
-                                                            if (_e230.member_1 == 1u) {
-                                                                phi_2905_ = (vec3<f32>(_e230.member[0], _e230.member[1], _e230.member[2]) - _e1453);
+                                                            let _e1502 = phi_1886_;
+                                                            let _e1505 = (_e1494.x - _e1486.x);
+                                                            let _e1508 = (_e1494.y - _e1486.y);
+                                                            let _e1511 = (_e1494.z - _e1486.z);
+                                                            let _e1513 = (_e1502.x - _e1486.x);
+                                                            let _e1515 = (_e1502.y - _e1486.y);
+                                                            let _e1517 = (_e1502.z - _e1486.z);
+                                                            if (_e234.member_1 == 1u) {
+                                                                phi_1922_ = (vec3<f32>(_e234.member[0], _e234.member[1], _e234.member[2]) - _e1486);
                                                             } else {
-                                                                phi_2905_ = vec3<f32>(_e230.member[0], _e230.member[1], _e230.member[2]);
+                                                                phi_1922_ = vec3<f32>(_e234.member[0], _e234.member[1], _e234.member[2]);
                                                             }
-                                                            let _e1499 = phi_2905_;
-                                                            let _e1505 = bitcast<f32>((bitcast<u32>((_e1472 * _e1482)) ^ _e230.member_3[0]));
-                                                            let _e1509 = bitcast<f32>((bitcast<u32>((_e1475 * _e1480)) ^ _e230.member_3[0]));
-                                                            let _e1513 = bitcast<f32>((bitcast<u32>((_e1475 * _e1484)) ^ _e230.member_3[0]));
-                                                            let _e1517 = bitcast<f32>((bitcast<u32>((_e1478 * _e1482)) ^ _e230.member_3[0]));
-                                                            let _e1521 = bitcast<f32>((bitcast<u32>((_e1478 * _e1480)) ^ _e230.member_3[0]));
-                                                            let _e1525 = bitcast<f32>((bitcast<u32>((_e1472 * _e1484)) ^ _e230.member_3[0]));
-                                                            let _e1526 = (_e1513 - _e1517);
-                                                            let _e1527 = (_e1521 - _e1525);
-                                                            let _e1528 = (_e1505 - _e1509);
-                                                            let _e1552 = (bitcast<f32>((bitcast<u32>(_e1513) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1517) & 2147483647u)));
-                                                            let _e1559 = (bitcast<f32>((bitcast<u32>(_e1521) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1525) & 2147483647u)));
-                                                            let _e1566 = (bitcast<f32>((bitcast<u32>(_e1505) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1509) & 2147483647u)));
-                                                            if (_e230.member_2 == 0f) {
-                                                                phi_3087_ = 0f;
+                                                            let _e1532 = phi_1922_;
+                                                            let _e1538 = bitcast<f32>((bitcast<u32>((_e1505 * _e1515)) ^ _e234.member_3[0]));
+                                                            let _e1542 = bitcast<f32>((bitcast<u32>((_e1508 * _e1513)) ^ _e234.member_3[0]));
+                                                            let _e1546 = bitcast<f32>((bitcast<u32>((_e1508 * _e1517)) ^ _e234.member_3[0]));
+                                                            let _e1550 = bitcast<f32>((bitcast<u32>((_e1511 * _e1515)) ^ _e234.member_3[0]));
+                                                            let _e1554 = bitcast<f32>((bitcast<u32>((_e1511 * _e1513)) ^ _e234.member_3[0]));
+                                                            let _e1558 = bitcast<f32>((bitcast<u32>((_e1505 * _e1517)) ^ _e234.member_3[0]));
+                                                            let _e1559 = (_e1546 - _e1550);
+                                                            let _e1560 = (_e1554 - _e1558);
+                                                            let _e1561 = (_e1538 - _e1542);
+                                                            let _e1585 = (bitcast<f32>((bitcast<u32>(_e1546) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1550) & 2147483647u)));
+                                                            let _e1592 = (bitcast<f32>((bitcast<u32>(_e1554) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1558) & 2147483647u)));
+                                                            let _e1599 = (bitcast<f32>((bitcast<u32>(_e1538) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1542) & 2147483647u)));
+                                                            if (_e234.member_2 == 0f) {
+                                                                phi_2104_ = 0f;
                                                             } else {
-                                                                let _e1596 = bitcast<f32>((bitcast<u32>(_e1526) & 2147483647u));
-                                                                let _e1599 = bitcast<f32>((bitcast<u32>(_e1527) & 2147483647u));
-                                                                let _e1602 = bitcast<f32>((bitcast<u32>(_e1528) & 2147483647u));
-                                                                let _e1604 = select(_e1602, _e1599, (_e1599 > _e1602));
-                                                                let _e1608 = select(_e1602, _e1599, (_e1599 < _e1602));
-                                                                let _e1612 = select(_e1599, _e1596, (_e1596 < _e1599));
-                                                                let _e1614 = select(_e1599, _e1596, (_e1596 > _e1599));
-                                                                let _e1616 = select(_e1602, _e1614, (_e1614 < _e1602));
-                                                                phi_3087_ = bitcast<f32>((bitcast<u32>((_e230.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1604, _e1596, (_e1596 > _e1604)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1616, _e1612, (_e1612 > _e1616)))) ^ _e230.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1608, _e1596, (_e1596 < _e1608)))) ^ _e230.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1552 + _e1559) + _e1566))) ^ _e230.member_3[0]))) * 1.0000005f)) ^ _e230.member_3[0])))) ^ _e230.member_3[0]));
+                                                                let _e1629 = bitcast<f32>((bitcast<u32>(_e1559) & 2147483647u));
+                                                                let _e1632 = bitcast<f32>((bitcast<u32>(_e1560) & 2147483647u));
+                                                                let _e1635 = bitcast<f32>((bitcast<u32>(_e1561) & 2147483647u));
+                                                                let _e1637 = select(_e1635, _e1632, (_e1632 > _e1635));
+                                                                let _e1641 = select(_e1635, _e1632, (_e1632 < _e1635));
+                                                                let _e1645 = select(_e1632, _e1629, (_e1629 < _e1632));
+                                                                let _e1647 = select(_e1632, _e1629, (_e1629 > _e1632));
+                                                                let _e1649 = select(_e1635, _e1647, (_e1647 < _e1635));
+                                                                phi_2104_ = bitcast<f32>((bitcast<u32>((_e234.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1637, _e1629, (_e1629 > _e1637)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1649, _e1645, (_e1645 > _e1649)))) ^ _e234.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1641, _e1629, (_e1629 < _e1641)))) ^ _e234.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1585 + _e1592) + _e1599))) ^ _e234.member_3[0]))) * 1.0000005f)) ^ _e234.member_3[0])))) ^ _e234.member_3[0]));
                                                             }
-                                                            let _e1643 = phi_3087_;
-                                                            phi_3105_ = (_e1445 || !(((((bitcast<f32>((bitcast<u32>((_e1499.x * _e1526)) ^ _e230.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1499.y * _e1527)) ^ _e230.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1499.z * _e1528)) ^ _e230.member_3[0]))) * f32(-(_e1444))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1499.x) & 2147483647u)) * _e1552)) ^ _e230.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1499.y) & 2147483647u)) * _e1559)) ^ _e230.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1499.z) & 2147483647u)) * _e1566)) ^ _e230.member_3[0]))))) ^ _e230.member_3[0])) + _e1643) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1676 = phi_2104_;
+                                                            phi_2122_ = (_e1478 || !(((((bitcast<f32>((bitcast<u32>((_e1532.x * _e1559)) ^ _e234.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1532.y * _e1560)) ^ _e234.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1532.z * _e1561)) ^ _e234.member_3[0]))) * f32(-(_e1477))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1532.x) & 2147483647u)) * _e1585)) ^ _e234.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1532.y) & 2147483647u)) * _e1592)) ^ _e234.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1532.z) & 2147483647u)) * _e1599)) ^ _e234.member_3[0]))))) ^ _e234.member_3[0])) + _e1676) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1657 = phi_3105_;
-                                                        phi_3106_ = _e1657;
+                                                        let _e1690 = phi_2122_;
+                                                        phi_2123_ = _e1690;
                                                     }
-                                                    let _e1659 = phi_3106_;
-                                                    if _e1659 {
-                                                        if (_e1431.member < _e1053.member.member) {
-                                                            phi_3126_ = true;
+                                                    let _e1692 = phi_2123_;
+                                                    if _e1692 {
+                                                        if (_e1464.member < _e1086.member.member) {
+                                                            phi_2143_ = true;
                                                         } else {
-                                                            if (_e1431.member == _e1053.member.member) {
-                                                                phi_3125_ = (_e1431.member_3 < _e1053.member.member_3);
+                                                            if (_e1464.member == _e1086.member.member) {
+                                                                phi_2142_ = (_e1464.member_3 < _e1086.member.member_3);
                                                             } else {
-                                                                phi_3125_ = false;
+                                                                phi_2142_ = false;
                                                             }
-                                                            let _e1669 = phi_3125_;
-                                                            phi_3126_ = _e1669;
+                                                            let _e1702 = phi_2142_;
+                                                            phi_2143_ = _e1702;
                                                         }
-                                                        let _e1671 = phi_3126_;
-                                                        if _e1671 {
-                                                            phi_3132_ = type_45(_e1431, _e1431.member);
+                                                        let _e1704 = phi_2143_;
+                                                        if _e1704 {
+                                                            phi_2149_ = type_47(_e1464, _e1464.member);
                                                         } else {
-                                                            phi_3132_ = _e1053;
+                                                            phi_2149_ = _e1086;
                                                         }
-                                                        let _e1674 = phi_3132_;
-                                                        phi_3133_ = _e1674;
+                                                        let _e1707 = phi_2149_;
+                                                        phi_2150_ = _e1707;
                                                     } else {
-                                                        phi_3133_ = _e1053;
+                                                        phi_2150_ = _e1086;
                                                     }
-                                                    let _e1676 = phi_3133_;
-                                                    phi_3134_ = _e1676;
+                                                    let _e1709 = phi_2150_;
+                                                    phi_2151_ = _e1709;
                                                 } else {
-                                                    phi_3134_ = _e1053;
+                                                    phi_2151_ = _e1086;
                                                 }
-                                                let _e1678 = phi_3134_;
-                                                phi_2066_ = _e1678;
+                                                let _e1711 = phi_2151_;
+                                                phi_1083_ = _e1711;
                                             } else {
-                                                phi_2066_ = type_45();
+                                                phi_1083_ = type_47();
                                             }
-                                            let _e1680 = phi_2066_;
+                                            let _e1713 = phi_1083_;
                                             continue;
                                             continuing {
-                                                phi_2065_ = _e1680;
-                                                phi_2068_ = _e1068;
-                                                phi_4762_ = _e572;
-                                                break if !(_e1074);
+                                                phi_1082_ = _e1713;
+                                                phi_1085_ = _e1101;
+                                                phi_3837_ = _e576;
+                                                break if !(_e1107);
                                             }
                                         }
-                                        let _e1683 = phi_4762_;
-                                        phi_4900_ = _e1683;
-                                        if _e1683 {
+                                        let _e1716 = phi_3837_;
+                                        phi_3975_ = _e1716;
+                                        if _e1716 {
                                             break;
                                         }
-                                        phi_4904_ = _e1683;
-                                        let _e1898 = local_5;
-                                        phi_4437_ = _e1898;
-                                        phi_4438_ = _e603;
-                                        phi_4439_ = false;
-                                        phi_4440_ = _e607;
+                                        phi_3979_ = _e1716;
+                                        let _e1931 = local_11;
+                                        phi_3498_ = _e1931;
+                                        phi_3499_ = _e617;
+                                        phi_3500_ = false;
+                                        phi_3501_ = _e621;
                                     } else {
-                                        if (_e603.member_1 >= _e91) {
-                                            phi_4037_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_60(type_41(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e617.member_1 >= _e95) {
+                                            phi_3054_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_62(type_42(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e603.member_1 < _e91) {
+                                            if (_e617.member_1 < _e95) {
                                             } else {
-                                                phi_4900_ = true;
+                                                phi_3975_ = true;
                                                 break;
                                             }
-                                            let _e619 = ((1u + _e352) % 4u);
-                                            if (_e619 < 4u) {
-                                            } else {
-                                                phi_4900_ = true;
-                                                break;
-                                            }
-                                            let _e624 = global_4.member[_e603.member_1][_e619];
-                                            let _e626 = ((1u + _e351) % 4u);
-                                            if (_e626 < 4u) {
-                                            } else {
-                                                phi_4900_ = true;
-                                                break;
-                                            }
-                                            let _e631 = global_4.member[_e603.member_1][_e626];
-                                            let _e633 = ((1u + _e353) % 4u);
+                                            let _e633 = ((1u + _e356) % 4u);
                                             if (_e633 < 4u) {
                                             } else {
-                                                phi_4900_ = true;
+                                                phi_3975_ = true;
                                                 break;
                                             }
-                                            let _e638 = global_4.member[_e603.member_1][_e633];
-                                            let _e640 = ((_e352 + 1u) % 4u);
+                                            let _e638 = global_4.member[_e617.member_1][_e633];
+                                            let _e640 = ((1u + _e355) % 4u);
                                             if (_e640 < 4u) {
                                             } else {
-                                                phi_4900_ = true;
+                                                phi_3975_ = true;
                                                 break;
                                             }
-                                            let _e645 = global_4.member[_e603.member_1][_e640];
-                                            let _e647 = (_e645 >> bitcast<u32>(11u));
-                                            let _e649 = ((_e351 + 1u) % 4u);
-                                            if (_e649 < 4u) {
+                                            let _e645 = global_4.member[_e617.member_1][_e640];
+                                            let _e647 = ((1u + _e357) % 4u);
+                                            if (_e647 < 4u) {
                                             } else {
-                                                phi_4900_ = true;
+                                                phi_3975_ = true;
                                                 break;
                                             }
-                                            let _e654 = global_4.member[_e603.member_1][_e649];
-                                            let _e656 = (_e654 >> bitcast<u32>(11u));
-                                            let _e658 = ((_e353 + 1u) % 4u);
-                                            if (_e658 < 4u) {
+                                            let _e652 = global_4.member[_e617.member_1][_e647];
+                                            let _e654 = ((_e356 + 1u) % 4u);
+                                            if (_e654 < 4u) {
                                             } else {
-                                                phi_4900_ = true;
+                                                phi_3975_ = true;
                                                 break;
                                             }
-                                            let _e663 = global_4.member[_e603.member_1][_e658];
-                                            let _e665 = (_e663 >> bitcast<u32>(11u));
-                                            let _e688 = (bitcast<f32>((bitcast<u32>((_e603.member.member_1.x - _e603.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e689 = (bitcast<f32>((bitcast<u32>((_e603.member.member_1.y - _e603.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e690 = (bitcast<f32>((bitcast<u32>((_e603.member.member_1.z - _e603.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e692 = select(_e149, _e688, (_e688 > _e149));
-                                            let _e694 = select(_e149, _e689, (_e689 > _e149));
-                                            let _e696 = select(_e149, _e690, (_e690 > _e149));
-                                            let _e721 = bitcast<u32>((f32(bitcast<i32>((_e624 & 1023u))) * _e692));
-                                            let _e726 = (bitcast<i32>((_e624 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e729 = bitcast<f32>((_e721 & bitcast<u32>(_e726)));
-                                            let _e730 = bitcast<u32>((f32(bitcast<i32>((_e631 & 1023u))) * _e694));
-                                            let _e735 = (bitcast<i32>((_e631 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e738 = bitcast<f32>((_e730 & bitcast<u32>(_e735)));
-                                            let _e739 = bitcast<u32>((f32(bitcast<i32>((_e638 & 1023u))) * _e696));
-                                            let _e744 = (bitcast<i32>((_e638 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e747 = bitcast<f32>((_e739 & bitcast<u32>(_e744)));
-                                            let _e751 = bitcast<f32>((_e721 & bitcast<u32>(~(_e726))));
-                                            let _e755 = bitcast<f32>((_e730 & bitcast<u32>(~(_e735))));
-                                            let _e759 = bitcast<f32>((_e739 & bitcast<u32>(~(_e744))));
-                                            let _e760 = bitcast<u32>((f32(bitcast<i32>((_e647 & 1023u))) * _e692));
-                                            let _e765 = (bitcast<i32>((_e647 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e768 = bitcast<f32>((_e760 & bitcast<u32>(_e765)));
-                                            let _e769 = bitcast<u32>((f32(bitcast<i32>((_e656 & 1023u))) * _e694));
-                                            let _e774 = (bitcast<i32>((_e656 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e777 = bitcast<f32>((_e769 & bitcast<u32>(_e774)));
-                                            let _e778 = bitcast<u32>((f32(bitcast<i32>((_e665 & 1023u))) * _e696));
-                                            let _e783 = (bitcast<i32>((_e665 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e786 = bitcast<f32>((_e778 & bitcast<u32>(_e783)));
-                                            let _e790 = bitcast<f32>((_e760 & bitcast<u32>(~(_e765))));
-                                            let _e794 = bitcast<f32>((_e769 & bitcast<u32>(~(_e774))));
-                                            let _e798 = bitcast<f32>((_e778 & bitcast<u32>(~(_e783))));
-                                            let _e828 = global_4.member[_e603.member_1][0u];
-                                            let _e832 = global_4.member[_e603.member_1][1u];
-                                            let _e836 = global_4.member[_e603.member_1][2u];
-                                            let _e840 = global_4.member[_e603.member_1][3u];
-                                            let _e852 = (((_e832 >> bitcast<u32>(22i)) | ((_e836 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e840 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e853 = (_e828 & 268435455u);
-                                            let _e854 = (_e852 & 268435455u);
-                                            let _e857 = ((_e828 >> bitcast<u32>(28u)) & 7u);
-                                            let _e865 = ((_e828 >> bitcast<u32>(31i)) | (((_e852 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e866 = (_e857 != 0u);
-                                            if (_e857 == 0u) {
-                                                phi_3999_ = _e853;
+                                            let _e659 = global_4.member[_e617.member_1][_e654];
+                                            let _e661 = (_e659 >> bitcast<u32>(11u));
+                                            let _e663 = ((_e355 + 1u) % 4u);
+                                            if (_e663 < 4u) {
                                             } else {
-                                                if (_e857 == 7u) {
-                                                    phi_3998_ = 2147483648u;
-                                                } else {
-                                                    phi_3998_ = ((2147483648u | (_e857 << bitcast<u32>(28u))) | (_e854 & 268435455u));
-                                                }
-                                                let _e875 = phi_3998_;
-                                                phi_3999_ = _e875;
+                                                phi_3975_ = true;
+                                                break;
                                             }
-                                            let _e877 = phi_3999_;
-                                            if _e866 {
-                                                let _e878 = (_e857 != 7u);
-                                                if _e878 {
-                                                    phi_4009_ = (_e854 + _e857);
-                                                } else {
-                                                    phi_4009_ = u32();
-                                                }
-                                                let _e881 = phi_4009_;
-                                                phi_4011_ = _e881;
-                                                phi_4012_ = select(true, false, _e878);
+                                            let _e668 = global_4.member[_e617.member_1][_e663];
+                                            let _e670 = (_e668 >> bitcast<u32>(11u));
+                                            let _e672 = ((_e357 + 1u) % 4u);
+                                            if (_e672 < 4u) {
                                             } else {
-                                                phi_4011_ = u32();
-                                                phi_4012_ = true;
+                                                phi_3975_ = true;
+                                                break;
                                             }
-                                            let _e884 = phi_4011_;
-                                            let _e886 = phi_4012_;
-                                            if (_e865 == 0u) {
-                                                phi_4033_ = (_e853 + select(0u, 1u, !(_e866)));
+                                            let _e677 = global_4.member[_e617.member_1][_e672];
+                                            let _e679 = (_e677 >> bitcast<u32>(11u));
+                                            let _e702 = (bitcast<f32>((bitcast<u32>((_e617.member.member_1.x - _e617.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e703 = (bitcast<f32>((bitcast<u32>((_e617.member.member_1.y - _e617.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e704 = (bitcast<f32>((bitcast<u32>((_e617.member.member_1.z - _e617.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e706 = select(_e153, _e702, (_e702 > _e153));
+                                            let _e708 = select(_e153, _e703, (_e703 > _e153));
+                                            let _e710 = select(_e153, _e704, (_e704 > _e153));
+                                            let _e735 = bitcast<u32>((f32(bitcast<i32>((_e638 & 1023u))) * _e706));
+                                            let _e740 = (bitcast<i32>((_e638 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e743 = bitcast<f32>((_e735 & bitcast<u32>(_e740)));
+                                            let _e744 = bitcast<u32>((f32(bitcast<i32>((_e645 & 1023u))) * _e708));
+                                            let _e749 = (bitcast<i32>((_e645 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e752 = bitcast<f32>((_e744 & bitcast<u32>(_e749)));
+                                            let _e753 = bitcast<u32>((f32(bitcast<i32>((_e652 & 1023u))) * _e710));
+                                            let _e758 = (bitcast<i32>((_e652 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e761 = bitcast<f32>((_e753 & bitcast<u32>(_e758)));
+                                            let _e765 = bitcast<f32>((_e735 & bitcast<u32>(~(_e740))));
+                                            let _e769 = bitcast<f32>((_e744 & bitcast<u32>(~(_e749))));
+                                            let _e773 = bitcast<f32>((_e753 & bitcast<u32>(~(_e758))));
+                                            let _e774 = bitcast<u32>((f32(bitcast<i32>((_e661 & 1023u))) * _e706));
+                                            let _e779 = (bitcast<i32>((_e661 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e782 = bitcast<f32>((_e774 & bitcast<u32>(_e779)));
+                                            let _e783 = bitcast<u32>((f32(bitcast<i32>((_e670 & 1023u))) * _e708));
+                                            let _e788 = (bitcast<i32>((_e670 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e791 = bitcast<f32>((_e783 & bitcast<u32>(_e788)));
+                                            let _e792 = bitcast<u32>((f32(bitcast<i32>((_e679 & 1023u))) * _e710));
+                                            let _e797 = (bitcast<i32>((_e679 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e800 = bitcast<f32>((_e792 & bitcast<u32>(_e797)));
+                                            let _e804 = bitcast<f32>((_e774 & bitcast<u32>(~(_e779))));
+                                            let _e808 = bitcast<f32>((_e783 & bitcast<u32>(~(_e788))));
+                                            let _e812 = bitcast<f32>((_e792 & bitcast<u32>(~(_e797))));
+                                            let _e842 = global_4.member[_e617.member_1][0u];
+                                            let _e846 = global_4.member[_e617.member_1][1u];
+                                            let _e850 = global_4.member[_e617.member_1][2u];
+                                            let _e854 = global_4.member[_e617.member_1][3u];
+                                            let _e866 = (((_e846 >> bitcast<u32>(22i)) | ((_e850 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e854 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e867 = (_e842 & 268435455u);
+                                            let _e868 = (_e866 & 268435455u);
+                                            let _e871 = ((_e842 >> bitcast<u32>(28u)) & 7u);
+                                            let _e879 = ((_e842 >> bitcast<u32>(31i)) | (((_e866 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e880 = (_e871 != 0u);
+                                            if (_e871 == 0u) {
+                                                phi_3016_ = _e867;
                                             } else {
-                                                if (_e865 == 7u) {
-                                                    phi_4032_ = 2147483648u;
+                                                if (_e871 == 7u) {
+                                                    phi_3015_ = 2147483648u;
                                                 } else {
-                                                    phi_4032_ = ((2147483648u | (_e865 << bitcast<u32>(28u))) | (select(_e884, _e854, _e886) & 268435455u));
+                                                    phi_3015_ = ((2147483648u | (_e871 << bitcast<u32>(28u))) | (_e868 & 268435455u));
                                                 }
-                                                let _e899 = phi_4032_;
-                                                phi_4033_ = _e899;
+                                                let _e889 = phi_3015_;
+                                                phi_3016_ = _e889;
                                             }
-                                            let _e901 = phi_4033_;
-                                            phi_4037_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e603.member.member.x + _e729), (_e603.member.member.x + _e751), (_e603.member.member_1.x - _e768), (_e603.member.member_1.x - _e790)), vec4<f32>((_e603.member.member.y + _e738), (_e603.member.member.y + _e755), (_e603.member.member_1.y - _e777), (_e603.member.member_1.y - _e794)), vec4<f32>((_e603.member.member.z + _e747), (_e603.member.member.z + _e759), (_e603.member.member_1.z - _e786), (_e603.member.member_1.z - _e798))), type_60(type_41((_e603.member.member + vec4<f32>(_e729, _e738, _e747, 0f)), (_e603.member.member_1 - vec4<f32>(_e768, _e777, _e786, 0f))), _e877), type_60(type_41((_e603.member.member + vec4<f32>(_e751, _e755, _e759, 0f)), (_e603.member.member_1 - vec4<f32>(_e790, _e794, _e798, 0f))), _e901));
+                                            let _e891 = phi_3016_;
+                                            if _e880 {
+                                                let _e892 = (_e871 != 7u);
+                                                if _e892 {
+                                                    phi_3026_ = (_e868 + _e871);
+                                                } else {
+                                                    phi_3026_ = u32();
+                                                }
+                                                let _e895 = phi_3026_;
+                                                phi_3028_ = _e895;
+                                                phi_3029_ = select(true, false, _e892);
+                                            } else {
+                                                phi_3028_ = u32();
+                                                phi_3029_ = true;
+                                            }
+                                            let _e898 = phi_3028_;
+                                            let _e900 = phi_3029_;
+                                            if (_e879 == 0u) {
+                                                phi_3050_ = (_e867 + select(0u, 1u, !(_e880)));
+                                            } else {
+                                                if (_e879 == 7u) {
+                                                    phi_3049_ = 2147483648u;
+                                                } else {
+                                                    phi_3049_ = ((2147483648u | (_e879 << bitcast<u32>(28u))) | (select(_e898, _e868, _e900) & 268435455u));
+                                                }
+                                                let _e913 = phi_3049_;
+                                                phi_3050_ = _e913;
+                                            }
+                                            let _e915 = phi_3050_;
+                                            phi_3054_ = type_63(array<vec4<f32>, 3>(vec4<f32>((_e617.member.member.x + _e743), (_e617.member.member.x + _e765), (_e617.member.member_1.x - _e782), (_e617.member.member_1.x - _e804)), vec4<f32>((_e617.member.member.y + _e752), (_e617.member.member.y + _e769), (_e617.member.member_1.y - _e791), (_e617.member.member_1.y - _e808)), vec4<f32>((_e617.member.member.z + _e761), (_e617.member.member.z + _e773), (_e617.member.member_1.z - _e800), (_e617.member.member_1.z - _e812))), type_62(type_42((_e617.member.member + vec4<f32>(_e743, _e752, _e761, 0f)), (_e617.member.member_1 - vec4<f32>(_e782, _e791, _e800, 0f))), _e891), type_62(type_42((_e617.member.member + vec4<f32>(_e765, _e769, _e773, 0f)), (_e617.member.member_1 - vec4<f32>(_e804, _e808, _e812, 0f))), _e915));
                                         }
-                                        let _e906 = phi_4037_;
-                                        let _e918 = ((_e906.member[0].x - _e407) * _e412);
-                                        let _e919 = ((_e906.member[0].y - _e407) * _e412);
-                                        let _e920 = ((_e906.member[0].z - _e408) * _e412);
-                                        let _e921 = ((_e906.member[0].w - _e408) * _e412);
-                                        let _e931 = ((_e906.member[1].x - _e443) * _e448);
-                                        let _e932 = ((_e906.member[1].y - _e443) * _e448);
-                                        let _e933 = ((_e906.member[1].z - _e444) * _e448);
-                                        let _e934 = ((_e906.member[1].w - _e444) * _e448);
-                                        let _e944 = ((_e906.member[2].x - _e479) * _e484);
-                                        let _e945 = ((_e906.member[2].y - _e479) * _e484);
-                                        let _e946 = ((_e906.member[2].z - _e480) * _e484);
-                                        let _e947 = ((_e906.member[2].w - _e480) * _e484);
-                                        let _e949 = select(_e946, _e944, (_e944 < _e946));
-                                        let _e951 = select(_e947, _e945, (_e945 < _e947));
-                                        let _e953 = select(_e946, _e944, (_e944 > _e946));
-                                        let _e955 = select(_e947, _e945, (_e945 > _e947));
-                                        let _e957 = select(_e920, _e918, (_e918 < _e920));
-                                        let _e959 = select(_e921, _e919, (_e919 < _e921));
-                                        let _e961 = select(_e933, _e931, (_e931 < _e933));
-                                        let _e963 = select(_e934, _e932, (_e932 < _e934));
-                                        let _e965 = select(_e961, _e957, (_e957 > _e961));
-                                        let _e967 = select(_e963, _e959, (_e959 > _e963));
-                                        let _e969 = select(_e949, _e965, (_e965 > _e949));
-                                        let _e971 = select(_e951, _e967, (_e967 > _e951));
-                                        let _e973 = select(_e920, _e918, (_e918 > _e920));
-                                        let _e975 = select(_e921, _e919, (_e919 > _e921));
-                                        let _e977 = select(_e933, _e931, (_e931 > _e933));
-                                        let _e979 = select(_e934, _e932, (_e932 > _e934));
-                                        let _e981 = select(_e977, _e973, (_e973 < _e977));
-                                        let _e983 = select(_e979, _e975, (_e975 < _e979));
-                                        let _e988 = -(_e949);
-                                        let _e989 = -(_e951);
-                                        let _e996 = (select(_e953, _e981, (_e981 < _e953)) + (select(_e988, _e953, (_e953 > _e988)) * 0.0000019073523f));
-                                        let _e997 = (select(_e955, _e983, (_e983 < _e955)) + (select(_e989, _e955, (_e955 > _e989)) * 0.0000019073523f));
-                                        let _e999 = select(_e530, _e969, (_e969 > _e530));
-                                        let _e1001 = select(_e530, _e971, (_e971 > _e530));
-                                        let _e1006 = (_e999 <= select(_e574.member_1, _e996, (_e996 < _e574.member_1)));
-                                        let _e1007 = (_e1001 <= select(_e574.member_1, _e997, (_e997 < _e574.member_1)));
-                                        let _e1008 = (_e999 <= _e1001);
-                                        if _e1006 {
-                                            if _e1007 {
-                                                if _e1008 {
-                                                    phi_4381_ = _e906.member_2;
+                                        let _e920 = phi_3054_;
+                                        let _e932 = ((_e920.member[0].x - _e411) * _e416);
+                                        let _e933 = ((_e920.member[0].y - _e411) * _e416);
+                                        let _e934 = ((_e920.member[0].z - _e412) * _e416);
+                                        let _e935 = ((_e920.member[0].w - _e412) * _e416);
+                                        let _e945 = ((_e920.member[1].x - _e447) * _e452);
+                                        let _e946 = ((_e920.member[1].y - _e447) * _e452);
+                                        let _e947 = ((_e920.member[1].z - _e448) * _e452);
+                                        let _e948 = ((_e920.member[1].w - _e448) * _e452);
+                                        let _e958 = ((_e920.member[2].x - _e483) * _e488);
+                                        let _e959 = ((_e920.member[2].y - _e483) * _e488);
+                                        let _e960 = ((_e920.member[2].z - _e484) * _e488);
+                                        let _e961 = ((_e920.member[2].w - _e484) * _e488);
+                                        let _e963 = select(_e960, _e958, (_e958 < _e960));
+                                        let _e965 = select(_e961, _e959, (_e959 < _e961));
+                                        let _e967 = select(_e960, _e958, (_e958 > _e960));
+                                        let _e969 = select(_e961, _e959, (_e959 > _e961));
+                                        let _e971 = select(_e934, _e932, (_e932 < _e934));
+                                        let _e973 = select(_e935, _e933, (_e933 < _e935));
+                                        let _e975 = select(_e947, _e945, (_e945 < _e947));
+                                        let _e977 = select(_e948, _e946, (_e946 < _e948));
+                                        let _e979 = select(_e975, _e971, (_e971 > _e975));
+                                        let _e981 = select(_e977, _e973, (_e973 > _e977));
+                                        let _e983 = select(_e963, _e979, (_e979 > _e963));
+                                        let _e985 = select(_e965, _e981, (_e981 > _e965));
+                                        let _e987 = select(_e934, _e932, (_e932 > _e934));
+                                        let _e989 = select(_e935, _e933, (_e933 > _e935));
+                                        let _e991 = select(_e947, _e945, (_e945 > _e947));
+                                        let _e993 = select(_e948, _e946, (_e946 > _e948));
+                                        let _e995 = select(_e991, _e987, (_e987 < _e991));
+                                        let _e997 = select(_e993, _e989, (_e989 < _e993));
+                                        let _e1002 = -(_e963);
+                                        let _e1003 = -(_e965);
+                                        let _e1010 = (select(_e967, _e995, (_e995 < _e967)) + (select(_e1002, _e967, (_e967 > _e1002)) * 0.0000019073523f));
+                                        let _e1011 = (select(_e969, _e997, (_e997 < _e969)) + (select(_e1003, _e969, (_e969 > _e1003)) * 0.0000019073523f));
+                                        let _e1013 = select(_e534, _e983, (_e983 > _e534));
+                                        let _e1015 = select(_e534, _e985, (_e985 > _e534));
+                                        let _e1020 = (_e1013 <= select(_e578.member_1, _e1010, (_e1010 < _e578.member_1)));
+                                        let _e1021 = (_e1015 <= select(_e578.member_1, _e1011, (_e1011 < _e578.member_1)));
+                                        let _e1022 = (_e1013 <= _e1015);
+                                        if _e1020 {
+                                            if _e1021 {
+                                                if _e1022 {
+                                                    phi_3398_ = _e920.member_2;
                                                 } else {
-                                                    phi_4381_ = _e906.member_1;
+                                                    phi_3398_ = _e920.member_1;
                                                 }
-                                                let _e1012 = phi_4381_;
-                                                let _e1013 = (_e607 % 128u);
-                                                let _e1014 = (_e1013 < 128u);
-                                                if _e1014 {
+                                                let _e1026 = phi_3398_;
+                                                let _e1048 = (_e621 % 128u);
+                                                let _e1049 = (_e1048 < 128u);
+                                                if _e1049 {
                                                 } else {
-                                                    phi_4900_ = true;
+                                                    phi_3975_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1013] = type_60(type_41(_e1012.member.member, _e1012.member.member_1), _e1012.member_1);
-                                                if _e1014 {
+                                                local_8[_e1048] = _e1026.member_1;
+                                                if _e1049 {
                                                 } else {
-                                                    phi_4900_ = true;
+                                                    phi_3975_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1013] = select(_e1001, _e999, (_e999 > _e1001));
-                                                if _e1008 {
-                                                    phi_4414_ = _e906.member_1;
+                                                local_7[_e1048] = _e1026.member.member.x;
+                                                if _e1049 {
                                                 } else {
-                                                    phi_4414_ = _e906.member_2;
+                                                    phi_3975_ = true;
+                                                    break;
                                                 }
-                                                let _e1029 = phi_4414_;
-                                                phi_4415_ = _e1029;
-                                                phi_4416_ = (_e607 + 1u);
+                                                local_6[_e1048] = _e1026.member.member.y;
+                                                if _e1049 {
+                                                } else {
+                                                    phi_3975_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e1048] = _e1026.member.member.z;
+                                                if _e1049 {
+                                                } else {
+                                                    phi_3975_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e1048] = _e1026.member.member_1.x;
+                                                if _e1049 {
+                                                } else {
+                                                    phi_3975_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e1048] = _e1026.member.member_1.y;
+                                                if _e1049 {
+                                                } else {
+                                                    phi_3975_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e1048] = _e1026.member.member_1.z;
+                                                if _e1049 {
+                                                } else {
+                                                    phi_3975_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e1048] = select(_e1015, _e1013, (_e1013 > _e1015));
+                                                if _e1022 {
+                                                    phi_3475_ = _e920.member_1;
+                                                } else {
+                                                    phi_3475_ = _e920.member_2;
+                                                }
+                                                let _e1062 = phi_3475_;
+                                                phi_3476_ = _e1062;
+                                                phi_3477_ = (_e621 + 1u);
                                             } else {
-                                                phi_4415_ = type_60();
-                                                phi_4416_ = u32();
+                                                phi_3476_ = type_62();
+                                                phi_3477_ = u32();
                                             }
-                                            let _e1031 = phi_4415_;
-                                            let _e1033 = phi_4416_;
-                                            phi_4418_ = _e1031;
-                                            phi_4419_ = _e1033;
-                                            phi_4420_ = select(true, false, _e1007);
+                                            let _e1064 = phi_3476_;
+                                            let _e1066 = phi_3477_;
+                                            phi_3479_ = _e1064;
+                                            phi_3480_ = _e1066;
+                                            phi_3481_ = select(true, false, _e1021);
                                         } else {
-                                            phi_4418_ = type_60();
-                                            phi_4419_ = u32();
-                                            phi_4420_ = true;
+                                            phi_3479_ = type_62();
+                                            phi_3480_ = u32();
+                                            phi_3481_ = true;
                                         }
-                                        let _e1036 = phi_4418_;
-                                        let _e1038 = phi_4419_;
-                                        let _e1040 = phi_4420_;
-                                        if _e1040 {
-                                            if _e1006 {
-                                                phi_4429_ = _e906.member_1;
+                                        let _e1069 = phi_3479_;
+                                        let _e1071 = phi_3480_;
+                                        let _e1073 = phi_3481_;
+                                        if _e1073 {
+                                            if _e1020 {
+                                                phi_3490_ = _e920.member_1;
                                             } else {
-                                                phi_4429_ = _e906.member_2;
+                                                phi_3490_ = _e920.member_2;
                                             }
-                                            let _e1044 = phi_4429_;
-                                            phi_4434_ = _e1044;
-                                            phi_4435_ = select(_e1007, true, _e1006);
+                                            let _e1077 = phi_3490_;
+                                            phi_3495_ = _e1077;
+                                            phi_3496_ = select(_e1021, true, _e1020);
                                         } else {
-                                            phi_4434_ = _e1036;
-                                            phi_4435_ = _e605;
+                                            phi_3495_ = _e1069;
+                                            phi_3496_ = _e619;
                                         }
-                                        let _e1047 = phi_4434_;
-                                        let _e1049 = phi_4435_;
-                                        phi_4904_ = _e572;
-                                        phi_4437_ = _e574;
-                                        phi_4438_ = _e1047;
-                                        phi_4439_ = _e1049;
-                                        phi_4440_ = select(_e1038, _e607, _e1040);
+                                        let _e1080 = phi_3495_;
+                                        let _e1082 = phi_3496_;
+                                        phi_3979_ = _e576;
+                                        phi_3498_ = _e578;
+                                        phi_3499_ = _e1080;
+                                        phi_3500_ = _e1082;
+                                        phi_3501_ = select(_e1071, _e621, _e1073);
                                     }
-                                    let _e1685 = phi_4904_;
-                                    let _e1687 = phi_4437_;
-                                    let _e1689 = phi_4438_;
-                                    let _e1691 = phi_4439_;
-                                    let _e1693 = phi_4440_;
-                                    phi_4903_ = _e1685;
-                                    phi_4441_ = _e1687;
-                                    phi_4442_ = _e1689;
-                                    phi_4443_ = (_e578 - 1u);
-                                    phi_4444_ = _e1691;
-                                    phi_4445_ = _e1693;
+                                    let _e1718 = phi_3979_;
+                                    let _e1720 = phi_3498_;
+                                    let _e1722 = phi_3499_;
+                                    let _e1724 = phi_3500_;
+                                    let _e1726 = phi_3501_;
+                                    phi_3978_ = _e1718;
+                                    phi_3502_ = _e1720;
+                                    phi_3503_ = _e1722;
+                                    phi_3504_ = (_e582 - 1u);
+                                    phi_3505_ = _e1724;
+                                    phi_3506_ = _e1726;
                                 } else {
-                                    phi_4903_ = _e572;
-                                    phi_4441_ = _e574;
-                                    phi_4442_ = _e603;
-                                    phi_4443_ = _e578;
-                                    phi_4444_ = _e605;
-                                    phi_4445_ = _e607;
+                                    phi_3978_ = _e576;
+                                    phi_3502_ = _e578;
+                                    phi_3503_ = _e617;
+                                    phi_3504_ = _e582;
+                                    phi_3505_ = _e619;
+                                    phi_3506_ = _e621;
                                 }
-                                let _e1695 = phi_4903_;
-                                let _e1697 = phi_4441_;
-                                let _e1699 = phi_4442_;
-                                let _e1701 = phi_4443_;
-                                let _e1703 = phi_4444_;
-                                let _e1705 = phi_4445_;
-                                phi_4902_ = _e1695;
-                                phi_4446_ = _e1697;
-                                phi_4447_ = _e1699;
-                                phi_4448_ = _e1701;
-                                phi_4449_ = _e1703;
-                                phi_4450_ = _e1705;
+                                let _e1728 = phi_3978_;
+                                let _e1730 = phi_3502_;
+                                let _e1732 = phi_3503_;
+                                let _e1734 = phi_3504_;
+                                let _e1736 = phi_3505_;
+                                let _e1738 = phi_3506_;
+                                phi_3977_ = _e1728;
+                                phi_3507_ = _e1730;
+                                phi_3508_ = _e1732;
+                                phi_3509_ = _e1734;
+                                phi_3510_ = _e1736;
+                                phi_3511_ = _e1738;
                             } else {
-                                phi_4902_ = _e572;
-                                phi_4446_ = type_45();
-                                phi_4447_ = type_60();
-                                phi_4448_ = u32();
-                                phi_4449_ = bool();
-                                phi_4450_ = u32();
+                                phi_3977_ = _e576;
+                                phi_3507_ = type_47();
+                                phi_3508_ = type_62();
+                                phi_3509_ = u32();
+                                phi_3510_ = bool();
+                                phi_3511_ = u32();
                             }
-                            let _e1707 = phi_4902_;
-                            let _e1709 = phi_4446_;
-                            let _e1711 = phi_4447_;
-                            let _e1713 = phi_4448_;
-                            let _e1715 = phi_4449_;
-                            let _e1717 = phi_4450_;
-                            phi_4901_ = _e1707;
-                            phi_1989_ = _e1709;
-                            phi_1992_ = _e1711;
-                            phi_1994_ = _e1713;
-                            phi_1996_ = _e1715;
-                            phi_1998_ = _e1717;
-                            phi_4451_ = _e586;
+                            let _e1740 = phi_3977_;
+                            let _e1742 = phi_3507_;
+                            let _e1744 = phi_3508_;
+                            let _e1746 = phi_3509_;
+                            let _e1748 = phi_3510_;
+                            let _e1750 = phi_3511_;
+                            phi_3976_ = _e1740;
+                            phi_957_ = _e1742;
+                            phi_960_ = _e1744;
+                            phi_962_ = _e1746;
+                            phi_964_ = _e1748;
+                            phi_966_ = _e1750;
+                            phi_3512_ = _e590;
                         } else {
-                            phi_4901_ = _e572;
-                            phi_1989_ = type_45();
-                            phi_1992_ = type_60();
-                            phi_1994_ = u32();
-                            phi_1996_ = bool();
-                            phi_1998_ = u32();
-                            phi_4451_ = false;
+                            phi_3976_ = _e576;
+                            phi_957_ = type_47();
+                            phi_960_ = type_62();
+                            phi_962_ = u32();
+                            phi_964_ = bool();
+                            phi_966_ = u32();
+                            phi_3512_ = false;
                         }
-                        let _e1719 = phi_4901_;
-                        let _e1721 = phi_1989_;
-                        let _e1723 = phi_1992_;
-                        let _e1725 = phi_1994_;
-                        let _e1727 = phi_1996_;
-                        let _e1729 = phi_1998_;
-                        let _e1731 = phi_4451_;
+                        let _e1752 = phi_3976_;
+                        let _e1754 = phi_957_;
+                        let _e1756 = phi_960_;
+                        let _e1758 = phi_962_;
+                        let _e1760 = phi_964_;
+                        let _e1762 = phi_966_;
+                        let _e1764 = phi_3512_;
                         continue;
                         continuing {
-                            phi_4768_ = _e1719;
-                            phi_1988_ = _e1721;
-                            phi_1991_ = _e1723;
-                            phi_1993_ = _e1725;
-                            phi_1995_ = _e1727;
-                            phi_1997_ = _e1729;
-                            phi_4900_ = _e1719;
-                            break if !(_e1731);
+                            phi_3843_ = _e1752;
+                            phi_956_ = _e1754;
+                            phi_959_ = _e1756;
+                            phi_961_ = _e1758;
+                            phi_963_ = _e1760;
+                            phi_965_ = _e1762;
+                            phi_3975_ = _e1752;
+                            break if !(_e1764);
                         }
                     }
-                    let _e1734 = phi_4900_;
-                    if _e1734 {
+                    let _e1767 = phi_3975_;
+                    if _e1767 {
                         break;
                     }
-                    let _e1736 = local_4;
-                    if (_e1736.member.member_3 != 4294967295u) {
-                        let _e1741 = (_e354 / 3i);
-                        let _e1748 = bitcast<f32>((bitcast<u32>((_e1741 + 127i)) << bitcast<u32>(23i)));
-                        let _e1756 = (((_e1736.member.member * _e1748) * _e1748) * bitcast<f32>((bitcast<u32>(((_e354 - (2i * _e1741)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1758 = select(340282350000000000000000000000000000000f, _e1756, (_e1756 < 340282350000000000000000000000000000000f));
-                        phi_4503_ = type_29(select(-340282350000000000000000000000000000000f, _e1758, (_e1758 > -340282350000000000000000000000000000000f)), _e1736.member.member_1, _e1736.member.member_2, _e1736.member.member_3);
+                    let _e1769 = local_10;
+                    if (_e1769.member.member_3 != 4294967295u) {
+                        let _e1774 = (_e358 / 3i);
+                        let _e1781 = bitcast<f32>((bitcast<u32>((_e1774 + 127i)) << bitcast<u32>(23i)));
+                        let _e1789 = (((_e1769.member.member * _e1781) * _e1781) * bitcast<f32>((bitcast<u32>(((_e358 - (2i * _e1774)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1791 = select(340282350000000000000000000000000000000f, _e1789, (_e1789 < 340282350000000000000000000000000000000f));
+                        phi_3564_ = type_30(select(-340282350000000000000000000000000000000f, _e1791, (_e1791 > -340282350000000000000000000000000000000f)), _e1769.member.member_1, _e1769.member.member_2, _e1769.member.member_3);
                     } else {
-                        phi_4503_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3564_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1765 = phi_4503_;
-                    if _e231 {
-                    } else {
-                        break;
-                    }
-                    global_9.member[_e137] = _e1765;
-                    if _e152 {
+                    let _e1798 = phi_3564_;
+                    if _e235 {
                     } else {
                         break;
                     }
-                    let _e1769 = select(0u, 1u, (_e298 <= _e308));
-                    if (_e1769 > 0u) {
-                        let _e1771 = (1u < _e105);
-                        if _e1771 {
-                            if (0u < _e105) {
+                    global_9.member[_e141] = _e1798;
+                    if _e156 {
+                    } else {
+                        break;
+                    }
+                    let _e1802 = select(0u, 1u, (_e302 <= _e312));
+                    if (_e1802 > 0u) {
+                        let _e1804 = (1u < _e109);
+                        if _e1804 {
+                            if (0u < _e109) {
                             } else {
                                 break;
                             }
-                            let _e1775 = atomicAdd((&global_10.member[0u]), _e1769);
-                            if ((_e1775 + _e1769) < _e1775) {
-                                if _e1771 {
+                            let _e1808 = atomicAdd((&global_10.member[0u]), _e1802);
+                            if ((_e1808 + _e1802) < _e1808) {
+                                if _e1804 {
                                 } else {
                                     break;
                                 }
-                                let _e1780 = atomicAdd((&global_10.member[1u]), 1u);
+                                let _e1813 = atomicAdd((&global_10.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1783 = select(0u, 1u, (_e1765.member_3 != 4294967295u));
-                    if (_e1783 > 0u) {
-                        let _e1785 = (3u < _e105);
-                        if _e1785 {
-                            if (2u < _e105) {
+                    let _e1816 = select(0u, 1u, (_e1798.member_3 != 4294967295u));
+                    if (_e1816 > 0u) {
+                        let _e1818 = (3u < _e109);
+                        if _e1818 {
+                            if (2u < _e109) {
                             } else {
                                 break;
                             }
-                            let _e1789 = atomicAdd((&global_10.member[2u]), _e1783);
-                            if ((_e1789 + _e1783) < _e1789) {
-                                if _e1785 {
+                            let _e1822 = atomicAdd((&global_10.member[2u]), _e1816);
+                            if ((_e1822 + _e1816) < _e1822) {
+                                if _e1818 {
                                 } else {
                                     break;
                                 }
-                                let _e1794 = atomicAdd((&global_10.member[3u]), 1u);
+                                let _e1827 = atomicAdd((&global_10.member[3u]), 1u);
                             }
                         }
                     }

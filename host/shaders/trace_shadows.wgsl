@@ -64,13 +64,13 @@ struct type_38 {
     member: array<type_36>,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<vec4<f32>, 3>,
     member_1: u32,
     member_2: u32,
 }
 
-struct type_47 {
+struct type_48 {
     member: f32,
     member_1: bool,
 }
@@ -94,110 +94,110 @@ var<storage, read_write> global_5: type_26;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_178_: u32;
-    var phi_327_: i32;
+    var phi_179_: u32;
     var phi_328_: i32;
-    var phi_338_: bool;
-    var phi_348_: u32;
+    var phi_329_: i32;
+    var phi_339_: bool;
     var phi_349_: u32;
-    var phi_351_: bool;
-    var phi_356_: u32;
-    var phi_388_: i32;
-    var phi_406_: f32;
-    var phi_412_: f32;
-    var phi_423_: f32;
-    var phi_429_: f32;
-    var phi_452_: f32;
-    var phi_463_: f32;
-    var phi_472_: f32;
-    var phi_478_: f32;
-    var phi_489_: f32;
-    var phi_495_: f32;
-    var phi_518_: f32;
-    var phi_529_: f32;
-    var phi_538_: f32;
-    var phi_544_: f32;
-    var phi_555_: f32;
-    var phi_561_: f32;
-    var phi_584_: f32;
-    var phi_595_: f32;
-    var phi_695_: f32;
+    var phi_350_: u32;
+    var phi_352_: bool;
+    var phi_357_: u32;
+    var phi_389_: i32;
+    var phi_407_: f32;
+    var phi_413_: f32;
+    var phi_424_: f32;
+    var phi_430_: f32;
+    var phi_453_: f32;
+    var phi_464_: f32;
+    var phi_473_: f32;
+    var phi_479_: f32;
+    var phi_490_: f32;
+    var phi_496_: f32;
+    var phi_519_: f32;
+    var phi_530_: f32;
+    var phi_539_: f32;
+    var phi_545_: f32;
+    var phi_556_: f32;
+    var phi_562_: f32;
+    var phi_585_: f32;
+    var phi_596_: f32;
     var phi_696_: f32;
-    var phi_2307_: bool;
-    var phi_970_: type_47;
-    var phi_973_: u32;
-    var phi_975_: u32;
-    var phi_977_: bool;
-    var phi_979_: u32;
-    var phi_990_: bool;
-    var phi_1021_: u32;
-    var phi_1022_: bool;
-    var phi_1023_: u32;
-    var phi_1823_: type_46;
-    var phi_2167_: u32;
-    var phi_2194_: u32;
-    var phi_2195_: u32;
-    var phi_2196_: u32;
-    var phi_2198_: u32;
-    var phi_2199_: u32;
-    var phi_2200_: bool;
-    var phi_2209_: u32;
-    var phi_2214_: u32;
-    var phi_2215_: bool;
-    var phi_1038_: type_47;
-    var phi_1041_: type_7;
-    var phi_1042_: type_7;
-    var phi_1064_: type_7;
-    var phi_1085_: u32;
-    var phi_1174_: array<array<f32, 3>, 3>;
-    var phi_1645_: vec3<f32>;
-    var phi_1646_: vec3<f32>;
-    var phi_1677_: bool;
-    var phi_1686_: vec3<f32>;
-    var phi_1726_: type_22;
-    var phi_1728_: type_22;
-    var phi_1729_: bool;
-    var phi_1733_: type_22;
-    var phi_1734_: type_22;
-    var phi_1735_: type_22;
-    var phi_1736_: bool;
-    var phi_1740_: type_22;
-    var phi_1741_: bool;
-    var phi_1745_: type_22;
-    var phi_1746_: bool;
-    var phi_1750_: type_22;
-    var phi_1761_: type_47;
-    var phi_1762_: type_47;
-    var phi_1039_: type_47;
-    var phi_2301_: bool;
-    var local_2: type_47;
-    var phi_2420_: bool;
-    var phi_2217_: type_47;
-    var phi_2218_: u32;
-    var phi_2219_: bool;
-    var phi_2220_: u32;
-    var phi_2419_: bool;
-    var phi_2221_: type_47;
-    var phi_2222_: u32;
-    var phi_2223_: u32;
-    var phi_2224_: bool;
-    var phi_2225_: u32;
-    var phi_2418_: bool;
-    var phi_2226_: type_47;
-    var phi_2227_: u32;
-    var phi_2228_: u32;
-    var phi_2229_: bool;
-    var phi_2230_: u32;
-    var phi_2417_: bool;
-    var phi_971_: type_47;
-    var phi_974_: u32;
-    var phi_976_: u32;
-    var phi_978_: bool;
-    var phi_980_: u32;
-    var phi_2231_: bool;
-    var phi_2416_: bool;
-    var local_3: type_47;
-    var local_4: type_47;
+    var phi_697_: f32;
+    var phi_2044_: bool;
+    var phi_708_: type_48;
+    var phi_711_: u32;
+    var phi_713_: u32;
+    var phi_715_: bool;
+    var phi_717_: u32;
+    var phi_728_: bool;
+    var phi_760_: u32;
+    var phi_761_: bool;
+    var phi_762_: u32;
+    var phi_1562_: type_47;
+    var phi_1906_: u32;
+    var phi_1934_: u32;
+    var phi_1935_: u32;
+    var phi_1936_: u32;
+    var phi_1938_: u32;
+    var phi_1939_: u32;
+    var phi_1940_: bool;
+    var phi_1949_: u32;
+    var phi_1954_: u32;
+    var phi_1955_: bool;
+    var phi_777_: type_48;
+    var phi_780_: type_7;
+    var phi_781_: type_7;
+    var phi_803_: type_7;
+    var phi_824_: u32;
+    var phi_913_: array<array<f32, 3>, 3>;
+    var phi_1384_: vec3<f32>;
+    var phi_1385_: vec3<f32>;
+    var phi_1416_: bool;
+    var phi_1425_: vec3<f32>;
+    var phi_1465_: type_22;
+    var phi_1467_: type_22;
+    var phi_1468_: bool;
+    var phi_1472_: type_22;
+    var phi_1473_: type_22;
+    var phi_1474_: type_22;
+    var phi_1475_: bool;
+    var phi_1479_: type_22;
+    var phi_1480_: bool;
+    var phi_1484_: type_22;
+    var phi_1485_: bool;
+    var phi_1489_: type_22;
+    var phi_1500_: type_48;
+    var phi_1501_: type_48;
+    var phi_778_: type_48;
+    var phi_2038_: bool;
+    var local_2: type_48;
+    var phi_2157_: bool;
+    var phi_1957_: type_48;
+    var phi_1958_: u32;
+    var phi_1959_: bool;
+    var phi_1960_: u32;
+    var phi_2156_: bool;
+    var phi_1961_: type_48;
+    var phi_1962_: u32;
+    var phi_1963_: u32;
+    var phi_1964_: bool;
+    var phi_1965_: u32;
+    var phi_2155_: bool;
+    var phi_1966_: type_48;
+    var phi_1967_: u32;
+    var phi_1968_: u32;
+    var phi_1969_: bool;
+    var phi_1970_: u32;
+    var phi_2154_: bool;
+    var phi_709_: type_48;
+    var phi_712_: u32;
+    var phi_714_: u32;
+    var phi_716_: bool;
+    var phi_718_: u32;
+    var phi_1971_: bool;
+    var phi_2153_: bool;
+    var local_3: type_48;
+    var local_4: type_48;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -213,11 +213,11 @@ fn function_() {
                     break;
                 }
                 let _e82 = global_4.member[_e77].member_2;
-                phi_178_ = _e82;
+                phi_179_ = _e82;
             } else {
-                phi_178_ = 4294967295u;
+                phi_179_ = 4294967295u;
             }
-            let _e84 = phi_178_;
+            let _e84 = phi_179_;
             if _e78 {
                 let _e85 = (_e77 < arrayLength((&global_5.member)));
                 if _e85 {
@@ -269,188 +269,188 @@ fn function_() {
                         if _e179 {
                             let _e182 = (bitcast<u32>(bitcast<f32>(_e162)) & 2147483647u);
                             if (_e182 >= 8388608u) {
-                                phi_327_ = (bitcast<i32>((_e182 >> bitcast<u32>(23i))) - 127i);
+                                phi_328_ = (bitcast<i32>((_e182 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_327_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e182)), 32u, (_e182 == 0u))));
+                                phi_328_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e182)), 32u, (_e182 == 0u))));
                             }
-                            let _e196 = phi_327_;
-                            phi_328_ = _e196;
+                            let _e196 = phi_328_;
+                            phi_329_ = _e196;
                         } else {
-                            phi_328_ = 0i;
+                            phi_329_ = 0i;
                         }
-                        let _e198 = phi_328_;
+                        let _e198 = phi_329_;
                         let _e199 = (_e118 == _e162);
                         if _e199 {
-                            phi_338_ = true;
+                            phi_339_ = true;
                         } else {
-                            phi_338_ = (_e126 == _e162);
+                            phi_339_ = (_e126 == _e162);
                         }
-                        let _e202 = phi_338_;
+                        let _e202 = phi_339_;
                         let _e203 = select(1u, 0u, _e199);
                         if _e202 {
                             let _e204 = (_e203 + 1u);
-                            phi_348_ = _e204;
                             phi_349_ = _e204;
-                            phi_351_ = select(true, false, (_e204 == 2u));
+                            phi_350_ = _e204;
+                            phi_352_ = select(true, false, (_e204 == 2u));
                         } else {
-                            phi_348_ = u32();
-                            phi_349_ = 0u;
-                            phi_351_ = true;
+                            phi_349_ = u32();
+                            phi_350_ = 0u;
+                            phi_352_ = true;
                         }
-                        let _e208 = phi_348_;
-                        let _e210 = phi_349_;
-                        let _e212 = phi_351_;
+                        let _e208 = phi_349_;
+                        let _e210 = phi_350_;
+                        let _e212 = phi_352_;
                         if _e212 {
-                            phi_356_ = (_e210 + 1u);
+                            phi_357_ = (_e210 + 1u);
                         } else {
-                            phi_356_ = 0u;
+                            phi_357_ = 0u;
                         }
-                        let _e216 = phi_356_;
+                        let _e216 = phi_357_;
                         let _e217 = select(_e208, _e210, _e212);
                         let _e218 = select(_e203, select(2u, _e203, _e202), _e212);
                         let _e219 = -(_e198);
                         if (_e219 < -126i) {
-                            phi_388_ = -126i;
+                            phi_389_ = -126i;
                         } else {
-                            phi_388_ = select(_e219, 127i, (_e219 > 127i));
+                            phi_389_ = select(_e219, 127i, (_e219 > 127i));
                         }
-                        let _e224 = phi_388_;
+                        let _e224 = phi_389_;
                         let _e229 = bitcast<f32>((bitcast<u32>((_e224 + 127i)) << bitcast<u32>(23i)));
                         let _e235 = bitcast<f32>((bitcast<u32>(((_e219 - _e224) + 127i)) << bitcast<u32>(23i)));
                         let _e240 = global_4.member[_e77].member.member;
                         let _e241 = (_e217 == 0u);
                         if _e241 {
-                            phi_406_ = _e240[0];
+                            phi_407_ = _e240[0];
                         } else {
-                            phi_406_ = _e240[1];
+                            phi_407_ = _e240[1];
                         }
-                        let _e245 = phi_406_;
+                        let _e245 = phi_407_;
                         let _e246 = (_e217 == 2u);
                         if _e246 {
-                            phi_412_ = _e240[2];
+                            phi_413_ = _e240[2];
                         } else {
-                            phi_412_ = _e245;
+                            phi_413_ = _e245;
                         }
-                        let _e249 = phi_412_;
+                        let _e249 = phi_413_;
                         let _e250 = global_4.member[_e77].member.member_2;
                         if _e241 {
-                            phi_423_ = _e250[0];
+                            phi_424_ = _e250[0];
                         } else {
-                            phi_423_ = _e250[1];
+                            phi_424_ = _e250[1];
                         }
-                        let _e254 = phi_423_;
+                        let _e254 = phi_424_;
                         if _e246 {
-                            phi_429_ = _e250[2];
+                            phi_430_ = _e250[2];
                         } else {
-                            phi_429_ = _e254;
+                            phi_430_ = _e254;
                         }
-                        let _e257 = phi_429_;
+                        let _e257 = phi_430_;
                         let _e259 = ((_e257 * _e229) * _e235);
                         let _e263 = (bitcast<f32>((bitcast<u32>(_e259) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e263 {
                             let _e267 = (bitcast<f32>((bitcast<u32>(_e249) & 2147483647u)) * 0.00000011920929f);
-                            phi_452_ = select(0.00000000000011368684f, _e267, (_e267 > 0.00000000000011368684f));
+                            phi_453_ = select(0.00000000000011368684f, _e267, (_e267 > 0.00000000000011368684f));
                         } else {
-                            phi_452_ = 0f;
+                            phi_453_ = 0f;
                         }
-                        let _e271 = phi_452_;
+                        let _e271 = phi_453_;
                         let _e272 = (_e249 + _e271);
                         let _e273 = (_e249 - _e271);
                         let _e274 = select(_e259, 0f, _e263);
                         if _e263 {
-                            phi_463_ = 38685626000000000000000000f;
+                            phi_464_ = 38685626000000000000000000f;
                         } else {
-                            phi_463_ = (1f / _e259);
+                            phi_464_ = (1f / _e259);
                         }
-                        let _e277 = phi_463_;
+                        let _e277 = phi_464_;
                         let _e278 = (_e216 == 0u);
                         if _e278 {
-                            phi_472_ = _e240[0];
+                            phi_473_ = _e240[0];
                         } else {
-                            phi_472_ = _e240[1];
+                            phi_473_ = _e240[1];
                         }
-                        let _e282 = phi_472_;
+                        let _e282 = phi_473_;
                         let _e283 = (_e216 == 2u);
                         if _e283 {
-                            phi_478_ = _e240[2];
+                            phi_479_ = _e240[2];
                         } else {
-                            phi_478_ = _e282;
+                            phi_479_ = _e282;
                         }
-                        let _e286 = phi_478_;
+                        let _e286 = phi_479_;
                         if _e278 {
-                            phi_489_ = _e250[0];
+                            phi_490_ = _e250[0];
                         } else {
-                            phi_489_ = _e250[1];
+                            phi_490_ = _e250[1];
                         }
-                        let _e290 = phi_489_;
+                        let _e290 = phi_490_;
                         if _e283 {
-                            phi_495_ = _e250[2];
+                            phi_496_ = _e250[2];
                         } else {
-                            phi_495_ = _e290;
+                            phi_496_ = _e290;
                         }
-                        let _e293 = phi_495_;
+                        let _e293 = phi_496_;
                         let _e295 = ((_e293 * _e229) * _e235);
                         let _e299 = (bitcast<f32>((bitcast<u32>(_e295) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e299 {
                             let _e303 = (bitcast<f32>((bitcast<u32>(_e286) & 2147483647u)) * 0.00000011920929f);
-                            phi_518_ = select(0.00000000000011368684f, _e303, (_e303 > 0.00000000000011368684f));
+                            phi_519_ = select(0.00000000000011368684f, _e303, (_e303 > 0.00000000000011368684f));
                         } else {
-                            phi_518_ = 0f;
+                            phi_519_ = 0f;
                         }
-                        let _e307 = phi_518_;
+                        let _e307 = phi_519_;
                         let _e308 = (_e286 + _e307);
                         let _e309 = (_e286 - _e307);
                         let _e310 = select(_e295, 0f, _e299);
                         if _e299 {
-                            phi_529_ = 38685626000000000000000000f;
+                            phi_530_ = 38685626000000000000000000f;
                         } else {
-                            phi_529_ = (1f / _e295);
+                            phi_530_ = (1f / _e295);
                         }
-                        let _e313 = phi_529_;
+                        let _e313 = phi_530_;
                         let _e314 = (_e218 == 0u);
                         if _e314 {
-                            phi_538_ = _e240[0];
+                            phi_539_ = _e240[0];
                         } else {
-                            phi_538_ = _e240[1];
+                            phi_539_ = _e240[1];
                         }
-                        let _e318 = phi_538_;
+                        let _e318 = phi_539_;
                         let _e319 = (_e218 == 2u);
                         if _e319 {
-                            phi_544_ = _e240[2];
+                            phi_545_ = _e240[2];
                         } else {
-                            phi_544_ = _e318;
+                            phi_545_ = _e318;
                         }
-                        let _e322 = phi_544_;
+                        let _e322 = phi_545_;
                         if _e314 {
-                            phi_555_ = _e250[0];
+                            phi_556_ = _e250[0];
                         } else {
-                            phi_555_ = _e250[1];
+                            phi_556_ = _e250[1];
                         }
-                        let _e326 = phi_555_;
+                        let _e326 = phi_556_;
                         if _e319 {
-                            phi_561_ = _e250[2];
+                            phi_562_ = _e250[2];
                         } else {
-                            phi_561_ = _e326;
+                            phi_562_ = _e326;
                         }
-                        let _e329 = phi_561_;
+                        let _e329 = phi_562_;
                         let _e331 = ((_e329 * _e229) * _e235);
                         let _e335 = (bitcast<f32>((bitcast<u32>(_e331) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e335 {
                             let _e339 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) * 0.00000011920929f);
-                            phi_584_ = select(0.00000000000011368684f, _e339, (_e339 > 0.00000000000011368684f));
+                            phi_585_ = select(0.00000000000011368684f, _e339, (_e339 > 0.00000000000011368684f));
                         } else {
-                            phi_584_ = 0f;
+                            phi_585_ = 0f;
                         }
-                        let _e343 = phi_584_;
+                        let _e343 = phi_585_;
                         let _e344 = (_e322 + _e343);
                         let _e345 = (_e322 - _e343);
                         let _e346 = select(_e331, 0f, _e335);
                         if _e335 {
-                            phi_595_ = 38685626000000000000000000f;
+                            phi_596_ = 38685626000000000000000000f;
                         } else {
-                            phi_595_ = (1f / _e331);
+                            phi_596_ = (1f / _e331);
                         }
-                        let _e349 = phi_595_;
+                        let _e349 = phi_596_;
                         let _e352 = bitcast<f32>((bitcast<u32>(_e249) & 2147483647u));
                         let _e355 = bitcast<f32>((bitcast<u32>(_e286) & 2147483647u));
                         let _e357 = select(_e355, _e352, (_e352 > _e355));
@@ -463,84 +463,84 @@ fn function_() {
                             let _e382 = select(340282350000000000000000000000000000000f, _e380, (_e380 < 340282350000000000000000000000000000000f));
                             let _e387 = (((_e95 * _e372) * _e372) * _e379);
                             let _e389 = select(340282350000000000000000000000000000000f, _e387, (_e387 < 340282350000000000000000000000000000000f));
-                            phi_695_ = select(-340282350000000000000000000000000000000f, _e389, (_e389 > -340282350000000000000000000000000000000f));
-                            phi_696_ = select(-340282350000000000000000000000000000000f, _e382, (_e382 > -340282350000000000000000000000000000000f));
+                            phi_696_ = select(-340282350000000000000000000000000000000f, _e389, (_e389 > -340282350000000000000000000000000000000f));
+                            phi_697_ = select(-340282350000000000000000000000000000000f, _e382, (_e382 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_695_ = 0f;
-                            phi_696_ = 1f;
+                            phi_696_ = 0f;
+                            phi_697_ = 1f;
                         }
-                        let _e393 = phi_695_;
-                        let _e395 = phi_696_;
+                        let _e393 = phi_696_;
+                        let _e395 = phi_697_;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2307_ = false;
-                        phi_970_ = type_47(_e393, false);
-                        phi_973_ = select(0u, 2147483648u, (_e65 == 0u));
-                        phi_975_ = ((3u * _e65) + 1u);
-                        phi_977_ = (_e395 <= _e393);
-                        phi_979_ = 0u;
+                        phi_2044_ = false;
+                        phi_708_ = type_48(_e393, false);
+                        phi_711_ = select(0u, 2147483648u, (_e65 == 0u));
+                        phi_713_ = ((3u * _e65) + 1u);
+                        phi_715_ = (_e395 <= _e393);
+                        phi_717_ = 0u;
                         loop {
-                            let _e403 = phi_2307_;
-                            let _e405 = phi_970_;
-                            let _e407 = phi_973_;
-                            let _e409 = phi_975_;
-                            let _e411 = phi_977_;
-                            let _e413 = phi_979_;
+                            let _e403 = phi_2044_;
+                            let _e405 = phi_708_;
+                            let _e407 = phi_711_;
+                            let _e409 = phi_713_;
+                            let _e411 = phi_715_;
+                            let _e413 = phi_717_;
                             local_3 = _e405;
                             if _e411 {
-                                phi_990_ = true;
+                                phi_728_ = true;
                             } else {
-                                phi_990_ = (_e413 > 0u);
+                                phi_728_ = (_e413 > 0u);
                             }
-                            let _e416 = phi_990_;
+                            let _e416 = phi_728_;
                             if _e416 {
                                 let _e417 = (_e409 > 0u);
                                 if _e417 {
                                     if _e411 {
-                                        phi_1021_ = _e407;
-                                        phi_1022_ = _e411;
-                                        phi_1023_ = _e413;
+                                        phi_760_ = _e407;
+                                        phi_761_ = _e411;
+                                        phi_762_ = _e413;
                                     } else {
                                         let _e418 = (_e413 - 1u);
                                         let _e419 = (_e418 % 128u);
                                         let _e420 = (_e419 < 128u);
                                         if _e420 {
                                         } else {
-                                            phi_2416_ = true;
+                                            phi_2153_ = true;
                                             break;
                                         }
                                         let _e422 = local_1[_e419];
                                         if _e420 {
                                         } else {
-                                            phi_2416_ = true;
+                                            phi_2153_ = true;
                                             break;
                                         }
                                         let _e424 = local[_e419];
-                                        phi_1021_ = _e422;
-                                        phi_1022_ = (_e424 <= _e405.member);
-                                        phi_1023_ = _e418;
+                                        phi_760_ = _e422;
+                                        phi_761_ = (_e424 <= _e405.member);
+                                        phi_762_ = _e418;
                                     }
-                                    let _e428 = phi_1021_;
-                                    let _e430 = phi_1022_;
-                                    let _e432 = phi_1023_;
+                                    let _e428 = phi_760_;
+                                    let _e430 = phi_761_;
+                                    let _e432 = phi_762_;
                                     if _e430 {
                                         if ((_e428 & 2147483648u) != 0u) {
-                                            phi_1038_ = _e405;
-                                            phi_1041_ = type_7(0u, ((_e428 >> bitcast<u32>(28u)) & 7u));
+                                            phi_777_ = _e405;
+                                            phi_780_ = type_7(0u, ((_e428 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e630 = phi_1038_;
-                                                let _e632 = phi_1041_;
+                                                let _e630 = phi_777_;
+                                                let _e632 = phi_780_;
                                                 local_2 = _e630;
                                                 local_4 = _e630;
                                                 if (_e632.member < _e632.member_1) {
-                                                    phi_1042_ = type_7((_e632.member + 1u), _e632.member_1);
-                                                    phi_1064_ = type_7(1u, _e632.member);
+                                                    phi_781_ = type_7((_e632.member + 1u), _e632.member_1);
+                                                    phi_803_ = type_7(1u, _e632.member);
                                                 } else {
-                                                    phi_1042_ = _e632;
-                                                    phi_1064_ = type_7(0u, type_7().member_1);
+                                                    phi_781_ = _e632;
+                                                    phi_803_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e645 = phi_1042_;
-                                                let _e647 = phi_1064_;
+                                                let _e645 = phi_781_;
+                                                let _e647 = phi_803_;
                                                 let _e651 = (bitcast<i32>(_e647.member) != 0i);
                                                 if _e651 {
                                                     let _e652 = ((_e428 & 268435455u) + _e647.member_1);
@@ -548,21 +548,21 @@ fn function_() {
                                                     if _e653 {
                                                         if _e653 {
                                                         } else {
-                                                            phi_2301_ = true;
+                                                            phi_2038_ = true;
                                                             break;
                                                         }
                                                         let _e657 = global_1.member[_e652].member_1;
-                                                        phi_1085_ = _e657;
+                                                        phi_824_ = _e657;
                                                     } else {
-                                                        phi_1085_ = 4294967295u;
+                                                        phi_824_ = 4294967295u;
                                                     }
-                                                    let _e659 = phi_1085_;
+                                                    let _e659 = phi_824_;
                                                     if (_e652 >= _e67) {
-                                                        phi_1174_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                        phi_913_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
                                                         if _e653 {
                                                         } else {
-                                                            phi_2301_ = true;
+                                                            phi_2038_ = true;
                                                             break;
                                                         }
                                                         let _e661 = (_e217 % 3u);
@@ -570,67 +570,67 @@ fn function_() {
                                                         let _e663 = (_e218 % 3u);
                                                         if (_e661 < 9u) {
                                                         } else {
-                                                            phi_2301_ = true;
+                                                            phi_2038_ = true;
                                                             break;
                                                         }
                                                         let _e669 = global_1.member[_e652].member[_e661];
                                                         if (_e662 < 9u) {
                                                         } else {
-                                                            phi_2301_ = true;
+                                                            phi_2038_ = true;
                                                             break;
                                                         }
                                                         let _e675 = global_1.member[_e652].member[_e662];
                                                         if (_e663 < 9u) {
                                                         } else {
-                                                            phi_2301_ = true;
+                                                            phi_2038_ = true;
                                                             break;
                                                         }
                                                         let _e681 = global_1.member[_e652].member[_e663];
                                                         let _e683 = (3u + _e661);
                                                         if (_e683 < 9u) {
                                                         } else {
-                                                            phi_2301_ = true;
+                                                            phi_2038_ = true;
                                                             break;
                                                         }
                                                         let _e689 = global_1.member[_e652].member[_e683];
                                                         let _e690 = (3u + _e662);
                                                         if (_e690 < 9u) {
                                                         } else {
-                                                            phi_2301_ = true;
+                                                            phi_2038_ = true;
                                                             break;
                                                         }
                                                         let _e696 = global_1.member[_e652].member[_e690];
                                                         let _e697 = (3u + _e663);
                                                         if (_e697 < 9u) {
                                                         } else {
-                                                            phi_2301_ = true;
+                                                            phi_2038_ = true;
                                                             break;
                                                         }
                                                         let _e703 = global_1.member[_e652].member[_e697];
                                                         let _e705 = (6u + _e661);
                                                         if (_e705 < 9u) {
                                                         } else {
-                                                            phi_2301_ = true;
+                                                            phi_2038_ = true;
                                                             break;
                                                         }
                                                         let _e711 = global_1.member[_e652].member[_e705];
                                                         let _e712 = (6u + _e662);
                                                         if (_e712 < 9u) {
                                                         } else {
-                                                            phi_2301_ = true;
+                                                            phi_2038_ = true;
                                                             break;
                                                         }
                                                         let _e718 = global_1.member[_e652].member[_e712];
                                                         let _e719 = (6u + _e663);
                                                         if (_e719 < 9u) {
                                                         } else {
-                                                            phi_2301_ = true;
+                                                            phi_2038_ = true;
                                                             break;
                                                         }
                                                         let _e725 = global_1.member[_e652].member[_e719];
-                                                        phi_1174_ = array<array<f32, 3>, 3>(array<f32, 3>(_e669, _e675, _e681), array<f32, 3>(_e689, _e696, _e703), array<f32, 3>(_e711, _e718, _e725));
+                                                        phi_913_ = array<array<f32, 3>, 3>(array<f32, 3>(_e669, _e675, _e681), array<f32, 3>(_e689, _e696, _e703), array<f32, 3>(_e711, _e718, _e725));
                                                     }
-                                                    let _e729 = phi_1174_;
+                                                    let _e729 = phi_913_;
                                                     let _e737 = (_e729[0][2] - _e322);
                                                     let _e740 = (((_e729[0][0] - _e249) * _e346) - (_e737 * _e274));
                                                     let _e743 = (((_e729[0][1] - _e286) * _e346) - (_e737 * _e310));
@@ -657,8 +657,8 @@ fn function_() {
                                                         let _e799 = select(0f, _e797, (_e797 > 0f));
                                                         let _e801 = ((_e791 + _e795) + _e799);
                                                         if (_e801 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1740_ = type_22();
-                                                            phi_1741_ = true;
+                                                            phi_1479_ = type_22();
+                                                            phi_1480_ = true;
                                                         } else {
                                                             let _e804 = select(_e729[1][0], _e729[0][0], (_e729[0][0] < _e729[1][0]));
                                                             let _e808 = select(_e729[1][0], _e729[0][0], (_e729[0][0] > _e729[1][0]));
@@ -685,12 +685,12 @@ fn function_() {
                                                             let _e859 = -(_e840);
                                                             let _e865 = select(_e395, _e850, (_e850 > _e395));
                                                             if (_e865 > (_e858 + (select(_e859, _e842, (_e842 > _e859)) * 0.0000019073523f))) {
-                                                                phi_1735_ = type_22();
-                                                                phi_1736_ = true;
+                                                                phi_1474_ = type_22();
+                                                                phi_1475_ = true;
                                                             } else {
                                                                 let _e867 = (_e865 > _e630.member);
                                                                 if _e867 {
-                                                                    phi_1734_ = type_22();
+                                                                    phi_1473_ = type_22();
                                                                 } else {
                                                                     let _e871 = (_e729[1][0] - _e729[0][0]);
                                                                     let _e872 = (_e729[1][1] - _e729[0][1]);
@@ -722,30 +722,30 @@ fn function_() {
                                                                     let _e923 = select(_e908, _e895, (_e895 > _e908));
                                                                     let _e925 = select(_e921, _e923, (_e923 > _e921));
                                                                     if (_e895 == _e925) {
-                                                                        phi_1645_ = _e878;
-                                                                        phi_1646_ = _e882;
+                                                                        phi_1384_ = _e878;
+                                                                        phi_1385_ = _e882;
                                                                     } else {
                                                                         let _e928 = vec3((_e908 == _e925));
-                                                                        phi_1645_ = select(_e874, _e882, _e928);
-                                                                        phi_1646_ = select(_e878, _e874, _e928);
+                                                                        phi_1384_ = select(_e874, _e882, _e928);
+                                                                        phi_1385_ = select(_e878, _e874, _e928);
                                                                     }
-                                                                    let _e932 = phi_1645_;
-                                                                    let _e934 = phi_1646_;
+                                                                    let _e932 = phi_1384_;
+                                                                    let _e934 = phi_1385_;
                                                                     let _e941 = ((_e932.y * _e934.z) - (_e934.y * _e932.z));
                                                                     let _e946 = ((_e932.z * _e934.x) - (_e934.z * _e932.x));
                                                                     let _e949 = ((_e932.x * _e934.y) - (_e934.x * _e932.y));
                                                                     if (_e791 >= _e795) {
-                                                                        phi_1677_ = select(true, false, (_e791 >= _e799));
+                                                                        phi_1416_ = select(true, false, (_e791 >= _e799));
                                                                     } else {
-                                                                        phi_1677_ = true;
+                                                                        phi_1416_ = true;
                                                                     }
-                                                                    let _e954 = phi_1677_;
+                                                                    let _e954 = phi_1416_;
                                                                     if _e954 {
-                                                                        phi_1686_ = select(vec3<f32>(_e729[2][0], _e729[2][1], _e729[2][2]), vec3<f32>(_e729[1][0], _e729[1][1], _e729[1][2]), vec3((_e795 >= _e799)));
+                                                                        phi_1425_ = select(vec3<f32>(_e729[2][0], _e729[2][1], _e729[2][2]), vec3<f32>(_e729[1][0], _e729[1][1], _e729[1][2]), vec3((_e795 >= _e799)));
                                                                     } else {
-                                                                        phi_1686_ = vec3<f32>(_e729[0][0], _e729[0][1], _e729[0][2]);
+                                                                        phi_1425_ = vec3<f32>(_e729[0][0], _e729[0][1], _e729[0][2]);
                                                                     }
-                                                                    let _e959 = phi_1686_;
+                                                                    let _e959 = phi_1425_;
                                                                     let _e976 = ((((_e941 * (_e959.x - _e249)) + (_e946 * (_e959.y - _e286))) + (_e949 * (_e959.z - _e322))) / (((_e941 * _e274) + (_e946 * _e310)) + (_e949 * _e346)));
                                                                     let _e978 = select(_e858, _e976, (_e976 < _e858));
                                                                     let _e980 = select(_e850, _e978, (_e978 > _e850));
@@ -753,124 +753,124 @@ fn function_() {
                                                                         let _e982 = (_e980 <= _e630.member);
                                                                         if _e982 {
                                                                             let _e983 = (1f / _e801);
-                                                                            phi_1726_ = type_22(_e980, (_e795 * _e983), (_e799 * _e983), _e659);
+                                                                            phi_1465_ = type_22(_e980, (_e795 * _e983), (_e799 * _e983), _e659);
                                                                         } else {
-                                                                            phi_1726_ = type_22();
+                                                                            phi_1465_ = type_22();
                                                                         }
-                                                                        let _e988 = phi_1726_;
-                                                                        phi_1728_ = _e988;
-                                                                        phi_1729_ = select(true, false, _e982);
+                                                                        let _e988 = phi_1465_;
+                                                                        phi_1467_ = _e988;
+                                                                        phi_1468_ = select(true, false, _e982);
                                                                     } else {
-                                                                        phi_1728_ = type_22();
-                                                                        phi_1729_ = true;
+                                                                        phi_1467_ = type_22();
+                                                                        phi_1468_ = true;
                                                                     }
-                                                                    let _e991 = phi_1728_;
-                                                                    let _e993 = phi_1729_;
+                                                                    let _e991 = phi_1467_;
+                                                                    let _e993 = phi_1468_;
                                                                     if _e993 {
-                                                                        phi_1733_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        phi_1472_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_1733_ = _e991;
+                                                                        phi_1472_ = _e991;
                                                                     }
-                                                                    let _e995 = phi_1733_;
-                                                                    phi_1734_ = _e995;
+                                                                    let _e995 = phi_1472_;
+                                                                    phi_1473_ = _e995;
                                                                 }
-                                                                let _e997 = phi_1734_;
-                                                                phi_1735_ = _e997;
-                                                                phi_1736_ = _e867;
+                                                                let _e997 = phi_1473_;
+                                                                phi_1474_ = _e997;
+                                                                phi_1475_ = _e867;
                                                             }
-                                                            let _e999 = phi_1735_;
-                                                            let _e1001 = phi_1736_;
-                                                            phi_1740_ = _e999;
-                                                            phi_1741_ = _e1001;
+                                                            let _e999 = phi_1474_;
+                                                            let _e1001 = phi_1475_;
+                                                            phi_1479_ = _e999;
+                                                            phi_1480_ = _e1001;
                                                         }
-                                                        let _e1003 = phi_1740_;
-                                                        let _e1005 = phi_1741_;
-                                                        phi_1745_ = _e1003;
-                                                        phi_1746_ = _e1005;
+                                                        let _e1003 = phi_1479_;
+                                                        let _e1005 = phi_1480_;
+                                                        phi_1484_ = _e1003;
+                                                        phi_1485_ = _e1005;
                                                     } else {
-                                                        phi_1745_ = type_22();
-                                                        phi_1746_ = true;
+                                                        phi_1484_ = type_22();
+                                                        phi_1485_ = true;
                                                     }
-                                                    let _e1007 = phi_1745_;
-                                                    let _e1009 = phi_1746_;
+                                                    let _e1007 = phi_1484_;
+                                                    let _e1009 = phi_1485_;
                                                     if _e1009 {
-                                                        phi_1750_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                        phi_1489_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1750_ = _e1007;
+                                                        phi_1489_ = _e1007;
                                                     }
-                                                    let _e1011 = phi_1750_;
+                                                    let _e1011 = phi_1489_;
                                                     if (_e1011.member_3 != 4294967295u) {
                                                         if (_e659 != _e84) {
-                                                            phi_1761_ = type_47(_e630.member, true);
+                                                            phi_1500_ = type_48(_e630.member, true);
                                                         } else {
-                                                            phi_1761_ = _e630;
+                                                            phi_1500_ = _e630;
                                                         }
-                                                        let _e1019 = phi_1761_;
-                                                        phi_1762_ = _e1019;
+                                                        let _e1019 = phi_1500_;
+                                                        phi_1501_ = _e1019;
                                                     } else {
-                                                        phi_1762_ = _e630;
+                                                        phi_1501_ = _e630;
                                                     }
-                                                    let _e1021 = phi_1762_;
-                                                    phi_1039_ = _e1021;
+                                                    let _e1021 = phi_1501_;
+                                                    phi_778_ = _e1021;
                                                 } else {
-                                                    phi_1039_ = type_47();
+                                                    phi_778_ = type_48();
                                                 }
-                                                let _e1023 = phi_1039_;
+                                                let _e1023 = phi_778_;
                                                 continue;
                                                 continuing {
-                                                    phi_1038_ = _e1023;
-                                                    phi_1041_ = _e645;
-                                                    phi_2301_ = _e403;
+                                                    phi_777_ = _e1023;
+                                                    phi_780_ = _e645;
+                                                    phi_2038_ = _e403;
                                                     break if !(_e651);
                                                 }
                                             }
-                                            let _e1026 = phi_2301_;
-                                            phi_2416_ = _e1026;
+                                            let _e1026 = phi_2038_;
+                                            phi_2153_ = _e1026;
                                             if _e1026 {
                                                 break;
                                             }
                                             let _e1028 = local_2;
-                                            phi_2420_ = _e1026;
+                                            phi_2157_ = _e1026;
                                             let _e1194 = local_4;
-                                            phi_2217_ = _e1194;
-                                            phi_2218_ = _e428;
-                                            phi_2219_ = false;
-                                            phi_2220_ = select(_e432, 0u, _e1028.member_1);
+                                            phi_1957_ = _e1194;
+                                            phi_1958_ = _e428;
+                                            phi_1959_ = false;
+                                            phi_1960_ = select(_e432, 0u, _e1028.member_1);
                                         } else {
                                             if (_e428 >= _e65) {
-                                                phi_1823_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                                phi_1562_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
                                                 if (_e428 < _e65) {
                                                 } else {
-                                                    phi_2416_ = true;
+                                                    phi_2153_ = true;
                                                     break;
                                                 }
                                                 let _e442 = (_e217 % 3u);
                                                 if (_e442 < 3u) {
                                                 } else {
-                                                    phi_2416_ = true;
+                                                    phi_2153_ = true;
                                                     break;
                                                 }
                                                 let _e448 = global_2.member[_e428].member[_e442];
                                                 let _e454 = (_e216 % 3u);
                                                 if (_e454 < 3u) {
                                                 } else {
-                                                    phi_2416_ = true;
+                                                    phi_2153_ = true;
                                                     break;
                                                 }
                                                 let _e460 = global_2.member[_e428].member[_e454];
                                                 let _e466 = (_e218 % 3u);
                                                 if (_e466 < 3u) {
                                                 } else {
-                                                    phi_2416_ = true;
+                                                    phi_2153_ = true;
                                                     break;
                                                 }
                                                 let _e472 = global_2.member[_e428].member[_e466];
                                                 let _e482 = global_2.member[_e428].member_1;
                                                 let _e486 = global_2.member[_e428].member_2;
-                                                phi_1823_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3]), vec4<f32>(_e472[0], _e472[1], _e472[2], _e472[3])), _e482, _e486);
+                                                phi_1562_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3]), vec4<f32>(_e472[0], _e472[1], _e472[2], _e472[3])), _e482, _e486);
                                             }
-                                            let _e489 = phi_1823_;
+                                            let _e489 = phi_1562_;
                                             let _e501 = ((_e489.member[0].x - _e272) * _e277);
                                             let _e502 = ((_e489.member[0].y - _e272) * _e277);
                                             let _e503 = ((_e489.member[0].z - _e273) * _e277);
@@ -913,152 +913,152 @@ fn function_() {
                                             if _e589 {
                                                 if _e590 {
                                                     if _e591 {
-                                                        phi_2167_ = _e489.member_2;
+                                                        phi_1906_ = _e489.member_2;
                                                     } else {
-                                                        phi_2167_ = _e489.member_1;
+                                                        phi_1906_ = _e489.member_1;
                                                     }
-                                                    let _e595 = phi_2167_;
-                                                    let _e596 = (_e432 % 128u);
-                                                    let _e597 = (_e596 < 128u);
-                                                    if _e597 {
+                                                    let _e595 = phi_1906_;
+                                                    let _e598 = (_e432 % 128u);
+                                                    let _e599 = (_e598 < 128u);
+                                                    if _e599 {
                                                     } else {
-                                                        phi_2416_ = true;
+                                                        phi_2153_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e596] = _e595;
-                                                    if _e597 {
+                                                    local_1[_e598] = _e595;
+                                                    if _e599 {
                                                     } else {
-                                                        phi_2416_ = true;
+                                                        phi_2153_ = true;
                                                         break;
                                                     }
-                                                    local[_e596] = select(_e584, _e582, (_e582 > _e584));
+                                                    local[_e598] = select(_e584, _e582, (_e582 > _e584));
                                                     if _e591 {
-                                                        phi_2194_ = _e489.member_1;
+                                                        phi_1934_ = _e489.member_1;
                                                     } else {
-                                                        phi_2194_ = _e489.member_2;
+                                                        phi_1934_ = _e489.member_2;
                                                     }
-                                                    let _e606 = phi_2194_;
-                                                    phi_2195_ = _e606;
-                                                    phi_2196_ = (_e432 + 1u);
+                                                    let _e606 = phi_1934_;
+                                                    phi_1935_ = _e606;
+                                                    phi_1936_ = (_e432 + 1u);
                                                 } else {
-                                                    phi_2195_ = u32();
-                                                    phi_2196_ = u32();
+                                                    phi_1935_ = u32();
+                                                    phi_1936_ = u32();
                                                 }
-                                                let _e608 = phi_2195_;
-                                                let _e610 = phi_2196_;
-                                                phi_2198_ = _e608;
-                                                phi_2199_ = _e610;
-                                                phi_2200_ = select(true, false, _e590);
+                                                let _e608 = phi_1935_;
+                                                let _e610 = phi_1936_;
+                                                phi_1938_ = _e608;
+                                                phi_1939_ = _e610;
+                                                phi_1940_ = select(true, false, _e590);
                                             } else {
-                                                phi_2198_ = u32();
-                                                phi_2199_ = u32();
-                                                phi_2200_ = true;
+                                                phi_1938_ = u32();
+                                                phi_1939_ = u32();
+                                                phi_1940_ = true;
                                             }
-                                            let _e613 = phi_2198_;
-                                            let _e615 = phi_2199_;
-                                            let _e617 = phi_2200_;
+                                            let _e613 = phi_1938_;
+                                            let _e615 = phi_1939_;
+                                            let _e617 = phi_1940_;
                                             if _e617 {
                                                 if _e589 {
-                                                    phi_2209_ = _e489.member_1;
+                                                    phi_1949_ = _e489.member_1;
                                                 } else {
-                                                    phi_2209_ = _e489.member_2;
+                                                    phi_1949_ = _e489.member_2;
                                                 }
-                                                let _e621 = phi_2209_;
-                                                phi_2214_ = _e621;
-                                                phi_2215_ = select(_e590, true, _e589);
+                                                let _e621 = phi_1949_;
+                                                phi_1954_ = _e621;
+                                                phi_1955_ = select(_e590, true, _e589);
                                             } else {
-                                                phi_2214_ = _e613;
-                                                phi_2215_ = _e430;
+                                                phi_1954_ = _e613;
+                                                phi_1955_ = _e430;
                                             }
-                                            let _e624 = phi_2214_;
-                                            let _e626 = phi_2215_;
-                                            phi_2420_ = _e403;
-                                            phi_2217_ = _e405;
-                                            phi_2218_ = _e624;
-                                            phi_2219_ = _e626;
-                                            phi_2220_ = select(_e615, _e432, _e617);
+                                            let _e624 = phi_1954_;
+                                            let _e626 = phi_1955_;
+                                            phi_2157_ = _e403;
+                                            phi_1957_ = _e405;
+                                            phi_1958_ = _e624;
+                                            phi_1959_ = _e626;
+                                            phi_1960_ = select(_e615, _e432, _e617);
                                         }
-                                        let _e1032 = phi_2420_;
-                                        let _e1034 = phi_2217_;
-                                        let _e1036 = phi_2218_;
-                                        let _e1038 = phi_2219_;
-                                        let _e1040 = phi_2220_;
-                                        phi_2419_ = _e1032;
-                                        phi_2221_ = _e1034;
-                                        phi_2222_ = _e1036;
-                                        phi_2223_ = (_e409 - 1u);
-                                        phi_2224_ = _e1038;
-                                        phi_2225_ = _e1040;
+                                        let _e1032 = phi_2157_;
+                                        let _e1034 = phi_1957_;
+                                        let _e1036 = phi_1958_;
+                                        let _e1038 = phi_1959_;
+                                        let _e1040 = phi_1960_;
+                                        phi_2156_ = _e1032;
+                                        phi_1961_ = _e1034;
+                                        phi_1962_ = _e1036;
+                                        phi_1963_ = (_e409 - 1u);
+                                        phi_1964_ = _e1038;
+                                        phi_1965_ = _e1040;
                                     } else {
-                                        phi_2419_ = _e403;
-                                        phi_2221_ = _e405;
-                                        phi_2222_ = _e428;
-                                        phi_2223_ = _e409;
-                                        phi_2224_ = _e430;
-                                        phi_2225_ = _e432;
+                                        phi_2156_ = _e403;
+                                        phi_1961_ = _e405;
+                                        phi_1962_ = _e428;
+                                        phi_1963_ = _e409;
+                                        phi_1964_ = _e430;
+                                        phi_1965_ = _e432;
                                     }
-                                    let _e1042 = phi_2419_;
-                                    let _e1044 = phi_2221_;
-                                    let _e1046 = phi_2222_;
-                                    let _e1048 = phi_2223_;
-                                    let _e1050 = phi_2224_;
-                                    let _e1052 = phi_2225_;
-                                    phi_2418_ = _e1042;
-                                    phi_2226_ = _e1044;
-                                    phi_2227_ = _e1046;
-                                    phi_2228_ = _e1048;
-                                    phi_2229_ = _e1050;
-                                    phi_2230_ = _e1052;
+                                    let _e1042 = phi_2156_;
+                                    let _e1044 = phi_1961_;
+                                    let _e1046 = phi_1962_;
+                                    let _e1048 = phi_1963_;
+                                    let _e1050 = phi_1964_;
+                                    let _e1052 = phi_1965_;
+                                    phi_2155_ = _e1042;
+                                    phi_1966_ = _e1044;
+                                    phi_1967_ = _e1046;
+                                    phi_1968_ = _e1048;
+                                    phi_1969_ = _e1050;
+                                    phi_1970_ = _e1052;
                                 } else {
-                                    phi_2418_ = _e403;
-                                    phi_2226_ = type_47();
-                                    phi_2227_ = u32();
-                                    phi_2228_ = u32();
-                                    phi_2229_ = bool();
-                                    phi_2230_ = u32();
+                                    phi_2155_ = _e403;
+                                    phi_1966_ = type_48();
+                                    phi_1967_ = u32();
+                                    phi_1968_ = u32();
+                                    phi_1969_ = bool();
+                                    phi_1970_ = u32();
                                 }
-                                let _e1054 = phi_2418_;
-                                let _e1056 = phi_2226_;
-                                let _e1058 = phi_2227_;
-                                let _e1060 = phi_2228_;
-                                let _e1062 = phi_2229_;
-                                let _e1064 = phi_2230_;
-                                phi_2417_ = _e1054;
-                                phi_971_ = _e1056;
-                                phi_974_ = _e1058;
-                                phi_976_ = _e1060;
-                                phi_978_ = _e1062;
-                                phi_980_ = _e1064;
-                                phi_2231_ = _e417;
+                                let _e1054 = phi_2155_;
+                                let _e1056 = phi_1966_;
+                                let _e1058 = phi_1967_;
+                                let _e1060 = phi_1968_;
+                                let _e1062 = phi_1969_;
+                                let _e1064 = phi_1970_;
+                                phi_2154_ = _e1054;
+                                phi_709_ = _e1056;
+                                phi_712_ = _e1058;
+                                phi_714_ = _e1060;
+                                phi_716_ = _e1062;
+                                phi_718_ = _e1064;
+                                phi_1971_ = _e417;
                             } else {
-                                phi_2417_ = _e403;
-                                phi_971_ = type_47();
-                                phi_974_ = u32();
-                                phi_976_ = u32();
-                                phi_978_ = bool();
-                                phi_980_ = u32();
-                                phi_2231_ = false;
+                                phi_2154_ = _e403;
+                                phi_709_ = type_48();
+                                phi_712_ = u32();
+                                phi_714_ = u32();
+                                phi_716_ = bool();
+                                phi_718_ = u32();
+                                phi_1971_ = false;
                             }
-                            let _e1066 = phi_2417_;
-                            let _e1068 = phi_971_;
-                            let _e1070 = phi_974_;
-                            let _e1072 = phi_976_;
-                            let _e1074 = phi_978_;
-                            let _e1076 = phi_980_;
-                            let _e1078 = phi_2231_;
+                            let _e1066 = phi_2154_;
+                            let _e1068 = phi_709_;
+                            let _e1070 = phi_712_;
+                            let _e1072 = phi_714_;
+                            let _e1074 = phi_716_;
+                            let _e1076 = phi_718_;
+                            let _e1078 = phi_1971_;
                             continue;
                             continuing {
-                                phi_2307_ = _e1066;
-                                phi_970_ = _e1068;
-                                phi_973_ = _e1070;
-                                phi_975_ = _e1072;
-                                phi_977_ = _e1074;
-                                phi_979_ = _e1076;
-                                phi_2416_ = _e1066;
+                                phi_2044_ = _e1066;
+                                phi_708_ = _e1068;
+                                phi_711_ = _e1070;
+                                phi_713_ = _e1072;
+                                phi_715_ = _e1074;
+                                phi_717_ = _e1076;
+                                phi_2153_ = _e1066;
                                 break if !(_e1078);
                             }
                         }
-                        let _e1081 = phi_2416_;
+                        let _e1081 = phi_2153_;
                         if _e1081 {
                             break;
                         }

@@ -54,50 +54,50 @@ struct type_36 {
     member_3: array<u32, 3>,
 }
 
-struct type_39 {
+struct type_40 {
     member: f32,
     member_1: bool,
 }
 
-struct type_41 {
+struct type_42 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<i32>,
 }
 
-struct type_48 {
+struct type_49 {
     member: array<u32, 2>,
     member_1: array<u32, 2>,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_50 {
-    member: array<type_48>,
+struct type_51 {
+    member: array<type_49>,
 }
 
-struct type_53 {
+struct type_55 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_56 {
+struct type_57 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_58 {
-    member: array<type_56>,
+struct type_59 {
+    member: array<type_57>,
 }
 
-struct type_62 {
-    member: type_53,
+struct type_63 {
+    member: type_55,
     member_1: u32,
 }
 
-struct type_71 {
+struct type_70 {
     member: array<atomic<u32>>,
 }
 
@@ -107,1420 +107,1504 @@ var<uniform> global_1: type_12;
 @group(0) @binding(8) 
 var<storage, read_write> global_2: type_26;
 @group(0) @binding(1) 
-var<uniform> global_3: type_41;
+var<uniform> global_3: type_42;
 @group(0) @binding(2) 
-var<uniform> global_4: type_41;
+var<uniform> global_4: type_42;
 @group(0) @binding(5) 
 var<storage> global_5: type_4;
 @group(0) @binding(6) 
-var<storage> global_6: type_44;
+var<storage> global_6: type_45;
 @group(0) @binding(9) 
-var<storage, read_write> global_7: type_71;
+var<storage, read_write> global_7: type_70;
 @group(0) @binding(7) 
 var<storage> global_8: type_32;
 @group(0) @binding(3) 
-var<storage> global_9: type_50;
+var<storage> global_9: type_51;
 @group(0) @binding(4) 
-var<storage> global_10: type_58;
+var<storage> global_10: type_59;
 
 fn function_() {
-    var local: array<f32, 3>;
-    var local_1: array<f32, 3>;
-    var local_2: array<f32, 3>;
-    var local_3: array<f32, 3>;
+    var local: array<f32, 128>;
+    var local_1: array<f32, 128>;
+    var local_2: array<f32, 128>;
+    var local_3: array<f32, 128>;
     var local_4: array<f32, 128>;
-    var local_5: array<type_62, 128>;
-    var local_6: array<f32, 3>;
+    var local_5: array<f32, 128>;
+    var local_6: array<u32, 128>;
     var local_7: array<f32, 3>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var local_10: array<u32, 3>;
-    var local_11: array<u32, 3>;
-    var local_12: array<u32, 3>;
-    var local_13: array<array<f32, 3>, 3>;
-    var local_14: array<u32, 3>;
+    var local_10: array<f32, 3>;
+    var local_11: array<f32, 128>;
+    var local_12: array<f32, 3>;
+    var local_13: array<f32, 3>;
+    var local_14: array<f32, 3>;
     var local_15: array<f32, 3>;
-    var local_16: array<f32, 3>;
-    var phi_288_: u32;
-    var phi_332_: i32;
-    var phi_356_: type_36;
-    var phi_506_: i32;
-    var phi_507_: i32;
-    var phi_517_: bool;
-    var phi_527_: u32;
-    var phi_528_: u32;
-    var phi_530_: bool;
-    var phi_535_: u32;
-    var phi_568_: i32;
-    var phi_586_: f32;
-    var phi_592_: f32;
-    var phi_603_: f32;
-    var phi_609_: f32;
-    var phi_632_: f32;
-    var phi_643_: f32;
-    var phi_652_: f32;
-    var phi_658_: f32;
-    var phi_669_: f32;
-    var phi_675_: f32;
-    var phi_698_: f32;
-    var phi_709_: f32;
-    var phi_718_: f32;
-    var phi_724_: f32;
-    var phi_735_: f32;
-    var phi_741_: f32;
-    var phi_764_: f32;
-    var phi_775_: f32;
-    var phi_875_: f32;
-    var phi_876_: f32;
-    var phi_5242_: bool;
-    var phi_3004_: type_39;
-    var phi_3007_: type_62;
-    var phi_3009_: u32;
-    var phi_3011_: bool;
-    var phi_3013_: u32;
-    var phi_3024_: bool;
-    var phi_3069_: type_62;
-    var phi_3070_: bool;
-    var phi_3071_: u32;
-    var phi_4289_: type_48;
-    var phi_4298_: type_8;
-    var phi_4299_: type_8;
-    var phi_4322_: type_8;
-    var phi_5235_: bool;
-    var phi_4452_: type_8;
-    var phi_4453_: type_8;
-    var phi_4476_: type_8;
-    var phi_5302_: bool;
-    var phi_5039_: type_62;
-    var phi_5078_: type_62;
-    var phi_5079_: type_62;
-    var phi_5080_: u32;
-    var phi_5082_: type_62;
-    var phi_5083_: u32;
-    var phi_5084_: bool;
-    var phi_5091_: type_62;
-    var phi_5096_: type_62;
-    var phi_5097_: bool;
-    var phi_5319_: bool;
-    var phi_3090_: type_39;
-    var phi_3093_: type_8;
-    var phi_3094_: type_8;
-    var phi_3116_: type_8;
-    var phi_3158_: u32;
-    var phi_3182_: type_56;
-    var phi_5315_: bool;
-    var phi_3193_: type_8;
-    var phi_3194_: type_8;
-    var phi_3217_: type_8;
-    var phi_3227_: type_8;
-    var phi_3228_: type_8;
-    var phi_3251_: type_8;
-    var phi_5310_: bool;
-    var phi_5323_: bool;
-    var phi_5322_: bool;
-    var phi_3814_: vec3<f32>;
-    var phi_3815_: vec3<f32>;
-    var phi_3846_: bool;
-    var phi_3855_: vec3<f32>;
-    var phi_3895_: type_22;
-    var phi_3897_: type_22;
-    var phi_3898_: bool;
-    var phi_3902_: type_22;
-    var phi_3903_: type_22;
-    var phi_3904_: type_22;
-    var phi_3905_: bool;
-    var phi_3909_: type_22;
-    var phi_3910_: bool;
-    var phi_3914_: type_22;
-    var phi_3915_: bool;
-    var phi_3919_: type_22;
-    var phi_3942_: u32;
-    var phi_3956_: i32;
-    var phi_3976_: vec3<f32>;
-    var phi_3977_: vec3<f32>;
-    var phi_3993_: vec3<f32>;
-    var phi_3994_: vec3<f32>;
-    var phi_4010_: vec3<f32>;
-    var phi_4011_: vec3<f32>;
-    var phi_4047_: vec3<f32>;
-    var phi_4229_: f32;
-    var phi_4247_: bool;
-    var phi_4248_: bool;
-    var phi_4253_: type_39;
-    var phi_4254_: type_39;
-    var phi_5325_: bool;
-    var phi_3091_: type_39;
-    var phi_5324_: bool;
-    var local_17: type_39;
-    var phi_5404_: bool;
-    var phi_5099_: type_39;
-    var phi_5100_: type_62;
-    var phi_5101_: bool;
-    var phi_5102_: u32;
-    var phi_5403_: bool;
-    var phi_5103_: type_39;
-    var phi_5104_: type_62;
-    var phi_5105_: u32;
-    var phi_5106_: bool;
-    var phi_5107_: u32;
-    var phi_5402_: bool;
-    var phi_5108_: type_39;
-    var phi_5109_: type_62;
-    var phi_5110_: u32;
-    var phi_5111_: bool;
-    var phi_5112_: u32;
-    var phi_5401_: bool;
-    var phi_3005_: type_39;
-    var phi_3008_: type_62;
-    var phi_3010_: u32;
-    var phi_3012_: bool;
-    var phi_3014_: u32;
-    var phi_5113_: bool;
-    var phi_5400_: bool;
-    var local_18: type_39;
-    var local_19: type_39;
+    var local_16: array<u32, 3>;
+    var local_17: array<u32, 3>;
+    var local_18: array<u32, 3>;
+    var local_19: array<array<f32, 3>, 3>;
+    var local_20: array<u32, 3>;
+    var local_21: array<f32, 3>;
+    var local_22: array<f32, 3>;
+    var phi_290_: u32;
+    var phi_334_: i32;
+    var phi_358_: type_36;
+    var phi_508_: i32;
+    var phi_509_: i32;
+    var phi_519_: bool;
+    var phi_529_: u32;
+    var phi_530_: u32;
+    var phi_532_: bool;
+    var phi_537_: u32;
+    var phi_570_: i32;
+    var phi_588_: f32;
+    var phi_594_: f32;
+    var phi_605_: f32;
+    var phi_611_: f32;
+    var phi_634_: f32;
+    var phi_645_: f32;
+    var phi_654_: f32;
+    var phi_660_: f32;
+    var phi_671_: f32;
+    var phi_677_: f32;
+    var phi_700_: f32;
+    var phi_711_: f32;
+    var phi_720_: f32;
+    var phi_726_: f32;
+    var phi_737_: f32;
+    var phi_743_: f32;
+    var phi_766_: f32;
+    var phi_777_: f32;
+    var phi_877_: f32;
+    var phi_878_: f32;
+    var phi_3282_: bool;
+    var phi_951_: type_40;
+    var phi_954_: type_63;
+    var phi_956_: u32;
+    var phi_958_: bool;
+    var phi_960_: u32;
+    var phi_971_: bool;
+    var phi_1057_: type_63;
+    var phi_1058_: bool;
+    var phi_1059_: u32;
+    var phi_2277_: type_49;
+    var phi_2286_: type_8;
+    var phi_2287_: type_8;
+    var phi_2310_: type_8;
+    var phi_3275_: bool;
+    var phi_2440_: type_8;
+    var phi_2441_: type_8;
+    var phi_2464_: type_8;
+    var phi_3342_: bool;
+    var phi_3027_: type_63;
+    var phi_3104_: type_63;
+    var phi_3105_: type_63;
+    var phi_3106_: u32;
+    var phi_3108_: type_63;
+    var phi_3109_: u32;
+    var phi_3110_: bool;
+    var phi_3117_: type_63;
+    var phi_3122_: type_63;
+    var phi_3123_: bool;
+    var phi_3359_: bool;
+    var phi_1078_: type_40;
+    var phi_1081_: type_8;
+    var phi_1082_: type_8;
+    var phi_1104_: type_8;
+    var phi_1146_: u32;
+    var phi_1170_: type_57;
+    var phi_3355_: bool;
+    var phi_1181_: type_8;
+    var phi_1182_: type_8;
+    var phi_1205_: type_8;
+    var phi_1215_: type_8;
+    var phi_1216_: type_8;
+    var phi_1239_: type_8;
+    var phi_3350_: bool;
+    var phi_3363_: bool;
+    var phi_3362_: bool;
+    var phi_1802_: vec3<f32>;
+    var phi_1803_: vec3<f32>;
+    var phi_1834_: bool;
+    var phi_1843_: vec3<f32>;
+    var phi_1883_: type_22;
+    var phi_1885_: type_22;
+    var phi_1886_: bool;
+    var phi_1890_: type_22;
+    var phi_1891_: type_22;
+    var phi_1892_: type_22;
+    var phi_1893_: bool;
+    var phi_1897_: type_22;
+    var phi_1898_: bool;
+    var phi_1902_: type_22;
+    var phi_1903_: bool;
+    var phi_1907_: type_22;
+    var phi_1930_: u32;
+    var phi_1944_: i32;
+    var phi_1964_: vec3<f32>;
+    var phi_1965_: vec3<f32>;
+    var phi_1981_: vec3<f32>;
+    var phi_1982_: vec3<f32>;
+    var phi_1998_: vec3<f32>;
+    var phi_1999_: vec3<f32>;
+    var phi_2035_: vec3<f32>;
+    var phi_2217_: f32;
+    var phi_2235_: bool;
+    var phi_2236_: bool;
+    var phi_2241_: type_40;
+    var phi_2242_: type_40;
+    var phi_3365_: bool;
+    var phi_1079_: type_40;
+    var phi_3364_: bool;
+    var local_23: type_40;
+    var phi_3444_: bool;
+    var phi_3125_: type_40;
+    var phi_3126_: type_63;
+    var phi_3127_: bool;
+    var phi_3128_: u32;
+    var phi_3443_: bool;
+    var phi_3129_: type_40;
+    var phi_3130_: type_63;
+    var phi_3131_: u32;
+    var phi_3132_: bool;
+    var phi_3133_: u32;
+    var phi_3442_: bool;
+    var phi_3134_: type_40;
+    var phi_3135_: type_63;
+    var phi_3136_: u32;
+    var phi_3137_: bool;
+    var phi_3138_: u32;
+    var phi_3441_: bool;
+    var phi_952_: type_40;
+    var phi_955_: type_63;
+    var phi_957_: u32;
+    var phi_959_: bool;
+    var phi_961_: u32;
+    var phi_3139_: bool;
+    var phi_3440_: bool;
+    var local_24: type_40;
+    var local_25: type_40;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e94 = global;
-            let _e97 = arrayLength((&global_9.member));
-            let _e112 = arrayLength((&global_7.member));
-            let _e116 = global_4.member[0u][0u];
-            let _e120 = global_4.member[0u][1u];
-            let _e124 = global_4.member[0u][2u];
-            let _e128 = global_4.member[1u][0u];
-            let _e132 = global_4.member[1u][1u];
-            let _e136 = global_4.member[1u][2u];
-            let _e140 = global_4.member[1u][3u];
-            let _e144 = (_e94.x + (_e94.y * 2097152u));
-            let _e151 = (_e144 < arrayLength((&global_8.member)));
-            if _e151 {
-                if _e151 {
+            let _e98 = global;
+            let _e101 = arrayLength((&global_9.member));
+            let _e116 = arrayLength((&global_7.member));
+            let _e120 = global_4.member[0u][0u];
+            let _e124 = global_4.member[0u][1u];
+            let _e128 = global_4.member[0u][2u];
+            let _e132 = global_4.member[1u][0u];
+            let _e136 = global_4.member[1u][1u];
+            let _e140 = global_4.member[1u][2u];
+            let _e144 = global_4.member[1u][3u];
+            let _e148 = (_e98.x + (_e98.y * 2097152u));
+            let _e155 = (_e148 < arrayLength((&global_8.member)));
+            if _e155 {
+                if _e155 {
                 } else {
                     break;
                 }
-                let _e155 = global_8.member[_e144].member_2;
-                phi_288_ = _e155;
+                let _e159 = global_8.member[_e148].member_2;
+                phi_290_ = _e159;
             } else {
-                phi_288_ = 4294967295u;
+                phi_290_ = 4294967295u;
             }
-            let _e157 = phi_288_;
-            let _e160 = global_1.member[0u];
-            let _e164 = global_3.member[0u][0u];
-            let _e168 = global_3.member[0u][1u];
-            let _e172 = global_3.member[0u][2u];
-            let _e176 = global_3.member[0u][3u];
-            let _e180 = global_3.member[1u][0u];
-            let _e184 = global_3.member[1u][1u];
-            let _e188 = global_3.member[1u][2u];
-            let _e192 = global_3.member[1u][3u];
-            let _e193 = bitcast<f32>(_e164);
-            let _e194 = bitcast<f32>(_e168);
-            let _e195 = bitcast<f32>(_e172);
-            let _e197 = bitcast<f32>(_e180);
-            let _e198 = array<u32, 3>(_e184, _e188, _e192);
-            let _e200 = bitcast<i32>(_e160);
-            if (_e200 < -126i) {
-                phi_332_ = -126i;
+            let _e161 = phi_290_;
+            let _e164 = global_1.member[0u];
+            let _e168 = global_3.member[0u][0u];
+            let _e172 = global_3.member[0u][1u];
+            let _e176 = global_3.member[0u][2u];
+            let _e180 = global_3.member[0u][3u];
+            let _e184 = global_3.member[1u][0u];
+            let _e188 = global_3.member[1u][1u];
+            let _e192 = global_3.member[1u][2u];
+            let _e196 = global_3.member[1u][3u];
+            let _e197 = bitcast<f32>(_e168);
+            let _e198 = bitcast<f32>(_e172);
+            let _e199 = bitcast<f32>(_e176);
+            let _e201 = bitcast<f32>(_e184);
+            let _e202 = array<u32, 3>(_e188, _e192, _e196);
+            let _e204 = bitcast<i32>(_e164);
+            if (_e204 < -126i) {
+                phi_334_ = -126i;
             } else {
-                phi_332_ = select(_e200, 127i, (_e200 > 127i));
+                phi_334_ = select(_e204, 127i, (_e204 > 127i));
             }
-            let _e205 = phi_332_;
-            let _e210 = bitcast<f32>((bitcast<u32>((_e205 + 127i)) << bitcast<u32>(23i)));
-            let _e216 = bitcast<f32>((bitcast<u32>(((_e200 - _e205) + 127i)) << bitcast<u32>(23i)));
-            if (_e176 == 0u) {
-                phi_356_ = type_36(array<f32, 3>(_e193, _e194, _e195), _e176, _e197, _e198);
+            let _e209 = phi_334_;
+            let _e214 = bitcast<f32>((bitcast<u32>((_e209 + 127i)) << bitcast<u32>(23i)));
+            let _e220 = bitcast<f32>((bitcast<u32>(((_e204 - _e209) + 127i)) << bitcast<u32>(23i)));
+            if (_e180 == 0u) {
+                phi_358_ = type_36(array<f32, 3>(_e197, _e198, _e199), _e180, _e201, _e202);
             } else {
-                phi_356_ = type_36(array<f32, 3>(((_e193 * _e210) * _e216), ((_e194 * _e210) * _e216), ((_e195 * _e210) * _e216)), _e176, ((_e197 * _e210) * _e216), _e198);
+                phi_358_ = type_36(array<f32, 3>(((_e197 * _e214) * _e220), ((_e198 * _e214) * _e220), ((_e199 * _e214) * _e220)), _e180, ((_e201 * _e214) * _e220), _e202);
             }
-            let _e229 = phi_356_;
-            if _e151 {
-                let _e230 = (_e144 < arrayLength((&global_2.member)));
-                if _e230 {
-                    if _e151 {
+            let _e233 = phi_358_;
+            if _e155 {
+                let _e234 = (_e148 < arrayLength((&global_2.member)));
+                if _e234 {
+                    if _e155 {
                     } else {
                         break;
                     }
-                    let _e235 = global_8.member[_e144].member.member_1;
-                    let _e240 = global_8.member[_e144].member.member_3;
-                    if (_e235 <= _e240) {
-                        let _e242 = (1u < _e112);
-                        if _e242 {
-                            if (0u < _e112) {
+                    let _e239 = global_8.member[_e148].member.member_1;
+                    let _e244 = global_8.member[_e148].member.member_3;
+                    if (_e239 <= _e244) {
+                        let _e246 = (1u < _e116);
+                        if _e246 {
+                            if (0u < _e116) {
                             } else {
                                 break;
                             }
-                            let _e246 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e246 + 1u) < _e246) {
-                                if _e242 {
+                            let _e250 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e250 + 1u) < _e250) {
+                                if _e246 {
                                 } else {
                                     break;
                                 }
-                                let _e251 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e255 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        if _e151 {
+                        if _e155 {
                         } else {
                             break;
                         }
-                        let _e261 = global_8.member[_e144].member.member_2[0u];
-                        let _e263 = (bitcast<u32>(_e261) & 2147483647u);
-                        let _e269 = global_8.member[_e144].member.member_2[1u];
-                        let _e271 = (bitcast<u32>(_e269) & 2147483647u);
-                        let _e277 = global_8.member[_e144].member.member_2[2u];
-                        let _e279 = (bitcast<u32>(_e277) & 2147483647u);
-                        let _e285 = global_8.member[_e144].member.member[0u];
-                        let _e287 = (bitcast<u32>(_e285) & 2147483647u);
-                        let _e293 = global_8.member[_e144].member.member[1u];
-                        let _e295 = (bitcast<u32>(_e293) & 2147483647u);
-                        let _e301 = global_8.member[_e144].member.member[2u];
-                        let _e303 = (bitcast<u32>(_e301) & 2147483647u);
-                        let _e305 = select(_e271, _e263, (_e271 < _e263));
-                        let _e307 = select(_e279, _e305, (_e279 < _e305));
-                        let _e309 = select(_e287, _e307, (_e287 < _e307));
-                        let _e311 = select(_e295, _e309, (_e295 < _e309));
-                        let _e313 = select(_e303, _e311, (_e303 < _e311));
-                        let _e315 = (bitcast<u32>(_e235) & 2147483647u);
-                        let _e324 = (((select(_e315, _e313, (_e315 < _e313)) < 2139095040u) && ((bitcast<u32>(_e240) & 2147483647u) <= 2139095040u)) && (_e307 > 0u));
-                        if _e324 {
-                            let _e327 = (bitcast<u32>(bitcast<f32>(_e307)) & 2147483647u);
-                            if (_e327 >= 8388608u) {
-                                phi_506_ = (bitcast<i32>((_e327 >> bitcast<u32>(23i))) - 127i);
+                        let _e265 = global_8.member[_e148].member.member_2[0u];
+                        let _e267 = (bitcast<u32>(_e265) & 2147483647u);
+                        let _e273 = global_8.member[_e148].member.member_2[1u];
+                        let _e275 = (bitcast<u32>(_e273) & 2147483647u);
+                        let _e281 = global_8.member[_e148].member.member_2[2u];
+                        let _e283 = (bitcast<u32>(_e281) & 2147483647u);
+                        let _e289 = global_8.member[_e148].member.member[0u];
+                        let _e291 = (bitcast<u32>(_e289) & 2147483647u);
+                        let _e297 = global_8.member[_e148].member.member[1u];
+                        let _e299 = (bitcast<u32>(_e297) & 2147483647u);
+                        let _e305 = global_8.member[_e148].member.member[2u];
+                        let _e307 = (bitcast<u32>(_e305) & 2147483647u);
+                        let _e309 = select(_e275, _e267, (_e275 < _e267));
+                        let _e311 = select(_e283, _e309, (_e283 < _e309));
+                        let _e313 = select(_e291, _e311, (_e291 < _e311));
+                        let _e315 = select(_e299, _e313, (_e299 < _e313));
+                        let _e317 = select(_e307, _e315, (_e307 < _e315));
+                        let _e319 = (bitcast<u32>(_e239) & 2147483647u);
+                        let _e328 = (((select(_e319, _e317, (_e319 < _e317)) < 2139095040u) && ((bitcast<u32>(_e244) & 2147483647u) <= 2139095040u)) && (_e311 > 0u));
+                        if _e328 {
+                            let _e331 = (bitcast<u32>(bitcast<f32>(_e311)) & 2147483647u);
+                            if (_e331 >= 8388608u) {
+                                phi_508_ = (bitcast<i32>((_e331 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_506_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e327)), 32u, (_e327 == 0u))));
+                                phi_508_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e331)), 32u, (_e331 == 0u))));
                             }
-                            let _e341 = phi_506_;
-                            phi_507_ = _e341;
+                            let _e345 = phi_508_;
+                            phi_509_ = _e345;
                         } else {
-                            phi_507_ = 0i;
+                            phi_509_ = 0i;
                         }
-                        let _e343 = phi_507_;
-                        let _e344 = (_e263 == _e307);
-                        if _e344 {
-                            phi_517_ = true;
+                        let _e347 = phi_509_;
+                        let _e348 = (_e267 == _e311);
+                        if _e348 {
+                            phi_519_ = true;
                         } else {
-                            phi_517_ = (_e271 == _e307);
+                            phi_519_ = (_e275 == _e311);
                         }
-                        let _e347 = phi_517_;
-                        let _e348 = select(1u, 0u, _e344);
-                        if _e347 {
-                            let _e349 = (_e348 + 1u);
-                            phi_527_ = _e349;
-                            phi_528_ = _e349;
-                            phi_530_ = select(true, false, (_e349 == 2u));
+                        let _e351 = phi_519_;
+                        let _e352 = select(1u, 0u, _e348);
+                        if _e351 {
+                            let _e353 = (_e352 + 1u);
+                            phi_529_ = _e353;
+                            phi_530_ = _e353;
+                            phi_532_ = select(true, false, (_e353 == 2u));
                         } else {
-                            phi_527_ = u32();
-                            phi_528_ = 0u;
-                            phi_530_ = true;
+                            phi_529_ = u32();
+                            phi_530_ = 0u;
+                            phi_532_ = true;
                         }
-                        let _e353 = phi_527_;
-                        let _e355 = phi_528_;
-                        let _e357 = phi_530_;
-                        if _e357 {
-                            phi_535_ = (_e355 + 1u);
+                        let _e357 = phi_529_;
+                        let _e359 = phi_530_;
+                        let _e361 = phi_532_;
+                        if _e361 {
+                            phi_537_ = (_e359 + 1u);
                         } else {
-                            phi_535_ = 0u;
+                            phi_537_ = 0u;
                         }
-                        let _e361 = phi_535_;
-                        let _e362 = select(_e353, _e355, _e357);
-                        let _e363 = select(_e348, select(2u, _e348, _e347), _e357);
-                        let _e364 = -(_e343);
-                        if (_e364 < -126i) {
-                            phi_568_ = -126i;
+                        let _e365 = phi_537_;
+                        let _e366 = select(_e357, _e359, _e361);
+                        let _e367 = select(_e352, select(2u, _e352, _e351), _e361);
+                        let _e368 = -(_e347);
+                        if (_e368 < -126i) {
+                            phi_570_ = -126i;
                         } else {
-                            phi_568_ = select(_e364, 127i, (_e364 > 127i));
+                            phi_570_ = select(_e368, 127i, (_e368 > 127i));
                         }
-                        let _e369 = phi_568_;
-                        let _e374 = bitcast<f32>((bitcast<u32>((_e369 + 127i)) << bitcast<u32>(23i)));
-                        let _e380 = bitcast<f32>((bitcast<u32>(((_e364 - _e369) + 127i)) << bitcast<u32>(23i)));
-                        let _e385 = global_8.member[_e144].member.member;
-                        let _e386 = (_e362 == 0u);
-                        if _e386 {
-                            phi_586_ = _e385[0];
+                        let _e373 = phi_570_;
+                        let _e378 = bitcast<f32>((bitcast<u32>((_e373 + 127i)) << bitcast<u32>(23i)));
+                        let _e384 = bitcast<f32>((bitcast<u32>(((_e368 - _e373) + 127i)) << bitcast<u32>(23i)));
+                        let _e389 = global_8.member[_e148].member.member;
+                        let _e390 = (_e366 == 0u);
+                        if _e390 {
+                            phi_588_ = _e389[0];
                         } else {
-                            phi_586_ = _e385[1];
+                            phi_588_ = _e389[1];
                         }
-                        let _e390 = phi_586_;
-                        let _e391 = (_e362 == 2u);
-                        if _e391 {
-                            phi_592_ = _e385[2];
+                        let _e394 = phi_588_;
+                        let _e395 = (_e366 == 2u);
+                        if _e395 {
+                            phi_594_ = _e389[2];
                         } else {
-                            phi_592_ = _e390;
+                            phi_594_ = _e394;
                         }
-                        let _e394 = phi_592_;
-                        let _e395 = global_8.member[_e144].member.member_2;
-                        if _e386 {
-                            phi_603_ = _e395[0];
+                        let _e398 = phi_594_;
+                        let _e399 = global_8.member[_e148].member.member_2;
+                        if _e390 {
+                            phi_605_ = _e399[0];
                         } else {
-                            phi_603_ = _e395[1];
+                            phi_605_ = _e399[1];
                         }
-                        let _e399 = phi_603_;
-                        if _e391 {
-                            phi_609_ = _e395[2];
+                        let _e403 = phi_605_;
+                        if _e395 {
+                            phi_611_ = _e399[2];
                         } else {
-                            phi_609_ = _e399;
+                            phi_611_ = _e403;
                         }
-                        let _e402 = phi_609_;
-                        let _e404 = ((_e402 * _e374) * _e380);
-                        let _e408 = (bitcast<f32>((bitcast<u32>(_e404) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e408 {
-                            let _e412 = (bitcast<f32>((bitcast<u32>(_e394) & 2147483647u)) * 0.00000011920929f);
-                            phi_632_ = select(0.00000000000011368684f, _e412, (_e412 > 0.00000000000011368684f));
+                        let _e406 = phi_611_;
+                        let _e408 = ((_e406 * _e378) * _e384);
+                        let _e412 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e412 {
+                            let _e416 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) * 0.00000011920929f);
+                            phi_634_ = select(0.00000000000011368684f, _e416, (_e416 > 0.00000000000011368684f));
                         } else {
-                            phi_632_ = 0f;
+                            phi_634_ = 0f;
                         }
-                        let _e416 = phi_632_;
-                        let _e417 = (_e394 + _e416);
-                        let _e418 = (_e394 - _e416);
-                        let _e419 = select(_e404, 0f, _e408);
-                        if _e408 {
-                            phi_643_ = 38685626000000000000000000f;
+                        let _e420 = phi_634_;
+                        let _e421 = (_e398 + _e420);
+                        let _e422 = (_e398 - _e420);
+                        let _e423 = select(_e408, 0f, _e412);
+                        if _e412 {
+                            phi_645_ = 38685626000000000000000000f;
                         } else {
-                            phi_643_ = (1f / _e404);
+                            phi_645_ = (1f / _e408);
                         }
-                        let _e422 = phi_643_;
-                        let _e423 = (_e361 == 0u);
-                        if _e423 {
-                            phi_652_ = _e385[0];
+                        let _e426 = phi_645_;
+                        let _e427 = (_e365 == 0u);
+                        if _e427 {
+                            phi_654_ = _e389[0];
                         } else {
-                            phi_652_ = _e385[1];
+                            phi_654_ = _e389[1];
                         }
-                        let _e427 = phi_652_;
-                        let _e428 = (_e361 == 2u);
-                        if _e428 {
-                            phi_658_ = _e385[2];
+                        let _e431 = phi_654_;
+                        let _e432 = (_e365 == 2u);
+                        if _e432 {
+                            phi_660_ = _e389[2];
                         } else {
-                            phi_658_ = _e427;
+                            phi_660_ = _e431;
                         }
-                        let _e431 = phi_658_;
-                        if _e423 {
-                            phi_669_ = _e395[0];
+                        let _e435 = phi_660_;
+                        if _e427 {
+                            phi_671_ = _e399[0];
                         } else {
-                            phi_669_ = _e395[1];
+                            phi_671_ = _e399[1];
                         }
-                        let _e435 = phi_669_;
-                        if _e428 {
-                            phi_675_ = _e395[2];
+                        let _e439 = phi_671_;
+                        if _e432 {
+                            phi_677_ = _e399[2];
                         } else {
-                            phi_675_ = _e435;
+                            phi_677_ = _e439;
                         }
-                        let _e438 = phi_675_;
-                        let _e440 = ((_e438 * _e374) * _e380);
-                        let _e444 = (bitcast<f32>((bitcast<u32>(_e440) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e444 {
-                            let _e448 = (bitcast<f32>((bitcast<u32>(_e431) & 2147483647u)) * 0.00000011920929f);
-                            phi_698_ = select(0.00000000000011368684f, _e448, (_e448 > 0.00000000000011368684f));
+                        let _e442 = phi_677_;
+                        let _e444 = ((_e442 * _e378) * _e384);
+                        let _e448 = (bitcast<f32>((bitcast<u32>(_e444) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e448 {
+                            let _e452 = (bitcast<f32>((bitcast<u32>(_e435) & 2147483647u)) * 0.00000011920929f);
+                            phi_700_ = select(0.00000000000011368684f, _e452, (_e452 > 0.00000000000011368684f));
                         } else {
-                            phi_698_ = 0f;
+                            phi_700_ = 0f;
                         }
-                        let _e452 = phi_698_;
-                        let _e453 = (_e431 + _e452);
-                        let _e454 = (_e431 - _e452);
-                        let _e455 = select(_e440, 0f, _e444);
-                        if _e444 {
-                            phi_709_ = 38685626000000000000000000f;
+                        let _e456 = phi_700_;
+                        let _e457 = (_e435 + _e456);
+                        let _e458 = (_e435 - _e456);
+                        let _e459 = select(_e444, 0f, _e448);
+                        if _e448 {
+                            phi_711_ = 38685626000000000000000000f;
                         } else {
-                            phi_709_ = (1f / _e440);
+                            phi_711_ = (1f / _e444);
                         }
-                        let _e458 = phi_709_;
-                        let _e459 = (_e363 == 0u);
-                        if _e459 {
-                            phi_718_ = _e385[0];
+                        let _e462 = phi_711_;
+                        let _e463 = (_e367 == 0u);
+                        if _e463 {
+                            phi_720_ = _e389[0];
                         } else {
-                            phi_718_ = _e385[1];
+                            phi_720_ = _e389[1];
                         }
-                        let _e463 = phi_718_;
-                        let _e464 = (_e363 == 2u);
-                        if _e464 {
-                            phi_724_ = _e385[2];
+                        let _e467 = phi_720_;
+                        let _e468 = (_e367 == 2u);
+                        if _e468 {
+                            phi_726_ = _e389[2];
                         } else {
-                            phi_724_ = _e463;
+                            phi_726_ = _e467;
                         }
-                        let _e467 = phi_724_;
-                        if _e459 {
-                            phi_735_ = _e395[0];
+                        let _e471 = phi_726_;
+                        if _e463 {
+                            phi_737_ = _e399[0];
                         } else {
-                            phi_735_ = _e395[1];
+                            phi_737_ = _e399[1];
                         }
-                        let _e471 = phi_735_;
-                        if _e464 {
-                            phi_741_ = _e395[2];
+                        let _e475 = phi_737_;
+                        if _e468 {
+                            phi_743_ = _e399[2];
                         } else {
-                            phi_741_ = _e471;
+                            phi_743_ = _e475;
                         }
-                        let _e474 = phi_741_;
-                        let _e476 = ((_e474 * _e374) * _e380);
-                        let _e480 = (bitcast<f32>((bitcast<u32>(_e476) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e480 {
-                            let _e484 = (bitcast<f32>((bitcast<u32>(_e467) & 2147483647u)) * 0.00000011920929f);
-                            phi_764_ = select(0.00000000000011368684f, _e484, (_e484 > 0.00000000000011368684f));
+                        let _e478 = phi_743_;
+                        let _e480 = ((_e478 * _e378) * _e384);
+                        let _e484 = (bitcast<f32>((bitcast<u32>(_e480) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e484 {
+                            let _e488 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) * 0.00000011920929f);
+                            phi_766_ = select(0.00000000000011368684f, _e488, (_e488 > 0.00000000000011368684f));
                         } else {
-                            phi_764_ = 0f;
+                            phi_766_ = 0f;
                         }
-                        let _e488 = phi_764_;
-                        let _e489 = (_e467 + _e488);
-                        let _e490 = (_e467 - _e488);
-                        let _e491 = select(_e476, 0f, _e480);
-                        if _e480 {
-                            phi_775_ = 38685626000000000000000000f;
+                        let _e492 = phi_766_;
+                        let _e493 = (_e471 + _e492);
+                        let _e494 = (_e471 - _e492);
+                        let _e495 = select(_e480, 0f, _e484);
+                        if _e484 {
+                            phi_777_ = 38685626000000000000000000f;
                         } else {
-                            phi_775_ = (1f / _e476);
+                            phi_777_ = (1f / _e480);
                         }
-                        let _e494 = phi_775_;
-                        let _e497 = bitcast<f32>((bitcast<u32>(_e394) & 2147483647u));
-                        let _e500 = bitcast<f32>((bitcast<u32>(_e431) & 2147483647u));
-                        let _e502 = select(_e500, _e497, (_e497 > _e500));
-                        let _e505 = bitcast<f32>((bitcast<u32>(_e467) & 2147483647u));
-                        if (_e324 && (select(_e505, _e502, (_e502 > _e505)) <= 1099511600000f)) {
-                            let _e510 = (_e343 / 3i);
-                            let _e517 = bitcast<f32>((bitcast<u32>((_e510 + 127i)) << bitcast<u32>(23i)));
-                            let _e524 = bitcast<f32>((bitcast<u32>(((_e343 - (2i * _e510)) + 127i)) << bitcast<u32>(23i)));
-                            let _e525 = (((_e235 * _e517) * _e517) * _e524);
-                            let _e527 = select(340282350000000000000000000000000000000f, _e525, (_e525 < 340282350000000000000000000000000000000f));
-                            let _e532 = (((_e240 * _e517) * _e517) * _e524);
-                            let _e534 = select(340282350000000000000000000000000000000f, _e532, (_e532 < 340282350000000000000000000000000000000f));
-                            phi_875_ = select(-340282350000000000000000000000000000000f, _e534, (_e534 > -340282350000000000000000000000000000000f));
-                            phi_876_ = select(-340282350000000000000000000000000000000f, _e527, (_e527 > -340282350000000000000000000000000000000f));
+                        let _e498 = phi_777_;
+                        let _e501 = bitcast<f32>((bitcast<u32>(_e398) & 2147483647u));
+                        let _e504 = bitcast<f32>((bitcast<u32>(_e435) & 2147483647u));
+                        let _e506 = select(_e504, _e501, (_e501 > _e504));
+                        let _e509 = bitcast<f32>((bitcast<u32>(_e471) & 2147483647u));
+                        if (_e328 && (select(_e509, _e506, (_e506 > _e509)) <= 1099511600000f)) {
+                            let _e514 = (_e347 / 3i);
+                            let _e521 = bitcast<f32>((bitcast<u32>((_e514 + 127i)) << bitcast<u32>(23i)));
+                            let _e528 = bitcast<f32>((bitcast<u32>(((_e347 - (2i * _e514)) + 127i)) << bitcast<u32>(23i)));
+                            let _e529 = (((_e239 * _e521) * _e521) * _e528);
+                            let _e531 = select(340282350000000000000000000000000000000f, _e529, (_e529 < 340282350000000000000000000000000000000f));
+                            let _e536 = (((_e244 * _e521) * _e521) * _e528);
+                            let _e538 = select(340282350000000000000000000000000000000f, _e536, (_e536 < 340282350000000000000000000000000000000f));
+                            phi_877_ = select(-340282350000000000000000000000000000000f, _e538, (_e538 > -340282350000000000000000000000000000000f));
+                            phi_878_ = select(-340282350000000000000000000000000000000f, _e531, (_e531 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_875_ = 0f;
-                            phi_876_ = 1f;
+                            phi_877_ = 0f;
+                            phi_878_ = 1f;
                         }
-                        let _e538 = phi_875_;
-                        let _e540 = phi_876_;
-                        local_5 = array<type_62, 128>(type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u), type_62(type_53(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f)), 0u));
+                        let _e542 = phi_877_;
+                        let _e544 = phi_878_;
+                        local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                        local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        local_16 = array<f32, 3>(bitcast<f32>(_e116), bitcast<f32>(_e120), bitcast<f32>(_e124));
-                        let _e545 = (_e362 % 3u);
-                        let _e546 = (_e545 < 3u);
-                        if _e546 {
-                        } else {
-                            break;
-                        }
-                        let _e548 = local_16[_e545];
-                        let _e549 = (_e361 % 3u);
+                        local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_11 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_22 = array<f32, 3>(bitcast<f32>(_e120), bitcast<f32>(_e124), bitcast<f32>(_e128));
+                        let _e549 = (_e366 % 3u);
                         let _e550 = (_e549 < 3u);
                         if _e550 {
                         } else {
                             break;
                         }
-                        let _e552 = local_16[_e549];
-                        let _e553 = (_e363 % 3u);
+                        let _e552 = local_22[_e549];
+                        let _e553 = (_e365 % 3u);
                         let _e554 = (_e553 < 3u);
                         if _e554 {
                         } else {
                             break;
                         }
-                        let _e556 = local_16[_e553];
-                        local_15 = array<f32, 3>(bitcast<f32>(_e128), bitcast<f32>(_e132), bitcast<f32>(_e136));
-                        if _e546 {
+                        let _e556 = local_22[_e553];
+                        let _e557 = (_e367 % 3u);
+                        let _e558 = (_e557 < 3u);
+                        if _e558 {
                         } else {
                             break;
                         }
-                        let _e560 = local_15[_e545];
+                        let _e560 = local_22[_e557];
+                        local_21 = array<f32, 3>(bitcast<f32>(_e132), bitcast<f32>(_e136), bitcast<f32>(_e140));
                         if _e550 {
                         } else {
                             break;
                         }
-                        let _e562 = local_15[_e549];
+                        let _e564 = local_21[_e549];
                         if _e554 {
                         } else {
                             break;
                         }
-                        let _e564 = local_15[_e553];
-                        phi_5242_ = false;
-                        phi_3004_ = type_39(_e538, false);
-                        phi_3007_ = type_62(type_53(array<f32, 3>(_e548, _e552, _e556), array<f32, 3>(_e560, _e562, _e564)), select(0u, 2147483648u, (_e97 == 0u)));
-                        phi_3009_ = ((3u * _e97) + 1u);
-                        phi_3011_ = (_e540 <= _e538);
-                        phi_3013_ = 0u;
+                        let _e566 = local_21[_e553];
+                        if _e558 {
+                        } else {
+                            break;
+                        }
+                        let _e568 = local_21[_e557];
+                        phi_3282_ = false;
+                        phi_951_ = type_40(_e542, false);
+                        phi_954_ = type_63(type_55(array<f32, 3>(_e552, _e556, _e560), array<f32, 3>(_e564, _e566, _e568)), select(0u, 2147483648u, (_e101 == 0u)));
+                        phi_956_ = ((3u * _e101) + 1u);
+                        phi_958_ = (_e544 <= _e542);
+                        phi_960_ = 0u;
                         loop {
-                            let _e572 = phi_5242_;
-                            let _e574 = phi_3004_;
-                            let _e576 = phi_3007_;
-                            let _e578 = phi_3009_;
-                            let _e580 = phi_3011_;
-                            let _e582 = phi_3013_;
-                            local_18 = _e574;
-                            if _e580 {
-                                phi_3024_ = true;
+                            let _e576 = phi_3282_;
+                            let _e578 = phi_951_;
+                            let _e580 = phi_954_;
+                            let _e582 = phi_956_;
+                            let _e584 = phi_958_;
+                            let _e586 = phi_960_;
+                            local_24 = _e578;
+                            if _e584 {
+                                phi_971_ = true;
                             } else {
-                                phi_3024_ = (_e582 > 0u);
+                                phi_971_ = (_e586 > 0u);
                             }
-                            let _e585 = phi_3024_;
-                            if _e585 {
-                                let _e586 = (_e578 > 0u);
-                                if _e586 {
-                                    if _e580 {
-                                        phi_3069_ = _e576;
-                                        phi_3070_ = _e580;
-                                        phi_3071_ = _e582;
+                            let _e589 = phi_971_;
+                            if _e589 {
+                                let _e590 = (_e582 > 0u);
+                                if _e590 {
+                                    if _e584 {
+                                        phi_1057_ = _e580;
+                                        phi_1058_ = _e584;
+                                        phi_1059_ = _e586;
                                     } else {
-                                        let _e587 = (_e582 - 1u);
-                                        let _e588 = (_e587 % 128u);
-                                        let _e589 = (_e588 < 128u);
-                                        if _e589 {
+                                        let _e591 = (_e586 - 1u);
+                                        let _e592 = (_e591 % 128u);
+                                        let _e593 = (_e592 < 128u);
+                                        if _e593 {
                                         } else {
-                                            phi_5400_ = true;
+                                            phi_3440_ = true;
                                             break;
                                         }
-                                        let _e591 = local_5[_e588];
-                                        if _e589 {
+                                        let _e595 = local_6[_e592];
+                                        if _e593 {
                                         } else {
-                                            phi_5400_ = true;
+                                            phi_3440_ = true;
                                             break;
                                         }
-                                        let _e607 = local_4[_e588];
-                                        phi_3069_ = type_62(type_53(array<f32, 3>(_e591.member.member[0], _e591.member.member[1], _e591.member.member[2]), array<f32, 3>(_e591.member.member_1[0], _e591.member.member_1[1], _e591.member.member_1[2])), _e591.member_1);
-                                        phi_3070_ = (_e607 <= _e574.member);
-                                        phi_3071_ = _e587;
+                                        let _e597 = local_5[_e592];
+                                        if _e593 {
+                                        } else {
+                                            phi_3440_ = true;
+                                            break;
+                                        }
+                                        let _e599 = local_4[_e592];
+                                        if _e593 {
+                                        } else {
+                                            phi_3440_ = true;
+                                            break;
+                                        }
+                                        let _e601 = local_3[_e592];
+                                        if _e593 {
+                                        } else {
+                                            phi_3440_ = true;
+                                            break;
+                                        }
+                                        let _e604 = local_2[_e592];
+                                        if _e593 {
+                                        } else {
+                                            phi_3440_ = true;
+                                            break;
+                                        }
+                                        let _e606 = local_1[_e592];
+                                        if _e593 {
+                                        } else {
+                                            phi_3440_ = true;
+                                            break;
+                                        }
+                                        let _e608 = local[_e592];
+                                        if _e593 {
+                                        } else {
+                                            phi_3440_ = true;
+                                            break;
+                                        }
+                                        let _e613 = local_11[_e592];
+                                        phi_1057_ = type_63(type_55(array<f32, 3>(_e597, _e599, _e601), array<f32, 3>(_e604, _e606, _e608)), _e595);
+                                        phi_1058_ = (_e613 <= _e578.member);
+                                        phi_1059_ = _e591;
                                     }
-                                    let _e611 = phi_3069_;
-                                    let _e613 = phi_3070_;
-                                    let _e615 = phi_3071_;
-                                    if _e613 {
-                                        if ((_e611.member_1 & 2147483648u) != 0u) {
-                                            phi_5319_ = _e572;
-                                            phi_3090_ = _e574;
-                                            phi_3093_ = type_8(0u, ((_e611.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e617 = phi_1057_;
+                                    let _e619 = phi_1058_;
+                                    let _e621 = phi_1059_;
+                                    if _e619 {
+                                        if ((_e617.member_1 & 2147483648u) != 0u) {
+                                            phi_3359_ = _e576;
+                                            phi_1078_ = _e578;
+                                            phi_1081_ = type_8(0u, ((_e617.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e937 = phi_5319_;
-                                                let _e939 = phi_3090_;
-                                                let _e941 = phi_3093_;
-                                                local_17 = _e939;
-                                                local_19 = _e939;
-                                                if (_e941.member < _e941.member_1) {
-                                                    phi_3094_ = type_8((_e941.member + 1u), _e941.member_1);
-                                                    phi_3116_ = type_8(1u, _e941.member);
+                                                let _e946 = phi_3359_;
+                                                let _e948 = phi_1078_;
+                                                let _e950 = phi_1081_;
+                                                local_23 = _e948;
+                                                local_25 = _e948;
+                                                if (_e950.member < _e950.member_1) {
+                                                    phi_1082_ = type_8((_e950.member + 1u), _e950.member_1);
+                                                    phi_1104_ = type_8(1u, _e950.member);
                                                 } else {
-                                                    phi_3094_ = _e941;
-                                                    phi_3116_ = type_8(0u, type_8().member_1);
+                                                    phi_1082_ = _e950;
+                                                    phi_1104_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e954 = phi_3094_;
-                                                let _e956 = phi_3116_;
-                                                let _e960 = (bitcast<i32>(_e956.member) != 0i);
-                                                if _e960 {
-                                                    local_1 = array<f32, 3>(_e611.member.member[0], _e611.member.member[1], _e611.member.member[2]);
-                                                    local = array<f32, 3>(_e611.member.member_1[0], _e611.member.member_1[1], _e611.member.member_1[2]);
-                                                    let _e971 = ((_e611.member_1 & 268435455u) + _e956.member_1);
-                                                    let _e972 = (_e971 < arrayLength((&global_10.member)));
-                                                    if _e972 {
-                                                        if _e972 {
+                                                let _e963 = phi_1082_;
+                                                let _e965 = phi_1104_;
+                                                let _e969 = (bitcast<i32>(_e965.member) != 0i);
+                                                if _e969 {
+                                                    local_8 = array<f32, 3>(_e617.member.member[0], _e617.member.member[1], _e617.member.member[2]);
+                                                    local_7 = array<f32, 3>(_e617.member.member_1[0], _e617.member.member_1[1], _e617.member.member_1[2]);
+                                                    let _e980 = ((_e617.member_1 & 268435455u) + _e965.member_1);
+                                                    let _e981 = (_e980 < arrayLength((&global_10.member)));
+                                                    if _e981 {
+                                                        if _e981 {
                                                         } else {
-                                                            phi_5324_ = true;
+                                                            phi_3364_ = true;
                                                             break;
                                                         }
-                                                        let _e975 = global_10.member[_e971].member_1;
-                                                        phi_3158_ = _e975;
+                                                        let _e984 = global_10.member[_e980].member_1;
+                                                        phi_1146_ = _e984;
                                                     } else {
-                                                        phi_3158_ = 4294967295u;
+                                                        phi_1146_ = 4294967295u;
                                                     }
-                                                    let _e977 = phi_3158_;
-                                                    local_12 = array<u32, 3>(_e362, _e361, _e363);
-                                                    if _e972 {
-                                                        if _e972 {
+                                                    let _e986 = phi_1146_;
+                                                    local_18 = array<u32, 3>(_e366, _e365, _e367);
+                                                    if _e981 {
+                                                        if _e981 {
                                                         } else {
-                                                            phi_5324_ = true;
+                                                            phi_3364_ = true;
                                                             break;
                                                         }
-                                                        let _e980 = global_10.member[_e971];
-                                                        phi_3182_ = _e980;
+                                                        let _e989 = global_10.member[_e980];
+                                                        phi_1170_ = _e989;
                                                     } else {
-                                                        phi_3182_ = type_56(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                        phi_1170_ = type_57(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                     }
-                                                    let _e982 = phi_3182_;
-                                                    local_14 = array<u32, 3>(_e982.member[0], _e982.member[1], _e982.member[2]);
-                                                    local_13[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_13[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_13[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                    phi_5315_ = _e937;
-                                                    phi_3193_ = type_8(0u, 3u);
+                                                    let _e991 = phi_1170_;
+                                                    local_20 = array<u32, 3>(_e991.member[0], _e991.member[1], _e991.member[2]);
+                                                    local_19[0u] = array<f32, 3>(0f, 0f, 0f);
+                                                    local_19[1u] = array<f32, 3>(0f, 0f, 0f);
+                                                    local_19[2u] = array<f32, 3>(0f, 0f, 0f);
+                                                    phi_3355_ = _e946;
+                                                    phi_1181_ = type_8(0u, 3u);
                                                     loop {
-                                                        let _e992 = phi_5315_;
-                                                        let _e994 = phi_3193_;
-                                                        if (_e994.member < _e994.member_1) {
-                                                            phi_3194_ = type_8((_e994.member + 1u), _e994.member_1);
-                                                            phi_3217_ = type_8(1u, _e994.member);
+                                                        let _e1001 = phi_3355_;
+                                                        let _e1003 = phi_1181_;
+                                                        if (_e1003.member < _e1003.member_1) {
+                                                            phi_1182_ = type_8((_e1003.member + 1u), _e1003.member_1);
+                                                            phi_1205_ = type_8(1u, _e1003.member);
                                                         } else {
-                                                            phi_3194_ = _e994;
-                                                            phi_3217_ = type_8(0u, type_8().member_1);
+                                                            phi_1182_ = _e1003;
+                                                            phi_1205_ = type_8(0u, type_8().member_1);
                                                         }
-                                                        let _e1007 = phi_3194_;
-                                                        let _e1009 = phi_3217_;
-                                                        let _e1013 = (bitcast<i32>(_e1009.member) != 0i);
-                                                        if _e1013 {
-                                                            phi_3227_ = type_8(0u, 3u);
+                                                        let _e1016 = phi_1182_;
+                                                        let _e1018 = phi_1205_;
+                                                        let _e1022 = (bitcast<i32>(_e1018.member) != 0i);
+                                                        if _e1022 {
+                                                            phi_1215_ = type_8(0u, 3u);
                                                             loop {
-                                                                let _e1015 = phi_3227_;
-                                                                if (_e1015.member < _e1015.member_1) {
-                                                                    phi_3228_ = type_8((_e1015.member + 1u), _e1015.member_1);
-                                                                    phi_3251_ = type_8(1u, _e1015.member);
+                                                                let _e1024 = phi_1215_;
+                                                                if (_e1024.member < _e1024.member_1) {
+                                                                    phi_1216_ = type_8((_e1024.member + 1u), _e1024.member_1);
+                                                                    phi_1239_ = type_8(1u, _e1024.member);
                                                                 } else {
-                                                                    phi_3228_ = _e1015;
-                                                                    phi_3251_ = type_8(0u, type_8().member_1);
+                                                                    phi_1216_ = _e1024;
+                                                                    phi_1239_ = type_8(0u, type_8().member_1);
                                                                 }
-                                                                let _e1028 = phi_3228_;
-                                                                let _e1030 = phi_3251_;
-                                                                let _e1034 = (bitcast<i32>(_e1030.member) != 0i);
-                                                                if _e1034 {
-                                                                    let _e1035 = (_e1009.member_1 < 3u);
-                                                                    if _e1035 {
+                                                                let _e1037 = phi_1216_;
+                                                                let _e1039 = phi_1239_;
+                                                                let _e1043 = (bitcast<i32>(_e1039.member) != 0i);
+                                                                if _e1043 {
+                                                                    let _e1044 = (_e1018.member_1 < 3u);
+                                                                    if _e1044 {
                                                                     } else {
-                                                                        phi_5310_ = true;
+                                                                        phi_3350_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1037 = local_14[_e1009.member_1];
-                                                                    let _e1038 = (_e1030.member_1 < 3u);
-                                                                    if _e1038 {
+                                                                    let _e1046 = local_20[_e1018.member_1];
+                                                                    let _e1047 = (_e1039.member_1 < 3u);
+                                                                    if _e1047 {
                                                                     } else {
-                                                                        phi_5310_ = true;
+                                                                        phi_3350_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1040 = local_12[_e1030.member_1];
-                                                                    let _e1045 = ((_e1037 >> bitcast<u32>(((10u * _e1040) & 31u))) & 1023u);
-                                                                    if _e1038 {
+                                                                    let _e1049 = local_18[_e1039.member_1];
+                                                                    let _e1054 = ((_e1046 >> bitcast<u32>(((10u * _e1049) & 31u))) & 1023u);
+                                                                    if _e1047 {
                                                                     } else {
-                                                                        phi_5310_ = true;
+                                                                        phi_3350_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1047 = local_1[_e1030.member_1];
-                                                                    if _e1038 {
+                                                                    let _e1056 = local_8[_e1039.member_1];
+                                                                    if _e1047 {
                                                                     } else {
-                                                                        phi_5310_ = true;
+                                                                        phi_3350_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1049 = local[_e1030.member_1];
-                                                                    let _e1060 = (_e1047 + bitcast<f32>((bitcast<u32>((f32(_e1045) * bitcast<f32>((bitcast<u32>(((_e1049 - _e1047) * 0.0009775171f)) ^ _e140)))) ^ _e140)));
-                                                                    if _e1035 {
+                                                                    let _e1058 = local_7[_e1039.member_1];
+                                                                    let _e1069 = (_e1056 + bitcast<f32>((bitcast<u32>((f32(_e1054) * bitcast<f32>((bitcast<u32>(((_e1058 - _e1056) * 0.0009775171f)) ^ _e144)))) ^ _e144)));
+                                                                    if _e1044 {
                                                                     } else {
-                                                                        phi_5310_ = true;
+                                                                        phi_3350_ = true;
                                                                         break;
                                                                     }
-                                                                    if _e1038 {
+                                                                    if _e1047 {
                                                                     } else {
-                                                                        phi_5310_ = true;
+                                                                        phi_3350_ = true;
                                                                         break;
                                                                     }
-                                                                    local_13[_e1009.member_1][_e1030.member_1] = select(select(_e1049, _e1060, (_e1060 < _e1049)), _e1049, (_e1045 == 1023u));
+                                                                    local_19[_e1018.member_1][_e1039.member_1] = select(select(_e1058, _e1069, (_e1069 < _e1058)), _e1058, (_e1054 == 1023u));
                                                                 }
                                                                 continue;
                                                                 continuing {
-                                                                    phi_3227_ = _e1028;
-                                                                    phi_5310_ = _e992;
-                                                                    break if !(_e1034);
+                                                                    phi_1215_ = _e1037;
+                                                                    phi_3350_ = _e1001;
+                                                                    break if !(_e1043);
                                                                 }
                                                             }
-                                                            let _e1069 = phi_5310_;
-                                                            phi_5322_ = _e1069;
-                                                            if _e1069 {
+                                                            let _e1078 = phi_3350_;
+                                                            phi_3362_ = _e1078;
+                                                            if _e1078 {
                                                                 break;
                                                             }
-                                                            phi_5323_ = _e1069;
+                                                            phi_3363_ = _e1078;
                                                         } else {
-                                                            phi_5323_ = _e992;
+                                                            phi_3363_ = _e1001;
                                                         }
-                                                        let _e1071 = phi_5323_;
+                                                        let _e1080 = phi_3363_;
                                                         continue;
                                                         continuing {
-                                                            phi_5315_ = _e1071;
-                                                            phi_3193_ = _e1007;
-                                                            phi_5322_ = _e1071;
-                                                            break if !(_e1013);
+                                                            phi_3355_ = _e1080;
+                                                            phi_1181_ = _e1016;
+                                                            phi_3362_ = _e1080;
+                                                            break if !(_e1022);
                                                         }
                                                     }
-                                                    let _e1074 = phi_5322_;
-                                                    phi_5324_ = _e1074;
-                                                    if _e1074 {
+                                                    let _e1083 = phi_3362_;
+                                                    phi_3364_ = _e1083;
+                                                    if _e1083 {
                                                         break;
                                                     }
-                                                    let _e1075 = local_13;
-                                                    let _e1091 = (_e1075[0][2] - _e467);
-                                                    let _e1094 = (((_e1075[0][0] - _e394) * _e491) - (_e1091 * _e419));
-                                                    let _e1097 = (((_e1075[0][1] - _e431) * _e491) - (_e1091 * _e455));
-                                                    let _e1100 = (_e1075[1][2] - _e467);
-                                                    let _e1103 = (((_e1075[1][0] - _e394) * _e491) - (_e1100 * _e419));
-                                                    let _e1106 = (((_e1075[1][1] - _e431) * _e491) - (_e1100 * _e455));
-                                                    let _e1109 = (_e1075[2][2] - _e467);
-                                                    let _e1112 = (((_e1075[2][0] - _e394) * _e491) - (_e1109 * _e419));
-                                                    let _e1115 = (((_e1075[2][1] - _e431) * _e491) - (_e1109 * _e455));
-                                                    let _e1116 = (_e1112 * _e1106);
-                                                    let _e1117 = (_e1115 * _e1103);
-                                                    let _e1118 = (_e1094 * _e1115);
-                                                    let _e1119 = (_e1097 * _e1112);
-                                                    let _e1120 = (_e1103 * _e1097);
-                                                    let _e1121 = (_e1106 * _e1094);
-                                                    let _e1126 = (((_e1116 >= _e1117) && (_e1118 >= _e1119)) && (_e1120 >= _e1121));
-                                                    if (_e1126 || (((_e1116 <= _e1117) && (_e1118 <= _e1119)) && (_e1120 <= _e1121))) {
-                                                        let _e1133 = select(-1f, 1f, _e1126);
-                                                        let _e1135 = ((_e1116 - _e1117) * _e1133);
-                                                        let _e1137 = select(0f, _e1135, (_e1135 > 0f));
-                                                        let _e1139 = ((_e1118 - _e1119) * _e1133);
-                                                        let _e1141 = select(0f, _e1139, (_e1139 > 0f));
-                                                        let _e1143 = ((_e1120 - _e1121) * _e1133);
-                                                        let _e1145 = select(0f, _e1143, (_e1143 > 0f));
-                                                        let _e1147 = ((_e1137 + _e1141) + _e1145);
-                                                        if (_e1147 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_3909_ = type_22();
-                                                            phi_3910_ = true;
+                                                    let _e1084 = local_19;
+                                                    let _e1100 = (_e1084[0][2] - _e471);
+                                                    let _e1103 = (((_e1084[0][0] - _e398) * _e495) - (_e1100 * _e423));
+                                                    let _e1106 = (((_e1084[0][1] - _e435) * _e495) - (_e1100 * _e459));
+                                                    let _e1109 = (_e1084[1][2] - _e471);
+                                                    let _e1112 = (((_e1084[1][0] - _e398) * _e495) - (_e1109 * _e423));
+                                                    let _e1115 = (((_e1084[1][1] - _e435) * _e495) - (_e1109 * _e459));
+                                                    let _e1118 = (_e1084[2][2] - _e471);
+                                                    let _e1121 = (((_e1084[2][0] - _e398) * _e495) - (_e1118 * _e423));
+                                                    let _e1124 = (((_e1084[2][1] - _e435) * _e495) - (_e1118 * _e459));
+                                                    let _e1125 = (_e1121 * _e1115);
+                                                    let _e1126 = (_e1124 * _e1112);
+                                                    let _e1127 = (_e1103 * _e1124);
+                                                    let _e1128 = (_e1106 * _e1121);
+                                                    let _e1129 = (_e1112 * _e1106);
+                                                    let _e1130 = (_e1115 * _e1103);
+                                                    let _e1135 = (((_e1125 >= _e1126) && (_e1127 >= _e1128)) && (_e1129 >= _e1130));
+                                                    if (_e1135 || (((_e1125 <= _e1126) && (_e1127 <= _e1128)) && (_e1129 <= _e1130))) {
+                                                        let _e1142 = select(-1f, 1f, _e1135);
+                                                        let _e1144 = ((_e1125 - _e1126) * _e1142);
+                                                        let _e1146 = select(0f, _e1144, (_e1144 > 0f));
+                                                        let _e1148 = ((_e1127 - _e1128) * _e1142);
+                                                        let _e1150 = select(0f, _e1148, (_e1148 > 0f));
+                                                        let _e1152 = ((_e1129 - _e1130) * _e1142);
+                                                        let _e1154 = select(0f, _e1152, (_e1152 > 0f));
+                                                        let _e1156 = ((_e1146 + _e1150) + _e1154);
+                                                        if (_e1156 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1897_ = type_22();
+                                                            phi_1898_ = true;
                                                         } else {
-                                                            let _e1150 = select(_e1075[1][0], _e1075[0][0], (_e1075[0][0] < _e1075[1][0]));
-                                                            let _e1154 = select(_e1075[1][0], _e1075[0][0], (_e1075[0][0] > _e1075[1][0]));
-                                                            let _e1158 = select(_e1075[1][1], _e1075[0][1], (_e1075[0][1] < _e1075[1][1]));
-                                                            let _e1162 = select(_e1075[1][1], _e1075[0][1], (_e1075[0][1] > _e1075[1][1]));
-                                                            let _e1166 = select(_e1075[1][2], _e1075[0][2], (_e1075[0][2] < _e1075[1][2]));
-                                                            let _e1170 = select(_e1075[1][2], _e1075[0][2], (_e1075[0][2] > _e1075[1][2]));
-                                                            let _e1175 = ((select(_e1075[2][0], _e1150, (_e1150 < _e1075[2][0])) - _e417) * _e422);
-                                                            let _e1176 = ((select(_e1075[2][0], _e1154, (_e1154 > _e1075[2][0])) - _e418) * _e422);
-                                                            let _e1179 = ((select(_e1075[2][1], _e1158, (_e1158 < _e1075[2][1])) - _e453) * _e458);
-                                                            let _e1180 = ((select(_e1075[2][1], _e1162, (_e1162 > _e1075[2][1])) - _e454) * _e458);
-                                                            let _e1183 = ((select(_e1075[2][2], _e1166, (_e1166 < _e1075[2][2])) - _e489) * _e494);
-                                                            let _e1184 = ((select(_e1075[2][2], _e1170, (_e1170 > _e1075[2][2])) - _e490) * _e494);
-                                                            let _e1186 = select(_e1184, _e1183, (_e1183 < _e1184));
-                                                            let _e1188 = select(_e1184, _e1183, (_e1183 > _e1184));
-                                                            let _e1190 = select(_e1176, _e1175, (_e1175 < _e1176));
-                                                            let _e1192 = select(_e1180, _e1179, (_e1179 < _e1180));
-                                                            let _e1194 = select(_e1192, _e1190, (_e1190 > _e1192));
-                                                            let _e1196 = select(_e1186, _e1194, (_e1194 > _e1186));
-                                                            let _e1198 = select(_e1176, _e1175, (_e1175 > _e1176));
-                                                            let _e1200 = select(_e1180, _e1179, (_e1179 > _e1180));
-                                                            let _e1202 = select(_e1200, _e1198, (_e1198 < _e1200));
-                                                            let _e1204 = select(_e1188, _e1202, (_e1202 < _e1188));
-                                                            let _e1205 = -(_e1186);
-                                                            let _e1211 = select(_e540, _e1196, (_e1196 > _e540));
-                                                            if (_e1211 > (_e1204 + (select(_e1205, _e1188, (_e1188 > _e1205)) * 0.0000019073523f))) {
-                                                                phi_3904_ = type_22();
-                                                                phi_3905_ = true;
+                                                            let _e1159 = select(_e1084[1][0], _e1084[0][0], (_e1084[0][0] < _e1084[1][0]));
+                                                            let _e1163 = select(_e1084[1][0], _e1084[0][0], (_e1084[0][0] > _e1084[1][0]));
+                                                            let _e1167 = select(_e1084[1][1], _e1084[0][1], (_e1084[0][1] < _e1084[1][1]));
+                                                            let _e1171 = select(_e1084[1][1], _e1084[0][1], (_e1084[0][1] > _e1084[1][1]));
+                                                            let _e1175 = select(_e1084[1][2], _e1084[0][2], (_e1084[0][2] < _e1084[1][2]));
+                                                            let _e1179 = select(_e1084[1][2], _e1084[0][2], (_e1084[0][2] > _e1084[1][2]));
+                                                            let _e1184 = ((select(_e1084[2][0], _e1159, (_e1159 < _e1084[2][0])) - _e421) * _e426);
+                                                            let _e1185 = ((select(_e1084[2][0], _e1163, (_e1163 > _e1084[2][0])) - _e422) * _e426);
+                                                            let _e1188 = ((select(_e1084[2][1], _e1167, (_e1167 < _e1084[2][1])) - _e457) * _e462);
+                                                            let _e1189 = ((select(_e1084[2][1], _e1171, (_e1171 > _e1084[2][1])) - _e458) * _e462);
+                                                            let _e1192 = ((select(_e1084[2][2], _e1175, (_e1175 < _e1084[2][2])) - _e493) * _e498);
+                                                            let _e1193 = ((select(_e1084[2][2], _e1179, (_e1179 > _e1084[2][2])) - _e494) * _e498);
+                                                            let _e1195 = select(_e1193, _e1192, (_e1192 < _e1193));
+                                                            let _e1197 = select(_e1193, _e1192, (_e1192 > _e1193));
+                                                            let _e1199 = select(_e1185, _e1184, (_e1184 < _e1185));
+                                                            let _e1201 = select(_e1189, _e1188, (_e1188 < _e1189));
+                                                            let _e1203 = select(_e1201, _e1199, (_e1199 > _e1201));
+                                                            let _e1205 = select(_e1195, _e1203, (_e1203 > _e1195));
+                                                            let _e1207 = select(_e1185, _e1184, (_e1184 > _e1185));
+                                                            let _e1209 = select(_e1189, _e1188, (_e1188 > _e1189));
+                                                            let _e1211 = select(_e1209, _e1207, (_e1207 < _e1209));
+                                                            let _e1213 = select(_e1197, _e1211, (_e1211 < _e1197));
+                                                            let _e1214 = -(_e1195);
+                                                            let _e1220 = select(_e544, _e1205, (_e1205 > _e544));
+                                                            if (_e1220 > (_e1213 + (select(_e1214, _e1197, (_e1197 > _e1214)) * 0.0000019073523f))) {
+                                                                phi_1892_ = type_22();
+                                                                phi_1893_ = true;
                                                             } else {
-                                                                let _e1213 = (_e1211 > _e939.member);
-                                                                if _e1213 {
-                                                                    phi_3903_ = type_22();
+                                                                let _e1222 = (_e1220 > _e948.member);
+                                                                if _e1222 {
+                                                                    phi_1891_ = type_22();
                                                                 } else {
-                                                                    let _e1217 = (_e1075[1][0] - _e1075[0][0]);
-                                                                    let _e1218 = (_e1075[1][1] - _e1075[0][1]);
-                                                                    let _e1219 = (_e1075[1][2] - _e1075[0][2]);
-                                                                    let _e1220 = vec3<f32>(_e1217, _e1218, _e1219);
-                                                                    let _e1221 = (_e1075[2][0] - _e1075[1][0]);
-                                                                    let _e1222 = (_e1075[2][1] - _e1075[1][1]);
-                                                                    let _e1223 = (_e1075[2][2] - _e1075[1][2]);
-                                                                    let _e1224 = vec3<f32>(_e1221, _e1222, _e1223);
-                                                                    let _e1225 = (_e1075[0][0] - _e1075[2][0]);
-                                                                    let _e1226 = (_e1075[0][1] - _e1075[2][1]);
-                                                                    let _e1227 = (_e1075[0][2] - _e1075[2][2]);
-                                                                    let _e1228 = vec3<f32>(_e1225, _e1226, _e1227);
-                                                                    let _e1231 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
-                                                                    let _e1234 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
-                                                                    let _e1236 = select(_e1234, _e1231, (_e1231 > _e1234));
-                                                                    let _e1239 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
-                                                                    let _e1241 = select(_e1239, _e1236, (_e1236 > _e1239));
-                                                                    let _e1244 = bitcast<f32>((bitcast<u32>(_e1221) & 2147483647u));
-                                                                    let _e1247 = bitcast<f32>((bitcast<u32>(_e1222) & 2147483647u));
-                                                                    let _e1249 = select(_e1247, _e1244, (_e1244 > _e1247));
-                                                                    let _e1252 = bitcast<f32>((bitcast<u32>(_e1223) & 2147483647u));
-                                                                    let _e1254 = select(_e1252, _e1249, (_e1249 > _e1252));
-                                                                    let _e1257 = bitcast<f32>((bitcast<u32>(_e1225) & 2147483647u));
-                                                                    let _e1260 = bitcast<f32>((bitcast<u32>(_e1226) & 2147483647u));
-                                                                    let _e1262 = select(_e1260, _e1257, (_e1257 > _e1260));
-                                                                    let _e1265 = bitcast<f32>((bitcast<u32>(_e1227) & 2147483647u));
-                                                                    let _e1267 = select(_e1265, _e1262, (_e1262 > _e1265));
-                                                                    let _e1269 = select(_e1254, _e1241, (_e1241 > _e1254));
-                                                                    let _e1271 = select(_e1267, _e1269, (_e1269 > _e1267));
-                                                                    if (_e1241 == _e1271) {
-                                                                        phi_3814_ = _e1224;
-                                                                        phi_3815_ = _e1228;
+                                                                    let _e1226 = (_e1084[1][0] - _e1084[0][0]);
+                                                                    let _e1227 = (_e1084[1][1] - _e1084[0][1]);
+                                                                    let _e1228 = (_e1084[1][2] - _e1084[0][2]);
+                                                                    let _e1229 = vec3<f32>(_e1226, _e1227, _e1228);
+                                                                    let _e1230 = (_e1084[2][0] - _e1084[1][0]);
+                                                                    let _e1231 = (_e1084[2][1] - _e1084[1][1]);
+                                                                    let _e1232 = (_e1084[2][2] - _e1084[1][2]);
+                                                                    let _e1233 = vec3<f32>(_e1230, _e1231, _e1232);
+                                                                    let _e1234 = (_e1084[0][0] - _e1084[2][0]);
+                                                                    let _e1235 = (_e1084[0][1] - _e1084[2][1]);
+                                                                    let _e1236 = (_e1084[0][2] - _e1084[2][2]);
+                                                                    let _e1237 = vec3<f32>(_e1234, _e1235, _e1236);
+                                                                    let _e1240 = bitcast<f32>((bitcast<u32>(_e1226) & 2147483647u));
+                                                                    let _e1243 = bitcast<f32>((bitcast<u32>(_e1227) & 2147483647u));
+                                                                    let _e1245 = select(_e1243, _e1240, (_e1240 > _e1243));
+                                                                    let _e1248 = bitcast<f32>((bitcast<u32>(_e1228) & 2147483647u));
+                                                                    let _e1250 = select(_e1248, _e1245, (_e1245 > _e1248));
+                                                                    let _e1253 = bitcast<f32>((bitcast<u32>(_e1230) & 2147483647u));
+                                                                    let _e1256 = bitcast<f32>((bitcast<u32>(_e1231) & 2147483647u));
+                                                                    let _e1258 = select(_e1256, _e1253, (_e1253 > _e1256));
+                                                                    let _e1261 = bitcast<f32>((bitcast<u32>(_e1232) & 2147483647u));
+                                                                    let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
+                                                                    let _e1266 = bitcast<f32>((bitcast<u32>(_e1234) & 2147483647u));
+                                                                    let _e1269 = bitcast<f32>((bitcast<u32>(_e1235) & 2147483647u));
+                                                                    let _e1271 = select(_e1269, _e1266, (_e1266 > _e1269));
+                                                                    let _e1274 = bitcast<f32>((bitcast<u32>(_e1236) & 2147483647u));
+                                                                    let _e1276 = select(_e1274, _e1271, (_e1271 > _e1274));
+                                                                    let _e1278 = select(_e1263, _e1250, (_e1250 > _e1263));
+                                                                    let _e1280 = select(_e1276, _e1278, (_e1278 > _e1276));
+                                                                    if (_e1250 == _e1280) {
+                                                                        phi_1802_ = _e1233;
+                                                                        phi_1803_ = _e1237;
                                                                     } else {
-                                                                        let _e1274 = vec3((_e1254 == _e1271));
-                                                                        phi_3814_ = select(_e1220, _e1228, _e1274);
-                                                                        phi_3815_ = select(_e1224, _e1220, _e1274);
+                                                                        let _e1283 = vec3((_e1263 == _e1280));
+                                                                        phi_1802_ = select(_e1229, _e1237, _e1283);
+                                                                        phi_1803_ = select(_e1233, _e1229, _e1283);
                                                                     }
-                                                                    let _e1278 = phi_3814_;
-                                                                    let _e1280 = phi_3815_;
-                                                                    let _e1287 = ((_e1278.y * _e1280.z) - (_e1280.y * _e1278.z));
-                                                                    let _e1292 = ((_e1278.z * _e1280.x) - (_e1280.z * _e1278.x));
-                                                                    let _e1295 = ((_e1278.x * _e1280.y) - (_e1280.x * _e1278.y));
-                                                                    if (_e1137 >= _e1141) {
-                                                                        phi_3846_ = select(true, false, (_e1137 >= _e1145));
+                                                                    let _e1287 = phi_1802_;
+                                                                    let _e1289 = phi_1803_;
+                                                                    let _e1296 = ((_e1287.y * _e1289.z) - (_e1289.y * _e1287.z));
+                                                                    let _e1301 = ((_e1287.z * _e1289.x) - (_e1289.z * _e1287.x));
+                                                                    let _e1304 = ((_e1287.x * _e1289.y) - (_e1289.x * _e1287.y));
+                                                                    if (_e1146 >= _e1150) {
+                                                                        phi_1834_ = select(true, false, (_e1146 >= _e1154));
                                                                     } else {
-                                                                        phi_3846_ = true;
+                                                                        phi_1834_ = true;
                                                                     }
-                                                                    let _e1300 = phi_3846_;
-                                                                    if _e1300 {
-                                                                        phi_3855_ = select(vec3<f32>(_e1075[2][0], _e1075[2][1], _e1075[2][2]), vec3<f32>(_e1075[1][0], _e1075[1][1], _e1075[1][2]), vec3((_e1141 >= _e1145)));
+                                                                    let _e1309 = phi_1834_;
+                                                                    if _e1309 {
+                                                                        phi_1843_ = select(vec3<f32>(_e1084[2][0], _e1084[2][1], _e1084[2][2]), vec3<f32>(_e1084[1][0], _e1084[1][1], _e1084[1][2]), vec3((_e1150 >= _e1154)));
                                                                     } else {
-                                                                        phi_3855_ = vec3<f32>(_e1075[0][0], _e1075[0][1], _e1075[0][2]);
+                                                                        phi_1843_ = vec3<f32>(_e1084[0][0], _e1084[0][1], _e1084[0][2]);
                                                                     }
-                                                                    let _e1305 = phi_3855_;
-                                                                    let _e1322 = ((((_e1287 * (_e1305.x - _e394)) + (_e1292 * (_e1305.y - _e431))) + (_e1295 * (_e1305.z - _e467))) / (((_e1287 * _e419) + (_e1292 * _e455)) + (_e1295 * _e491)));
-                                                                    let _e1324 = select(_e1204, _e1322, (_e1322 < _e1204));
-                                                                    let _e1326 = select(_e1196, _e1324, (_e1324 > _e1196));
-                                                                    if (_e1326 >= _e540) {
-                                                                        let _e1328 = (_e1326 <= _e939.member);
-                                                                        if _e1328 {
-                                                                            let _e1329 = (1f / _e1147);
-                                                                            phi_3895_ = type_22(_e1326, (_e1141 * _e1329), (_e1145 * _e1329), _e977);
+                                                                    let _e1314 = phi_1843_;
+                                                                    let _e1331 = ((((_e1296 * (_e1314.x - _e398)) + (_e1301 * (_e1314.y - _e435))) + (_e1304 * (_e1314.z - _e471))) / (((_e1296 * _e423) + (_e1301 * _e459)) + (_e1304 * _e495)));
+                                                                    let _e1333 = select(_e1213, _e1331, (_e1331 < _e1213));
+                                                                    let _e1335 = select(_e1205, _e1333, (_e1333 > _e1205));
+                                                                    if (_e1335 >= _e544) {
+                                                                        let _e1337 = (_e1335 <= _e948.member);
+                                                                        if _e1337 {
+                                                                            let _e1338 = (1f / _e1156);
+                                                                            phi_1883_ = type_22(_e1335, (_e1150 * _e1338), (_e1154 * _e1338), _e986);
                                                                         } else {
-                                                                            phi_3895_ = type_22();
+                                                                            phi_1883_ = type_22();
                                                                         }
-                                                                        let _e1334 = phi_3895_;
-                                                                        phi_3897_ = _e1334;
-                                                                        phi_3898_ = select(true, false, _e1328);
+                                                                        let _e1343 = phi_1883_;
+                                                                        phi_1885_ = _e1343;
+                                                                        phi_1886_ = select(true, false, _e1337);
                                                                     } else {
-                                                                        phi_3897_ = type_22();
-                                                                        phi_3898_ = true;
+                                                                        phi_1885_ = type_22();
+                                                                        phi_1886_ = true;
                                                                     }
-                                                                    let _e1337 = phi_3897_;
-                                                                    let _e1339 = phi_3898_;
-                                                                    if _e1339 {
-                                                                        phi_3902_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e1346 = phi_1885_;
+                                                                    let _e1348 = phi_1886_;
+                                                                    if _e1348 {
+                                                                        phi_1890_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_3902_ = _e1337;
+                                                                        phi_1890_ = _e1346;
                                                                     }
-                                                                    let _e1341 = phi_3902_;
-                                                                    phi_3903_ = _e1341;
+                                                                    let _e1350 = phi_1890_;
+                                                                    phi_1891_ = _e1350;
                                                                 }
-                                                                let _e1343 = phi_3903_;
-                                                                phi_3904_ = _e1343;
-                                                                phi_3905_ = _e1213;
+                                                                let _e1352 = phi_1891_;
+                                                                phi_1892_ = _e1352;
+                                                                phi_1893_ = _e1222;
                                                             }
-                                                            let _e1345 = phi_3904_;
-                                                            let _e1347 = phi_3905_;
-                                                            phi_3909_ = _e1345;
-                                                            phi_3910_ = _e1347;
+                                                            let _e1354 = phi_1892_;
+                                                            let _e1356 = phi_1893_;
+                                                            phi_1897_ = _e1354;
+                                                            phi_1898_ = _e1356;
                                                         }
-                                                        let _e1349 = phi_3909_;
-                                                        let _e1351 = phi_3910_;
-                                                        phi_3914_ = _e1349;
-                                                        phi_3915_ = _e1351;
+                                                        let _e1358 = phi_1897_;
+                                                        let _e1360 = phi_1898_;
+                                                        phi_1902_ = _e1358;
+                                                        phi_1903_ = _e1360;
                                                     } else {
-                                                        phi_3914_ = type_22();
-                                                        phi_3915_ = true;
+                                                        phi_1902_ = type_22();
+                                                        phi_1903_ = true;
                                                     }
-                                                    let _e1353 = phi_3914_;
-                                                    let _e1355 = phi_3915_;
-                                                    if _e1355 {
-                                                        phi_3919_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1362 = phi_1902_;
+                                                    let _e1364 = phi_1903_;
+                                                    if _e1364 {
+                                                        phi_1907_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_3919_ = _e1353;
+                                                        phi_1907_ = _e1362;
                                                     }
-                                                    let _e1357 = phi_3919_;
-                                                    if (_e1357.member_3 != 4294967295u) {
-                                                        if (_e977 == _e157) {
-                                                            phi_4248_ = false;
+                                                    let _e1366 = phi_1907_;
+                                                    if (_e1366.member_3 != 4294967295u) {
+                                                        if (_e986 == _e161) {
+                                                            phi_2236_ = false;
                                                         } else {
-                                                            let _e1361 = (_e977 < arrayLength((&global_5.member)));
-                                                            if _e1361 {
-                                                                if _e1361 {
+                                                            let _e1370 = (_e986 < arrayLength((&global_5.member)));
+                                                            if _e1370 {
+                                                                if _e1370 {
                                                                 } else {
-                                                                    phi_5324_ = true;
+                                                                    phi_3364_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1363 = global_5.member[_e977];
-                                                                phi_3942_ = _e1363;
+                                                                let _e1372 = global_5.member[_e986];
+                                                                phi_1930_ = _e1372;
                                                             } else {
-                                                                phi_3942_ = 4294967295u;
+                                                                phi_1930_ = 4294967295u;
                                                             }
-                                                            let _e1365 = phi_3942_;
-                                                            let _e1366 = (_e1365 < arrayLength((&global_6.member)));
-                                                            if _e1366 {
-                                                                if _e1366 {
+                                                            let _e1374 = phi_1930_;
+                                                            let _e1375 = (_e1374 < arrayLength((&global_6.member)));
+                                                            if _e1375 {
+                                                                if _e1375 {
                                                                 } else {
-                                                                    phi_5324_ = true;
+                                                                    phi_3364_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1368 = global_6.member[_e1365];
-                                                                phi_3956_ = _e1368;
+                                                                let _e1377 = global_6.member[_e1374];
+                                                                phi_1944_ = _e1377;
                                                             } else {
-                                                                phi_3956_ = 0i;
+                                                                phi_1944_ = 0i;
                                                             }
-                                                            let _e1370 = phi_3956_;
-                                                            let _e1371 = (_e1370 == 0i);
-                                                            if _e1371 {
-                                                                phi_4247_ = true;
+                                                            let _e1379 = phi_1944_;
+                                                            let _e1380 = (_e1379 == 0i);
+                                                            if _e1380 {
+                                                                phi_2235_ = true;
                                                             } else {
-                                                                if _e386 {
-                                                                    phi_3977_ = vec3<f32>(_e1075[0][0], _e1075[0][1], _e1075[0][2]);
+                                                                if _e390 {
+                                                                    phi_1965_ = vec3<f32>(_e1084[0][0], _e1084[0][1], _e1084[0][2]);
                                                                 } else {
-                                                                    if (_e362 == 1u) {
-                                                                        phi_3976_ = vec3<f32>(_e1075[0][2], _e1075[0][0], _e1075[0][1]);
+                                                                    if (_e366 == 1u) {
+                                                                        phi_1964_ = vec3<f32>(_e1084[0][2], _e1084[0][0], _e1084[0][1]);
                                                                     } else {
-                                                                        phi_3976_ = vec3<f32>(_e1075[0][1], _e1075[0][2], _e1075[0][0]);
+                                                                        phi_1964_ = vec3<f32>(_e1084[0][1], _e1084[0][2], _e1084[0][0]);
                                                                     }
-                                                                    let _e1376 = phi_3976_;
-                                                                    phi_3977_ = _e1376;
+                                                                    let _e1385 = phi_1964_;
+                                                                    phi_1965_ = _e1385;
                                                                 }
-                                                                let _e1379 = phi_3977_;
-                                                                if _e386 {
-                                                                    phi_3994_ = vec3<f32>(_e1075[1][0], _e1075[1][1], _e1075[1][2]);
+                                                                let _e1388 = phi_1965_;
+                                                                if _e390 {
+                                                                    phi_1982_ = vec3<f32>(_e1084[1][0], _e1084[1][1], _e1084[1][2]);
                                                                 } else {
-                                                                    if (_e362 == 1u) {
-                                                                        phi_3993_ = vec3<f32>(_e1075[1][2], _e1075[1][0], _e1075[1][1]);
+                                                                    if (_e366 == 1u) {
+                                                                        phi_1981_ = vec3<f32>(_e1084[1][2], _e1084[1][0], _e1084[1][1]);
                                                                     } else {
-                                                                        phi_3993_ = vec3<f32>(_e1075[1][1], _e1075[1][2], _e1075[1][0]);
+                                                                        phi_1981_ = vec3<f32>(_e1084[1][1], _e1084[1][2], _e1084[1][0]);
                                                                     }
-                                                                    let _e1384 = phi_3993_;
-                                                                    phi_3994_ = _e1384;
+                                                                    let _e1393 = phi_1981_;
+                                                                    phi_1982_ = _e1393;
                                                                 }
-                                                                let _e1387 = phi_3994_;
-                                                                if _e386 {
-                                                                    phi_4011_ = vec3<f32>(_e1075[2][0], _e1075[2][1], _e1075[2][2]);
+                                                                let _e1396 = phi_1982_;
+                                                                if _e390 {
+                                                                    phi_1999_ = vec3<f32>(_e1084[2][0], _e1084[2][1], _e1084[2][2]);
                                                                 } else {
-                                                                    if (_e362 == 1u) {
-                                                                        phi_4010_ = vec3<f32>(_e1075[2][2], _e1075[2][0], _e1075[2][1]);
+                                                                    if (_e366 == 1u) {
+                                                                        phi_1998_ = vec3<f32>(_e1084[2][2], _e1084[2][0], _e1084[2][1]);
                                                                     } else {
-                                                                        phi_4010_ = vec3<f32>(_e1075[2][1], _e1075[2][2], _e1075[2][0]);
+                                                                        phi_1998_ = vec3<f32>(_e1084[2][1], _e1084[2][2], _e1084[2][0]);
                                                                     }
-                                                                    let _e1392 = phi_4010_;
-                                                                    phi_4011_ = _e1392;
+                                                                    let _e1401 = phi_1998_;
+                                                                    phi_1999_ = _e1401;
                                                                 }
-                                                                let _e1395 = phi_4011_;
-                                                                let _e1398 = (_e1387.x - _e1379.x);
-                                                                let _e1401 = (_e1387.y - _e1379.y);
-                                                                let _e1404 = (_e1387.z - _e1379.z);
-                                                                let _e1406 = (_e1395.x - _e1379.x);
-                                                                let _e1408 = (_e1395.y - _e1379.y);
-                                                                let _e1410 = (_e1395.z - _e1379.z);
-                                                                if (_e229.member_1 == 1u) {
-                                                                    phi_4047_ = (vec3<f32>(_e229.member[0], _e229.member[1], _e229.member[2]) - _e1379);
+                                                                let _e1404 = phi_1999_;
+                                                                let _e1407 = (_e1396.x - _e1388.x);
+                                                                let _e1410 = (_e1396.y - _e1388.y);
+                                                                let _e1413 = (_e1396.z - _e1388.z);
+                                                                let _e1415 = (_e1404.x - _e1388.x);
+                                                                let _e1417 = (_e1404.y - _e1388.y);
+                                                                let _e1419 = (_e1404.z - _e1388.z);
+                                                                if (_e233.member_1 == 1u) {
+                                                                    phi_2035_ = (vec3<f32>(_e233.member[0], _e233.member[1], _e233.member[2]) - _e1388);
                                                                 } else {
-                                                                    phi_4047_ = vec3<f32>(_e229.member[0], _e229.member[1], _e229.member[2]);
+                                                                    phi_2035_ = vec3<f32>(_e233.member[0], _e233.member[1], _e233.member[2]);
                                                                 }
-                                                                let _e1425 = phi_4047_;
-                                                                let _e1431 = bitcast<f32>((bitcast<u32>((_e1398 * _e1408)) ^ _e229.member_3[0]));
-                                                                let _e1435 = bitcast<f32>((bitcast<u32>((_e1401 * _e1406)) ^ _e229.member_3[0]));
-                                                                let _e1439 = bitcast<f32>((bitcast<u32>((_e1401 * _e1410)) ^ _e229.member_3[0]));
-                                                                let _e1443 = bitcast<f32>((bitcast<u32>((_e1404 * _e1408)) ^ _e229.member_3[0]));
-                                                                let _e1447 = bitcast<f32>((bitcast<u32>((_e1404 * _e1406)) ^ _e229.member_3[0]));
-                                                                let _e1451 = bitcast<f32>((bitcast<u32>((_e1398 * _e1410)) ^ _e229.member_3[0]));
-                                                                let _e1452 = (_e1439 - _e1443);
-                                                                let _e1453 = (_e1447 - _e1451);
-                                                                let _e1454 = (_e1431 - _e1435);
-                                                                let _e1478 = (bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1443) & 2147483647u)));
-                                                                let _e1485 = (bitcast<f32>((bitcast<u32>(_e1447) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1451) & 2147483647u)));
-                                                                let _e1492 = (bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1435) & 2147483647u)));
-                                                                if (_e229.member_2 == 0f) {
-                                                                    phi_4229_ = 0f;
+                                                                let _e1434 = phi_2035_;
+                                                                let _e1440 = bitcast<f32>((bitcast<u32>((_e1407 * _e1417)) ^ _e233.member_3[0]));
+                                                                let _e1444 = bitcast<f32>((bitcast<u32>((_e1410 * _e1415)) ^ _e233.member_3[0]));
+                                                                let _e1448 = bitcast<f32>((bitcast<u32>((_e1410 * _e1419)) ^ _e233.member_3[0]));
+                                                                let _e1452 = bitcast<f32>((bitcast<u32>((_e1413 * _e1417)) ^ _e233.member_3[0]));
+                                                                let _e1456 = bitcast<f32>((bitcast<u32>((_e1413 * _e1415)) ^ _e233.member_3[0]));
+                                                                let _e1460 = bitcast<f32>((bitcast<u32>((_e1407 * _e1419)) ^ _e233.member_3[0]));
+                                                                let _e1461 = (_e1448 - _e1452);
+                                                                let _e1462 = (_e1456 - _e1460);
+                                                                let _e1463 = (_e1440 - _e1444);
+                                                                let _e1487 = (bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1452) & 2147483647u)));
+                                                                let _e1494 = (bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1460) & 2147483647u)));
+                                                                let _e1501 = (bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1444) & 2147483647u)));
+                                                                if (_e233.member_2 == 0f) {
+                                                                    phi_2217_ = 0f;
                                                                 } else {
-                                                                    let _e1522 = bitcast<f32>((bitcast<u32>(_e1452) & 2147483647u));
-                                                                    let _e1525 = bitcast<f32>((bitcast<u32>(_e1453) & 2147483647u));
-                                                                    let _e1528 = bitcast<f32>((bitcast<u32>(_e1454) & 2147483647u));
-                                                                    let _e1530 = select(_e1528, _e1525, (_e1525 > _e1528));
-                                                                    let _e1534 = select(_e1528, _e1525, (_e1525 < _e1528));
-                                                                    let _e1538 = select(_e1525, _e1522, (_e1522 < _e1525));
-                                                                    let _e1540 = select(_e1525, _e1522, (_e1522 > _e1525));
-                                                                    let _e1542 = select(_e1528, _e1540, (_e1540 < _e1528));
-                                                                    phi_4229_ = bitcast<f32>((bitcast<u32>((_e229.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1530, _e1522, (_e1522 > _e1530)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1542, _e1538, (_e1538 > _e1542)))) ^ _e229.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1534, _e1522, (_e1522 < _e1534)))) ^ _e229.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1478 + _e1485) + _e1492))) ^ _e229.member_3[0]))) * 1.0000005f)) ^ _e229.member_3[0])))) ^ _e229.member_3[0]));
+                                                                    let _e1531 = bitcast<f32>((bitcast<u32>(_e1461) & 2147483647u));
+                                                                    let _e1534 = bitcast<f32>((bitcast<u32>(_e1462) & 2147483647u));
+                                                                    let _e1537 = bitcast<f32>((bitcast<u32>(_e1463) & 2147483647u));
+                                                                    let _e1539 = select(_e1537, _e1534, (_e1534 > _e1537));
+                                                                    let _e1543 = select(_e1537, _e1534, (_e1534 < _e1537));
+                                                                    let _e1547 = select(_e1534, _e1531, (_e1531 < _e1534));
+                                                                    let _e1549 = select(_e1534, _e1531, (_e1531 > _e1534));
+                                                                    let _e1551 = select(_e1537, _e1549, (_e1549 < _e1537));
+                                                                    phi_2217_ = bitcast<f32>((bitcast<u32>((_e233.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1539, _e1531, (_e1531 > _e1539)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1551, _e1547, (_e1547 > _e1551)))) ^ _e233.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1543, _e1531, (_e1531 < _e1543)))) ^ _e233.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1487 + _e1494) + _e1501))) ^ _e233.member_3[0]))) * 1.0000005f)) ^ _e233.member_3[0])))) ^ _e233.member_3[0]));
                                                                 }
-                                                                let _e1569 = phi_4229_;
-                                                                phi_4247_ = (_e1371 || !(((((bitcast<f32>((bitcast<u32>((_e1425.x * _e1452)) ^ _e229.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1425.y * _e1453)) ^ _e229.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1425.z * _e1454)) ^ _e229.member_3[0]))) * f32(-(_e1370))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1425.x) & 2147483647u)) * _e1478)) ^ _e229.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1425.y) & 2147483647u)) * _e1485)) ^ _e229.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1425.z) & 2147483647u)) * _e1492)) ^ _e229.member_3[0]))))) ^ _e229.member_3[0])) + _e1569) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1578 = phi_2217_;
+                                                                phi_2235_ = (_e1380 || !(((((bitcast<f32>((bitcast<u32>((_e1434.x * _e1461)) ^ _e233.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1434.y * _e1462)) ^ _e233.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1434.z * _e1463)) ^ _e233.member_3[0]))) * f32(-(_e1379))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1434.x) & 2147483647u)) * _e1487)) ^ _e233.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1434.y) & 2147483647u)) * _e1494)) ^ _e233.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1434.z) & 2147483647u)) * _e1501)) ^ _e233.member_3[0]))))) ^ _e233.member_3[0])) + _e1578) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1583 = phi_4247_;
-                                                            phi_4248_ = _e1583;
+                                                            let _e1592 = phi_2235_;
+                                                            phi_2236_ = _e1592;
                                                         }
-                                                        let _e1585 = phi_4248_;
-                                                        if _e1585 {
-                                                            phi_4253_ = type_39(_e939.member, true);
+                                                        let _e1594 = phi_2236_;
+                                                        if _e1594 {
+                                                            phi_2241_ = type_40(_e948.member, true);
                                                         } else {
-                                                            phi_4253_ = _e939;
+                                                            phi_2241_ = _e948;
                                                         }
-                                                        let _e1590 = phi_4253_;
-                                                        phi_4254_ = _e1590;
+                                                        let _e1599 = phi_2241_;
+                                                        phi_2242_ = _e1599;
                                                     } else {
-                                                        phi_4254_ = _e939;
+                                                        phi_2242_ = _e948;
                                                     }
-                                                    let _e1592 = phi_4254_;
-                                                    phi_5325_ = _e1074;
-                                                    phi_3091_ = _e1592;
+                                                    let _e1601 = phi_2242_;
+                                                    phi_3365_ = _e1083;
+                                                    phi_1079_ = _e1601;
                                                 } else {
-                                                    phi_5325_ = _e937;
-                                                    phi_3091_ = type_39();
+                                                    phi_3365_ = _e946;
+                                                    phi_1079_ = type_40();
                                                 }
-                                                let _e1594 = phi_5325_;
-                                                let _e1596 = phi_3091_;
+                                                let _e1603 = phi_3365_;
+                                                let _e1605 = phi_1079_;
                                                 continue;
                                                 continuing {
-                                                    phi_5319_ = _e1594;
-                                                    phi_3090_ = _e1596;
-                                                    phi_3093_ = _e954;
-                                                    phi_5324_ = _e1594;
-                                                    break if !(_e960);
+                                                    phi_3359_ = _e1603;
+                                                    phi_1078_ = _e1605;
+                                                    phi_1081_ = _e963;
+                                                    phi_3364_ = _e1603;
+                                                    break if !(_e969);
                                                 }
                                             }
-                                            let _e1599 = phi_5324_;
-                                            phi_5400_ = _e1599;
-                                            if _e1599 {
+                                            let _e1608 = phi_3364_;
+                                            phi_3440_ = _e1608;
+                                            if _e1608 {
                                                 break;
                                             }
-                                            let _e1601 = local_17;
-                                            phi_5404_ = _e1599;
-                                            let _e1801 = local_19;
-                                            phi_5099_ = _e1801;
-                                            phi_5100_ = _e611;
-                                            phi_5101_ = false;
-                                            phi_5102_ = select(_e615, 0u, _e1601.member_1);
+                                            let _e1610 = local_23;
+                                            phi_3444_ = _e1608;
+                                            let _e1810 = local_25;
+                                            phi_3125_ = _e1810;
+                                            phi_3126_ = _e617;
+                                            phi_3127_ = false;
+                                            phi_3128_ = select(_e621, 0u, _e1610.member_1);
                                         } else {
-                                            local_3 = array<f32, 3>(_e611.member.member[0], _e611.member.member[1], _e611.member.member[2]);
-                                            local_2 = array<f32, 3>(_e611.member.member_1[0], _e611.member.member_1[1], _e611.member.member_1[2]);
-                                            let _e635 = (_e611.member_1 < _e97);
-                                            if _e635 {
-                                                if _e635 {
+                                            local_10 = array<f32, 3>(_e617.member.member[0], _e617.member.member[1], _e617.member.member[2]);
+                                            local_9 = array<f32, 3>(_e617.member.member_1[0], _e617.member.member_1[1], _e617.member.member_1[2]);
+                                            let _e641 = (_e617.member_1 < _e101);
+                                            if _e641 {
+                                                if _e641 {
                                                 } else {
-                                                    phi_5400_ = true;
+                                                    phi_3440_ = true;
                                                     break;
                                                 }
-                                                let _e637 = global_9.member[_e611.member_1];
-                                                phi_4289_ = _e637;
+                                                let _e643 = global_9.member[_e617.member_1];
+                                                phi_2277_ = _e643;
                                             } else {
-                                                phi_4289_ = type_48(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2277_ = type_49(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e639 = phi_4289_;
-                                            let _e641 = array<u32, 3>(_e362, _e361, _e363);
-                                            local_11 = _e641;
-                                            local_7 = array<f32, 3>(0f, 0f, 0f);
-                                            local_6 = array<f32, 3>(0f, 0f, 0f);
-                                            phi_4298_ = type_8(0u, 3u);
+                                            let _e645 = phi_2277_;
+                                            let _e647 = array<u32, 3>(_e366, _e365, _e367);
+                                            local_17 = _e647;
+                                            local_13 = array<f32, 3>(0f, 0f, 0f);
+                                            local_12 = array<f32, 3>(0f, 0f, 0f);
+                                            phi_2286_ = type_8(0u, 3u);
                                             loop {
-                                                let _e643 = phi_4298_;
-                                                if (_e643.member < _e643.member_1) {
-                                                    phi_4299_ = type_8((_e643.member + 1u), _e643.member_1);
-                                                    phi_4322_ = type_8(1u, _e643.member);
+                                                let _e649 = phi_2286_;
+                                                if (_e649.member < _e649.member_1) {
+                                                    phi_2287_ = type_8((_e649.member + 1u), _e649.member_1);
+                                                    phi_2310_ = type_8(1u, _e649.member);
                                                 } else {
-                                                    phi_4299_ = _e643;
-                                                    phi_4322_ = type_8(0u, type_8().member_1);
+                                                    phi_2287_ = _e649;
+                                                    phi_2310_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e656 = phi_4299_;
-                                                let _e658 = phi_4322_;
-                                                let _e662 = (bitcast<i32>(_e658.member) != 0i);
-                                                if _e662 {
-                                                    let _e663 = (_e658.member_1 < 3u);
-                                                    if _e663 {
+                                                let _e662 = phi_2287_;
+                                                let _e664 = phi_2310_;
+                                                let _e668 = (bitcast<i32>(_e664.member) != 0i);
+                                                if _e668 {
+                                                    let _e669 = (_e664.member_1 < 3u);
+                                                    if _e669 {
                                                     } else {
-                                                        phi_5235_ = true;
+                                                        phi_3275_ = true;
                                                         break;
                                                     }
-                                                    let _e665 = local_11[_e658.member_1];
-                                                    if _e663 {
+                                                    let _e671 = local_17[_e664.member_1];
+                                                    if _e669 {
                                                     } else {
-                                                        phi_5235_ = true;
+                                                        phi_3275_ = true;
                                                         break;
                                                     }
-                                                    let _e667 = local_3[_e658.member_1];
-                                                    if _e663 {
+                                                    let _e673 = local_10[_e664.member_1];
+                                                    if _e669 {
                                                     } else {
-                                                        phi_5235_ = true;
+                                                        phi_3275_ = true;
                                                         break;
                                                     }
-                                                    let _e669 = local_2[_e658.member_1];
-                                                    let _e672 = ((10u * _e665) & 31u);
-                                                    let _e675 = ((_e639.member[0] >> bitcast<u32>(_e672)) & 1023u);
-                                                    let _e680 = bitcast<f32>((bitcast<u32>(((_e669 - _e667) * 0.0009775171f)) ^ _e140));
-                                                    let _e686 = (_e667 + bitcast<f32>((bitcast<u32>((f32(_e675) * _e680)) ^ _e140)));
-                                                    if _e663 {
+                                                    let _e675 = local_9[_e664.member_1];
+                                                    let _e678 = ((10u * _e671) & 31u);
+                                                    let _e681 = ((_e645.member[0] >> bitcast<u32>(_e678)) & 1023u);
+                                                    let _e686 = bitcast<f32>((bitcast<u32>(((_e675 - _e673) * 0.0009775171f)) ^ _e144));
+                                                    let _e692 = (_e673 + bitcast<f32>((bitcast<u32>((f32(_e681) * _e686)) ^ _e144)));
+                                                    if _e669 {
                                                     } else {
-                                                        phi_5235_ = true;
+                                                        phi_3275_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e658.member_1] = select(select(_e669, _e686, (_e686 < _e669)), _e669, (_e675 == 1023u));
-                                                    let _e695 = ((_e639.member[1] >> bitcast<u32>(_e672)) & 1023u);
-                                                    let _e701 = (_e667 + bitcast<f32>((bitcast<u32>((f32(_e695) * _e680)) ^ _e140)));
-                                                    if _e663 {
+                                                    local_13[_e664.member_1] = select(select(_e675, _e692, (_e692 < _e675)), _e675, (_e681 == 1023u));
+                                                    let _e701 = ((_e645.member[1] >> bitcast<u32>(_e678)) & 1023u);
+                                                    let _e707 = (_e673 + bitcast<f32>((bitcast<u32>((f32(_e701) * _e686)) ^ _e144)));
+                                                    if _e669 {
                                                     } else {
-                                                        phi_5235_ = true;
+                                                        phi_3275_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e658.member_1] = select(select(_e669, _e701, (_e701 < _e669)), _e669, (_e695 == 1023u));
+                                                    local_12[_e664.member_1] = select(select(_e675, _e707, (_e707 < _e675)), _e675, (_e701 == 1023u));
                                                 }
                                                 continue;
                                                 continuing {
-                                                    phi_4298_ = _e656;
-                                                    phi_5235_ = _e572;
-                                                    break if !(_e662);
+                                                    phi_2286_ = _e662;
+                                                    phi_3275_ = _e576;
+                                                    break if !(_e668);
                                                 }
                                             }
-                                            let _e709 = phi_5235_;
-                                            phi_5400_ = _e709;
-                                            if _e709 {
+                                            let _e715 = phi_3275_;
+                                            phi_3440_ = _e715;
+                                            if _e715 {
                                                 break;
                                             }
-                                            let _e710 = local_6;
-                                            let _e711 = local_7;
-                                            local_10 = _e641;
-                                            local_9 = array<f32, 3>(0f, 0f, 0f);
-                                            local_8 = array<f32, 3>(0f, 0f, 0f);
-                                            phi_4452_ = type_8(0u, 3u);
+                                            let _e716 = local_12;
+                                            let _e717 = local_13;
+                                            local_16 = _e647;
+                                            local_15 = array<f32, 3>(0f, 0f, 0f);
+                                            local_14 = array<f32, 3>(0f, 0f, 0f);
+                                            phi_2440_ = type_8(0u, 3u);
                                             loop {
-                                                let _e720 = phi_4452_;
-                                                if (_e720.member < _e720.member_1) {
-                                                    phi_4453_ = type_8((_e720.member + 1u), _e720.member_1);
-                                                    phi_4476_ = type_8(1u, _e720.member);
+                                                let _e726 = phi_2440_;
+                                                if (_e726.member < _e726.member_1) {
+                                                    phi_2441_ = type_8((_e726.member + 1u), _e726.member_1);
+                                                    phi_2464_ = type_8(1u, _e726.member);
                                                 } else {
-                                                    phi_4453_ = _e720;
-                                                    phi_4476_ = type_8(0u, type_8().member_1);
+                                                    phi_2441_ = _e726;
+                                                    phi_2464_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e733 = phi_4453_;
-                                                let _e735 = phi_4476_;
-                                                let _e739 = (bitcast<i32>(_e735.member) != 0i);
-                                                if _e739 {
-                                                    let _e740 = (_e735.member_1 < 3u);
-                                                    if _e740 {
+                                                let _e739 = phi_2441_;
+                                                let _e741 = phi_2464_;
+                                                let _e745 = (bitcast<i32>(_e741.member) != 0i);
+                                                if _e745 {
+                                                    let _e746 = (_e741.member_1 < 3u);
+                                                    if _e746 {
                                                     } else {
-                                                        phi_5302_ = true;
+                                                        phi_3342_ = true;
                                                         break;
                                                     }
-                                                    let _e742 = local_10[_e735.member_1];
-                                                    if _e740 {
+                                                    let _e748 = local_16[_e741.member_1];
+                                                    if _e746 {
                                                     } else {
-                                                        phi_5302_ = true;
+                                                        phi_3342_ = true;
                                                         break;
                                                     }
-                                                    let _e744 = local_3[_e735.member_1];
-                                                    if _e740 {
+                                                    let _e750 = local_10[_e741.member_1];
+                                                    if _e746 {
                                                     } else {
-                                                        phi_5302_ = true;
+                                                        phi_3342_ = true;
                                                         break;
                                                     }
-                                                    let _e746 = local_2[_e735.member_1];
-                                                    let _e749 = ((10u * _e742) & 31u);
-                                                    let _e752 = ((_e639.member_1[0] >> bitcast<u32>(_e749)) & 1023u);
-                                                    let _e757 = bitcast<f32>((bitcast<u32>(((_e746 - _e744) * 0.0009775171f)) ^ _e140));
-                                                    let _e763 = (_e744 + bitcast<f32>((bitcast<u32>((f32(_e752) * _e757)) ^ _e140)));
-                                                    if _e740 {
+                                                    let _e752 = local_9[_e741.member_1];
+                                                    let _e755 = ((10u * _e748) & 31u);
+                                                    let _e758 = ((_e645.member_1[0] >> bitcast<u32>(_e755)) & 1023u);
+                                                    let _e763 = bitcast<f32>((bitcast<u32>(((_e752 - _e750) * 0.0009775171f)) ^ _e144));
+                                                    let _e769 = (_e750 + bitcast<f32>((bitcast<u32>((f32(_e758) * _e763)) ^ _e144)));
+                                                    if _e746 {
                                                     } else {
-                                                        phi_5302_ = true;
+                                                        phi_3342_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e735.member_1] = select(select(_e746, _e763, (_e763 < _e746)), _e746, (_e752 == 1023u));
-                                                    let _e772 = ((_e639.member_1[1] >> bitcast<u32>(_e749)) & 1023u);
-                                                    let _e778 = (_e744 + bitcast<f32>((bitcast<u32>((f32(_e772) * _e757)) ^ _e140)));
-                                                    if _e740 {
+                                                    local_15[_e741.member_1] = select(select(_e752, _e769, (_e769 < _e752)), _e752, (_e758 == 1023u));
+                                                    let _e778 = ((_e645.member_1[1] >> bitcast<u32>(_e755)) & 1023u);
+                                                    let _e784 = (_e750 + bitcast<f32>((bitcast<u32>((f32(_e778) * _e763)) ^ _e144)));
+                                                    if _e746 {
                                                     } else {
-                                                        phi_5302_ = true;
+                                                        phi_3342_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e735.member_1] = select(select(_e746, _e778, (_e778 < _e746)), _e746, (_e772 == 1023u));
+                                                    local_14[_e741.member_1] = select(select(_e752, _e784, (_e784 < _e752)), _e752, (_e778 == 1023u));
                                                 }
                                                 continue;
                                                 continuing {
-                                                    phi_4452_ = _e733;
-                                                    phi_5302_ = _e709;
-                                                    break if !(_e739);
+                                                    phi_2440_ = _e739;
+                                                    phi_3342_ = _e715;
+                                                    break if !(_e745);
                                                 }
                                             }
-                                            let _e786 = phi_5302_;
-                                            phi_5400_ = _e786;
-                                            if _e786 {
+                                            let _e792 = phi_3342_;
+                                            phi_3440_ = _e792;
+                                            if _e792 {
                                                 break;
                                             }
-                                            let _e787 = local_8;
-                                            let _e788 = local_9;
-                                            let _e799 = type_62(type_53(array<f32, 3>(_e711[0], _e711[1], _e711[2]), array<f32, 3>(_e710[0], _e710[1], _e710[2])), _e639.member_2);
-                                            let _e804 = type_62(type_53(array<f32, 3>(_e788[0], _e788[1], _e788[2]), array<f32, 3>(_e787[0], _e787[1], _e787[2])), _e639.member_3);
-                                            let _e810 = ((_e711[0] - _e417) * _e422);
-                                            let _e811 = ((_e788[0] - _e417) * _e422);
-                                            let _e812 = ((_e710[0] - _e418) * _e422);
-                                            let _e813 = ((_e787[0] - _e418) * _e422);
-                                            let _e818 = ((_e711[1] - _e453) * _e458);
-                                            let _e819 = ((_e788[1] - _e453) * _e458);
-                                            let _e820 = ((_e710[1] - _e454) * _e458);
-                                            let _e821 = ((_e787[1] - _e454) * _e458);
-                                            let _e826 = ((_e711[2] - _e489) * _e494);
-                                            let _e827 = ((_e788[2] - _e489) * _e494);
-                                            let _e828 = ((_e710[2] - _e490) * _e494);
-                                            let _e829 = ((_e787[2] - _e490) * _e494);
-                                            let _e831 = select(_e828, _e826, (_e826 < _e828));
-                                            let _e833 = select(_e829, _e827, (_e827 < _e829));
-                                            let _e835 = select(_e828, _e826, (_e826 > _e828));
-                                            let _e837 = select(_e829, _e827, (_e827 > _e829));
-                                            let _e839 = select(_e812, _e810, (_e810 < _e812));
-                                            let _e841 = select(_e813, _e811, (_e811 < _e813));
-                                            let _e843 = select(_e820, _e818, (_e818 < _e820));
-                                            let _e845 = select(_e821, _e819, (_e819 < _e821));
-                                            let _e847 = select(_e843, _e839, (_e839 > _e843));
-                                            let _e849 = select(_e845, _e841, (_e841 > _e845));
-                                            let _e851 = select(_e831, _e847, (_e847 > _e831));
-                                            let _e853 = select(_e833, _e849, (_e849 > _e833));
-                                            let _e855 = select(_e812, _e810, (_e810 > _e812));
-                                            let _e857 = select(_e813, _e811, (_e811 > _e813));
-                                            let _e859 = select(_e820, _e818, (_e818 > _e820));
-                                            let _e861 = select(_e821, _e819, (_e819 > _e821));
-                                            let _e863 = select(_e859, _e855, (_e855 < _e859));
-                                            let _e865 = select(_e861, _e857, (_e857 < _e861));
-                                            let _e870 = -(_e831);
-                                            let _e871 = -(_e833);
-                                            let _e878 = (select(_e835, _e863, (_e863 < _e835)) + (select(_e870, _e835, (_e835 > _e870)) * 0.0000019073523f));
-                                            let _e879 = (select(_e837, _e865, (_e865 < _e837)) + (select(_e871, _e837, (_e837 > _e871)) * 0.0000019073523f));
-                                            let _e881 = select(_e540, _e851, (_e851 > _e540));
-                                            let _e883 = select(_e540, _e853, (_e853 > _e540));
-                                            let _e888 = (_e881 <= select(_e574.member, _e878, (_e878 < _e574.member)));
-                                            let _e889 = (_e883 <= select(_e574.member, _e879, (_e879 < _e574.member)));
-                                            let _e890 = (_e881 <= _e883);
-                                            if _e888 {
-                                                if _e889 {
-                                                    if _e890 {
-                                                        phi_5039_ = _e804;
+                                            let _e793 = local_14;
+                                            let _e794 = local_15;
+                                            let _e805 = type_63(type_55(array<f32, 3>(_e717[0], _e717[1], _e717[2]), array<f32, 3>(_e716[0], _e716[1], _e716[2])), _e645.member_2);
+                                            let _e810 = type_63(type_55(array<f32, 3>(_e794[0], _e794[1], _e794[2]), array<f32, 3>(_e793[0], _e793[1], _e793[2])), _e645.member_3);
+                                            let _e816 = ((_e717[0] - _e421) * _e426);
+                                            let _e817 = ((_e794[0] - _e421) * _e426);
+                                            let _e818 = ((_e716[0] - _e422) * _e426);
+                                            let _e819 = ((_e793[0] - _e422) * _e426);
+                                            let _e824 = ((_e717[1] - _e457) * _e462);
+                                            let _e825 = ((_e794[1] - _e457) * _e462);
+                                            let _e826 = ((_e716[1] - _e458) * _e462);
+                                            let _e827 = ((_e793[1] - _e458) * _e462);
+                                            let _e832 = ((_e717[2] - _e493) * _e498);
+                                            let _e833 = ((_e794[2] - _e493) * _e498);
+                                            let _e834 = ((_e716[2] - _e494) * _e498);
+                                            let _e835 = ((_e793[2] - _e494) * _e498);
+                                            let _e837 = select(_e834, _e832, (_e832 < _e834));
+                                            let _e839 = select(_e835, _e833, (_e833 < _e835));
+                                            let _e841 = select(_e834, _e832, (_e832 > _e834));
+                                            let _e843 = select(_e835, _e833, (_e833 > _e835));
+                                            let _e845 = select(_e818, _e816, (_e816 < _e818));
+                                            let _e847 = select(_e819, _e817, (_e817 < _e819));
+                                            let _e849 = select(_e826, _e824, (_e824 < _e826));
+                                            let _e851 = select(_e827, _e825, (_e825 < _e827));
+                                            let _e853 = select(_e849, _e845, (_e845 > _e849));
+                                            let _e855 = select(_e851, _e847, (_e847 > _e851));
+                                            let _e857 = select(_e837, _e853, (_e853 > _e837));
+                                            let _e859 = select(_e839, _e855, (_e855 > _e839));
+                                            let _e861 = select(_e818, _e816, (_e816 > _e818));
+                                            let _e863 = select(_e819, _e817, (_e817 > _e819));
+                                            let _e865 = select(_e826, _e824, (_e824 > _e826));
+                                            let _e867 = select(_e827, _e825, (_e825 > _e827));
+                                            let _e869 = select(_e865, _e861, (_e861 < _e865));
+                                            let _e871 = select(_e867, _e863, (_e863 < _e867));
+                                            let _e876 = -(_e837);
+                                            let _e877 = -(_e839);
+                                            let _e884 = (select(_e841, _e869, (_e869 < _e841)) + (select(_e876, _e841, (_e841 > _e876)) * 0.0000019073523f));
+                                            let _e885 = (select(_e843, _e871, (_e871 < _e843)) + (select(_e877, _e843, (_e843 > _e877)) * 0.0000019073523f));
+                                            let _e887 = select(_e544, _e857, (_e857 > _e544));
+                                            let _e889 = select(_e544, _e859, (_e859 > _e544));
+                                            let _e894 = (_e887 <= select(_e578.member, _e884, (_e884 < _e578.member)));
+                                            let _e895 = (_e889 <= select(_e578.member, _e885, (_e885 < _e578.member)));
+                                            let _e896 = (_e887 <= _e889);
+                                            if _e894 {
+                                                if _e895 {
+                                                    if _e896 {
+                                                        phi_3027_ = _e810;
                                                     } else {
-                                                        phi_5039_ = _e799;
+                                                        phi_3027_ = _e805;
                                                     }
-                                                    let _e892 = phi_5039_;
-                                                    let _e893 = (_e615 % 128u);
-                                                    let _e894 = (_e893 < 128u);
-                                                    if _e894 {
+                                                    let _e898 = phi_3027_;
+                                                    let _e906 = (_e621 % 128u);
+                                                    let _e907 = (_e906 < 128u);
+                                                    if _e907 {
                                                     } else {
-                                                        phi_5400_ = true;
+                                                        phi_3440_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e893] = type_62(type_53(array<f32, 3>(_e892.member.member[0], _e892.member.member[1], _e892.member.member[2]), array<f32, 3>(_e892.member.member_1[0], _e892.member.member_1[1], _e892.member.member_1[2])), _e892.member_1);
-                                                    if _e894 {
+                                                    local_6[_e906] = _e898.member_1;
+                                                    if _e907 {
                                                     } else {
-                                                        phi_5400_ = true;
+                                                        phi_3440_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e893] = select(_e883, _e881, (_e881 > _e883));
-                                                    if _e890 {
-                                                        phi_5078_ = _e799;
+                                                    local_5[_e906] = _e898.member.member[0];
+                                                    if _e907 {
                                                     } else {
-                                                        phi_5078_ = _e804;
+                                                        phi_3440_ = true;
+                                                        break;
                                                     }
-                                                    let _e915 = phi_5078_;
-                                                    phi_5079_ = _e915;
-                                                    phi_5080_ = (_e615 + 1u);
+                                                    local_4[_e906] = _e898.member.member[1];
+                                                    if _e907 {
+                                                    } else {
+                                                        phi_3440_ = true;
+                                                        break;
+                                                    }
+                                                    local_3[_e906] = _e898.member.member[2];
+                                                    if _e907 {
+                                                    } else {
+                                                        phi_3440_ = true;
+                                                        break;
+                                                    }
+                                                    local_2[_e906] = _e898.member.member_1[0];
+                                                    if _e907 {
+                                                    } else {
+                                                        phi_3440_ = true;
+                                                        break;
+                                                    }
+                                                    local_1[_e906] = _e898.member.member_1[1];
+                                                    if _e907 {
+                                                    } else {
+                                                        phi_3440_ = true;
+                                                        break;
+                                                    }
+                                                    local[_e906] = _e898.member.member_1[2];
+                                                    if _e907 {
+                                                    } else {
+                                                        phi_3440_ = true;
+                                                        break;
+                                                    }
+                                                    local_11[_e906] = select(_e889, _e887, (_e887 > _e889));
+                                                    if _e896 {
+                                                        phi_3104_ = _e805;
+                                                    } else {
+                                                        phi_3104_ = _e810;
+                                                    }
+                                                    let _e924 = phi_3104_;
+                                                    phi_3105_ = _e924;
+                                                    phi_3106_ = (_e621 + 1u);
                                                 } else {
-                                                    phi_5079_ = type_62();
-                                                    phi_5080_ = u32();
+                                                    phi_3105_ = type_63();
+                                                    phi_3106_ = u32();
                                                 }
-                                                let _e917 = phi_5079_;
-                                                let _e919 = phi_5080_;
-                                                phi_5082_ = _e917;
-                                                phi_5083_ = _e919;
-                                                phi_5084_ = select(true, false, _e889);
+                                                let _e926 = phi_3105_;
+                                                let _e928 = phi_3106_;
+                                                phi_3108_ = _e926;
+                                                phi_3109_ = _e928;
+                                                phi_3110_ = select(true, false, _e895);
                                             } else {
-                                                phi_5082_ = type_62();
-                                                phi_5083_ = u32();
-                                                phi_5084_ = true;
+                                                phi_3108_ = type_63();
+                                                phi_3109_ = u32();
+                                                phi_3110_ = true;
                                             }
-                                            let _e922 = phi_5082_;
-                                            let _e924 = phi_5083_;
-                                            let _e926 = phi_5084_;
-                                            if _e926 {
-                                                if _e888 {
-                                                    phi_5091_ = _e799;
+                                            let _e931 = phi_3108_;
+                                            let _e933 = phi_3109_;
+                                            let _e935 = phi_3110_;
+                                            if _e935 {
+                                                if _e894 {
+                                                    phi_3117_ = _e805;
                                                 } else {
-                                                    phi_5091_ = _e804;
+                                                    phi_3117_ = _e810;
                                                 }
-                                                let _e928 = phi_5091_;
-                                                phi_5096_ = _e928;
-                                                phi_5097_ = select(_e889, true, _e888);
+                                                let _e937 = phi_3117_;
+                                                phi_3122_ = _e937;
+                                                phi_3123_ = select(_e895, true, _e894);
                                             } else {
-                                                phi_5096_ = _e922;
-                                                phi_5097_ = _e613;
+                                                phi_3122_ = _e931;
+                                                phi_3123_ = _e619;
                                             }
-                                            let _e931 = phi_5096_;
-                                            let _e933 = phi_5097_;
-                                            phi_5404_ = _e786;
-                                            phi_5099_ = _e574;
-                                            phi_5100_ = _e931;
-                                            phi_5101_ = _e933;
-                                            phi_5102_ = select(_e924, _e615, _e926);
+                                            let _e940 = phi_3122_;
+                                            let _e942 = phi_3123_;
+                                            phi_3444_ = _e792;
+                                            phi_3125_ = _e578;
+                                            phi_3126_ = _e940;
+                                            phi_3127_ = _e942;
+                                            phi_3128_ = select(_e933, _e621, _e935);
                                         }
-                                        let _e1605 = phi_5404_;
-                                        let _e1607 = phi_5099_;
-                                        let _e1609 = phi_5100_;
-                                        let _e1611 = phi_5101_;
-                                        let _e1613 = phi_5102_;
-                                        phi_5403_ = _e1605;
-                                        phi_5103_ = _e1607;
-                                        phi_5104_ = _e1609;
-                                        phi_5105_ = (_e578 - 1u);
-                                        phi_5106_ = _e1611;
-                                        phi_5107_ = _e1613;
+                                        let _e1614 = phi_3444_;
+                                        let _e1616 = phi_3125_;
+                                        let _e1618 = phi_3126_;
+                                        let _e1620 = phi_3127_;
+                                        let _e1622 = phi_3128_;
+                                        phi_3443_ = _e1614;
+                                        phi_3129_ = _e1616;
+                                        phi_3130_ = _e1618;
+                                        phi_3131_ = (_e582 - 1u);
+                                        phi_3132_ = _e1620;
+                                        phi_3133_ = _e1622;
                                     } else {
-                                        phi_5403_ = _e572;
-                                        phi_5103_ = _e574;
-                                        phi_5104_ = _e611;
-                                        phi_5105_ = _e578;
-                                        phi_5106_ = _e613;
-                                        phi_5107_ = _e615;
+                                        phi_3443_ = _e576;
+                                        phi_3129_ = _e578;
+                                        phi_3130_ = _e617;
+                                        phi_3131_ = _e582;
+                                        phi_3132_ = _e619;
+                                        phi_3133_ = _e621;
                                     }
-                                    let _e1615 = phi_5403_;
-                                    let _e1617 = phi_5103_;
-                                    let _e1619 = phi_5104_;
-                                    let _e1621 = phi_5105_;
-                                    let _e1623 = phi_5106_;
-                                    let _e1625 = phi_5107_;
-                                    phi_5402_ = _e1615;
-                                    phi_5108_ = _e1617;
-                                    phi_5109_ = _e1619;
-                                    phi_5110_ = _e1621;
-                                    phi_5111_ = _e1623;
-                                    phi_5112_ = _e1625;
+                                    let _e1624 = phi_3443_;
+                                    let _e1626 = phi_3129_;
+                                    let _e1628 = phi_3130_;
+                                    let _e1630 = phi_3131_;
+                                    let _e1632 = phi_3132_;
+                                    let _e1634 = phi_3133_;
+                                    phi_3442_ = _e1624;
+                                    phi_3134_ = _e1626;
+                                    phi_3135_ = _e1628;
+                                    phi_3136_ = _e1630;
+                                    phi_3137_ = _e1632;
+                                    phi_3138_ = _e1634;
                                 } else {
-                                    phi_5402_ = _e572;
-                                    phi_5108_ = type_39();
-                                    phi_5109_ = type_62();
-                                    phi_5110_ = u32();
-                                    phi_5111_ = bool();
-                                    phi_5112_ = u32();
+                                    phi_3442_ = _e576;
+                                    phi_3134_ = type_40();
+                                    phi_3135_ = type_63();
+                                    phi_3136_ = u32();
+                                    phi_3137_ = bool();
+                                    phi_3138_ = u32();
                                 }
-                                let _e1627 = phi_5402_;
-                                let _e1629 = phi_5108_;
-                                let _e1631 = phi_5109_;
-                                let _e1633 = phi_5110_;
-                                let _e1635 = phi_5111_;
-                                let _e1637 = phi_5112_;
-                                phi_5401_ = _e1627;
-                                phi_3005_ = _e1629;
-                                phi_3008_ = _e1631;
-                                phi_3010_ = _e1633;
-                                phi_3012_ = _e1635;
-                                phi_3014_ = _e1637;
-                                phi_5113_ = _e586;
+                                let _e1636 = phi_3442_;
+                                let _e1638 = phi_3134_;
+                                let _e1640 = phi_3135_;
+                                let _e1642 = phi_3136_;
+                                let _e1644 = phi_3137_;
+                                let _e1646 = phi_3138_;
+                                phi_3441_ = _e1636;
+                                phi_952_ = _e1638;
+                                phi_955_ = _e1640;
+                                phi_957_ = _e1642;
+                                phi_959_ = _e1644;
+                                phi_961_ = _e1646;
+                                phi_3139_ = _e590;
                             } else {
-                                phi_5401_ = _e572;
-                                phi_3005_ = type_39();
-                                phi_3008_ = type_62();
-                                phi_3010_ = u32();
-                                phi_3012_ = bool();
-                                phi_3014_ = u32();
-                                phi_5113_ = false;
+                                phi_3441_ = _e576;
+                                phi_952_ = type_40();
+                                phi_955_ = type_63();
+                                phi_957_ = u32();
+                                phi_959_ = bool();
+                                phi_961_ = u32();
+                                phi_3139_ = false;
                             }
-                            let _e1639 = phi_5401_;
-                            let _e1641 = phi_3005_;
-                            let _e1643 = phi_3008_;
-                            let _e1645 = phi_3010_;
-                            let _e1647 = phi_3012_;
-                            let _e1649 = phi_3014_;
-                            let _e1651 = phi_5113_;
+                            let _e1648 = phi_3441_;
+                            let _e1650 = phi_952_;
+                            let _e1652 = phi_955_;
+                            let _e1654 = phi_957_;
+                            let _e1656 = phi_959_;
+                            let _e1658 = phi_961_;
+                            let _e1660 = phi_3139_;
                             continue;
                             continuing {
-                                phi_5242_ = _e1639;
-                                phi_3004_ = _e1641;
-                                phi_3007_ = _e1643;
-                                phi_3009_ = _e1645;
-                                phi_3011_ = _e1647;
-                                phi_3013_ = _e1649;
-                                phi_5400_ = _e1639;
-                                break if !(_e1651);
+                                phi_3282_ = _e1648;
+                                phi_951_ = _e1650;
+                                phi_954_ = _e1652;
+                                phi_956_ = _e1654;
+                                phi_958_ = _e1656;
+                                phi_960_ = _e1658;
+                                phi_3440_ = _e1648;
+                                break if !(_e1660);
                             }
                         }
-                        let _e1654 = phi_5400_;
-                        if _e1654 {
+                        let _e1663 = phi_3440_;
+                        if _e1663 {
                             break;
                         }
-                        let _e1656 = local_18;
-                        if _e1656.member_1 {
+                        let _e1665 = local_24;
+                        if _e1665.member_1 {
                         } else {
-                            if _e230 {
+                            if _e234 {
                             } else {
                                 break;
                             }
-                            let _e1660 = global_2.member[_e144];
-                            if _e151 {
+                            let _e1669 = global_2.member[_e148];
+                            if _e155 {
                             } else {
                                 break;
                             }
-                            let _e1664 = global_8.member[_e144].member_1;
-                            if _e230 {
+                            let _e1673 = global_8.member[_e148].member_1;
+                            if _e234 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e144] = type_24(_e1660.member, _e1660.member_1, _e1660.member_2, array<f32, 3>((_e1660.member_3[0] + (_e1664[0] * _e1660.member_1[0])), (_e1660.member_3[1] + (_e1664[1] * _e1660.member_1[1])), (_e1660.member_3[2] + (_e1664[2] * _e1660.member_1[2]))), _e1660.member_4);
+                            global_2.member[_e148] = type_24(_e1669.member, _e1669.member_1, _e1669.member_2, array<f32, 3>((_e1669.member_3[0] + (_e1673[0] * _e1669.member_1[0])), (_e1669.member_3[1] + (_e1673[1] * _e1669.member_1[1])), (_e1669.member_3[2] + (_e1673[2] * _e1669.member_1[2]))), _e1669.member_4);
                         }
                     }
                 }

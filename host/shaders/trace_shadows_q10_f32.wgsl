@@ -24,76 +24,76 @@ struct type_24 {
     member: array<type_22>,
 }
 
-struct type_29 {
+struct type_30 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_30 {
+struct type_31 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: array<f32, 3>,
     member_3: f32,
 }
 
-struct type_31 {
-    member: type_30,
+struct type_32 {
+    member: type_31,
     member_1: array<f32, 3>,
     member_2: u32,
     member_3: array<f32, 3>,
     member_4: u32,
 }
 
-struct type_33 {
-    member: array<type_31>,
+struct type_34 {
+    member: array<type_32>,
 }
 
-struct type_38 {
+struct type_39 {
     member: vec4<f32>,
     member_1: vec4<f32>,
 }
 
-struct type_39 {
-    member: type_30,
+struct type_40 {
+    member: type_31,
     member_1: array<f32, 3>,
     member_2: u32,
 }
 
-struct type_41 {
-    member: array<type_39>,
+struct type_42 {
+    member: array<type_40>,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: f32,
     member_3: array<u32, 3>,
 }
 
-struct type_49 {
+struct type_51 {
     member: f32,
     member_1: bool,
 }
 
-struct type_51 {
+struct type_53 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_54 {
+struct type_56 {
     member: array<i32>,
 }
 
-struct type_61 {
-    member: type_38,
+struct type_63 {
+    member: type_39,
     member_1: u32,
 }
 
 struct type_64 {
     member: array<vec4<f32>, 3>,
-    member_1: type_61,
-    member_2: type_61,
+    member_1: type_63,
+    member_2: type_63,
 }
 
 struct type_69 {
@@ -104,11 +104,11 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_16;
 @group(0) @binding(8) 
-var<storage, read_write> global_2: type_33;
+var<storage, read_write> global_2: type_34;
 @group(0) @binding(1) 
-var<uniform> global_3: type_51;
+var<uniform> global_3: type_53;
 @group(0) @binding(2) 
-var<uniform> global_4: type_51;
+var<uniform> global_4: type_53;
 @group(0) @binding(3) 
 var<storage> global_5: type_13;
 @group(0) @binding(4) 
@@ -116,1311 +116,1395 @@ var<storage> global_6: type_24;
 @group(0) @binding(5) 
 var<storage> global_7: type_4;
 @group(0) @binding(6) 
-var<storage> global_8: type_54;
+var<storage> global_8: type_56;
 @group(0) @binding(9) 
 var<storage, read_write> global_9: type_69;
 @group(0) @binding(7) 
-var<storage> global_10: type_41;
+var<storage> global_10: type_42;
 
 fn function_() {
     var local: array<i32, 3>;
     var local_1: array<i32, 3>;
     var local_2: array<f32, 128>;
-    var local_3: array<type_61, 128>;
-    var phi_325_: u32;
-    var phi_369_: i32;
-    var phi_393_: type_44;
+    var local_3: array<f32, 128>;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<f32, 128>;
+    var local_7: array<f32, 128>;
+    var local_8: array<u32, 128>;
+    var local_9: array<f32, 128>;
+    var phi_324_: u32;
+    var phi_368_: i32;
+    var phi_392_: type_45;
+    var phi_542_: i32;
     var phi_543_: i32;
-    var phi_544_: i32;
-    var phi_554_: bool;
+    var phi_553_: bool;
+    var phi_563_: u32;
     var phi_564_: u32;
-    var phi_565_: u32;
-    var phi_567_: bool;
-    var phi_572_: u32;
-    var phi_605_: i32;
-    var phi_623_: f32;
-    var phi_629_: f32;
-    var phi_640_: f32;
-    var phi_646_: f32;
-    var phi_669_: f32;
-    var phi_680_: f32;
-    var phi_689_: f32;
-    var phi_695_: f32;
-    var phi_706_: f32;
-    var phi_712_: f32;
-    var phi_735_: f32;
-    var phi_746_: f32;
-    var phi_755_: f32;
-    var phi_761_: f32;
-    var phi_772_: f32;
-    var phi_778_: f32;
-    var phi_801_: f32;
-    var phi_812_: f32;
+    var phi_566_: bool;
+    var phi_571_: u32;
+    var phi_604_: i32;
+    var phi_622_: f32;
+    var phi_628_: f32;
+    var phi_639_: f32;
+    var phi_645_: f32;
+    var phi_668_: f32;
+    var phi_679_: f32;
+    var phi_688_: f32;
+    var phi_694_: f32;
+    var phi_705_: f32;
+    var phi_711_: f32;
+    var phi_734_: f32;
+    var phi_745_: f32;
+    var phi_754_: f32;
+    var phi_760_: f32;
+    var phi_771_: f32;
+    var phi_777_: f32;
+    var phi_800_: f32;
+    var phi_811_: f32;
+    var phi_911_: f32;
     var phi_912_: f32;
-    var phi_913_: f32;
-    var phi_4711_: bool;
-    var phi_2033_: type_49;
-    var phi_2036_: type_61;
-    var phi_2038_: u32;
-    var phi_2040_: bool;
-    var phi_2042_: u32;
-    var phi_2053_: bool;
-    var phi_2090_: type_61;
-    var phi_2091_: bool;
-    var phi_2092_: u32;
-    var phi_4022_: u32;
-    var phi_4023_: u32;
-    var phi_4033_: u32;
-    var phi_4035_: u32;
-    var phi_4036_: bool;
-    var phi_4056_: u32;
-    var phi_4057_: u32;
-    var phi_4061_: type_64;
-    var phi_4405_: type_61;
-    var phi_4438_: type_61;
-    var phi_4439_: type_61;
-    var phi_4440_: u32;
-    var phi_4442_: type_61;
-    var phi_4443_: u32;
-    var phi_4444_: bool;
-    var phi_4453_: type_61;
-    var phi_4458_: type_61;
-    var phi_4459_: bool;
-    var phi_2110_: type_49;
-    var phi_2113_: type_8;
-    var phi_2114_: type_8;
-    var phi_2136_: type_8;
-    var phi_2157_: u32;
-    var phi_2246_: array<array<f32, 3>, 3>;
-    var phi_2717_: vec3<f32>;
-    var phi_2718_: vec3<f32>;
-    var phi_2749_: bool;
-    var phi_2758_: vec3<f32>;
-    var phi_2798_: type_29;
-    var phi_2800_: type_29;
-    var phi_2801_: bool;
-    var phi_2805_: type_29;
-    var phi_2806_: type_29;
-    var phi_2807_: type_29;
-    var phi_2808_: bool;
-    var phi_2812_: type_29;
-    var phi_2813_: bool;
-    var phi_2817_: type_29;
-    var phi_2818_: bool;
-    var phi_2822_: type_29;
-    var phi_2845_: u32;
-    var phi_2859_: i32;
-    var phi_2879_: vec3<f32>;
-    var phi_2880_: vec3<f32>;
-    var phi_2896_: vec3<f32>;
-    var phi_2897_: vec3<f32>;
-    var phi_2913_: vec3<f32>;
-    var phi_2914_: vec3<f32>;
-    var phi_2950_: vec3<f32>;
-    var phi_3132_: f32;
-    var phi_3150_: bool;
-    var phi_3151_: bool;
-    var phi_3156_: type_49;
-    var phi_3157_: type_49;
-    var phi_2111_: type_49;
-    var phi_4705_: bool;
-    var local_4: type_49;
-    var phi_4847_: bool;
-    var phi_4461_: type_49;
-    var phi_4462_: type_61;
-    var phi_4463_: bool;
-    var phi_4464_: u32;
-    var phi_4846_: bool;
-    var phi_4465_: type_49;
-    var phi_4466_: type_61;
-    var phi_4467_: u32;
-    var phi_4468_: bool;
-    var phi_4469_: u32;
-    var phi_4845_: bool;
-    var phi_4470_: type_49;
-    var phi_4471_: type_61;
-    var phi_4472_: u32;
-    var phi_4473_: bool;
-    var phi_4474_: u32;
-    var phi_4844_: bool;
-    var phi_2034_: type_49;
-    var phi_2037_: type_61;
-    var phi_2039_: u32;
-    var phi_2041_: bool;
-    var phi_2043_: u32;
-    var phi_4475_: bool;
-    var phi_4843_: bool;
-    var local_5: type_49;
-    var local_6: type_49;
+    var phi_3786_: bool;
+    var phi_1001_: type_51;
+    var phi_1004_: type_63;
+    var phi_1006_: u32;
+    var phi_1008_: bool;
+    var phi_1010_: u32;
+    var phi_1021_: bool;
+    var phi_1107_: type_63;
+    var phi_1108_: bool;
+    var phi_1109_: u32;
+    var phi_3039_: u32;
+    var phi_3040_: u32;
+    var phi_3050_: u32;
+    var phi_3052_: u32;
+    var phi_3053_: bool;
+    var phi_3073_: u32;
+    var phi_3074_: u32;
+    var phi_3078_: type_64;
+    var phi_3422_: type_63;
+    var phi_3499_: type_63;
+    var phi_3500_: type_63;
+    var phi_3501_: u32;
+    var phi_3503_: type_63;
+    var phi_3504_: u32;
+    var phi_3505_: bool;
+    var phi_3514_: type_63;
+    var phi_3519_: type_63;
+    var phi_3520_: bool;
+    var phi_1127_: type_51;
+    var phi_1130_: type_8;
+    var phi_1131_: type_8;
+    var phi_1153_: type_8;
+    var phi_1174_: u32;
+    var phi_1263_: array<array<f32, 3>, 3>;
+    var phi_1734_: vec3<f32>;
+    var phi_1735_: vec3<f32>;
+    var phi_1766_: bool;
+    var phi_1775_: vec3<f32>;
+    var phi_1815_: type_30;
+    var phi_1817_: type_30;
+    var phi_1818_: bool;
+    var phi_1822_: type_30;
+    var phi_1823_: type_30;
+    var phi_1824_: type_30;
+    var phi_1825_: bool;
+    var phi_1829_: type_30;
+    var phi_1830_: bool;
+    var phi_1834_: type_30;
+    var phi_1835_: bool;
+    var phi_1839_: type_30;
+    var phi_1862_: u32;
+    var phi_1876_: i32;
+    var phi_1896_: vec3<f32>;
+    var phi_1897_: vec3<f32>;
+    var phi_1913_: vec3<f32>;
+    var phi_1914_: vec3<f32>;
+    var phi_1930_: vec3<f32>;
+    var phi_1931_: vec3<f32>;
+    var phi_1967_: vec3<f32>;
+    var phi_2149_: f32;
+    var phi_2167_: bool;
+    var phi_2168_: bool;
+    var phi_2173_: type_51;
+    var phi_2174_: type_51;
+    var phi_1128_: type_51;
+    var phi_3780_: bool;
+    var local_10: type_51;
+    var phi_3922_: bool;
+    var phi_3522_: type_51;
+    var phi_3523_: type_63;
+    var phi_3524_: bool;
+    var phi_3525_: u32;
+    var phi_3921_: bool;
+    var phi_3526_: type_51;
+    var phi_3527_: type_63;
+    var phi_3528_: u32;
+    var phi_3529_: bool;
+    var phi_3530_: u32;
+    var phi_3920_: bool;
+    var phi_3531_: type_51;
+    var phi_3532_: type_63;
+    var phi_3533_: u32;
+    var phi_3534_: bool;
+    var phi_3535_: u32;
+    var phi_3919_: bool;
+    var phi_1002_: type_51;
+    var phi_1005_: type_63;
+    var phi_1007_: u32;
+    var phi_1009_: bool;
+    var phi_1011_: u32;
+    var phi_3536_: bool;
+    var phi_3918_: bool;
+    var local_11: type_51;
+    var local_12: type_51;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e89 = global;
-            let _e91 = arrayLength((&global_5.member));
-            let _e93 = arrayLength((&global_6.member));
-            let _e105 = arrayLength((&global_9.member));
-            let _e109 = global_4.member[0u][0u];
-            let _e113 = global_4.member[0u][1u];
-            let _e117 = global_4.member[0u][2u];
-            let _e121 = global_4.member[0u][3u];
-            let _e125 = global_4.member[1u][0u];
-            let _e129 = global_4.member[1u][1u];
-            let _e133 = global_4.member[1u][2u];
-            let _e137 = (_e89.x + (_e89.y * 2097152u));
-            let _e149 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e121) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e109), bitcast<i32>(_e113), bitcast<i32>(_e117));
-            local = array<i32, 3>(bitcast<i32>(_e125), bitcast<i32>(_e129), bitcast<i32>(_e133));
-            let _e152 = (_e137 < arrayLength((&global_10.member)));
-            if _e152 {
-                if _e152 {
+            let _e93 = global;
+            let _e95 = arrayLength((&global_5.member));
+            let _e97 = arrayLength((&global_6.member));
+            let _e109 = arrayLength((&global_9.member));
+            let _e113 = global_4.member[0u][0u];
+            let _e117 = global_4.member[0u][1u];
+            let _e121 = global_4.member[0u][2u];
+            let _e125 = global_4.member[0u][3u];
+            let _e129 = global_4.member[1u][0u];
+            let _e133 = global_4.member[1u][1u];
+            let _e137 = global_4.member[1u][2u];
+            let _e141 = (_e93.x + (_e93.y * 2097152u));
+            let _e153 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e125) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e113), bitcast<i32>(_e117), bitcast<i32>(_e121));
+            local = array<i32, 3>(bitcast<i32>(_e129), bitcast<i32>(_e133), bitcast<i32>(_e137));
+            let _e156 = (_e141 < arrayLength((&global_10.member)));
+            if _e156 {
+                if _e156 {
                 } else {
                     break;
                 }
-                let _e156 = global_10.member[_e137].member_2;
-                phi_325_ = _e156;
+                let _e160 = global_10.member[_e141].member_2;
+                phi_324_ = _e160;
             } else {
-                phi_325_ = 4294967295u;
+                phi_324_ = 4294967295u;
             }
-            let _e158 = phi_325_;
-            let _e161 = global_1.member[0u];
-            let _e165 = global_3.member[0u][0u];
-            let _e169 = global_3.member[0u][1u];
-            let _e173 = global_3.member[0u][2u];
-            let _e177 = global_3.member[0u][3u];
-            let _e181 = global_3.member[1u][0u];
-            let _e185 = global_3.member[1u][1u];
-            let _e189 = global_3.member[1u][2u];
-            let _e193 = global_3.member[1u][3u];
-            let _e194 = bitcast<f32>(_e165);
-            let _e195 = bitcast<f32>(_e169);
-            let _e196 = bitcast<f32>(_e173);
-            let _e198 = bitcast<f32>(_e181);
-            let _e199 = array<u32, 3>(_e185, _e189, _e193);
-            let _e201 = bitcast<i32>(_e161);
-            if (_e201 < -126i) {
-                phi_369_ = -126i;
+            let _e162 = phi_324_;
+            let _e165 = global_1.member[0u];
+            let _e169 = global_3.member[0u][0u];
+            let _e173 = global_3.member[0u][1u];
+            let _e177 = global_3.member[0u][2u];
+            let _e181 = global_3.member[0u][3u];
+            let _e185 = global_3.member[1u][0u];
+            let _e189 = global_3.member[1u][1u];
+            let _e193 = global_3.member[1u][2u];
+            let _e197 = global_3.member[1u][3u];
+            let _e198 = bitcast<f32>(_e169);
+            let _e199 = bitcast<f32>(_e173);
+            let _e200 = bitcast<f32>(_e177);
+            let _e202 = bitcast<f32>(_e185);
+            let _e203 = array<u32, 3>(_e189, _e193, _e197);
+            let _e205 = bitcast<i32>(_e165);
+            if (_e205 < -126i) {
+                phi_368_ = -126i;
             } else {
-                phi_369_ = select(_e201, 127i, (_e201 > 127i));
+                phi_368_ = select(_e205, 127i, (_e205 > 127i));
             }
-            let _e206 = phi_369_;
-            let _e211 = bitcast<f32>((bitcast<u32>((_e206 + 127i)) << bitcast<u32>(23i)));
-            let _e217 = bitcast<f32>((bitcast<u32>(((_e201 - _e206) + 127i)) << bitcast<u32>(23i)));
-            if (_e177 == 0u) {
-                phi_393_ = type_44(array<f32, 3>(_e194, _e195, _e196), _e177, _e198, _e199);
+            let _e210 = phi_368_;
+            let _e215 = bitcast<f32>((bitcast<u32>((_e210 + 127i)) << bitcast<u32>(23i)));
+            let _e221 = bitcast<f32>((bitcast<u32>(((_e205 - _e210) + 127i)) << bitcast<u32>(23i)));
+            if (_e181 == 0u) {
+                phi_392_ = type_45(array<f32, 3>(_e198, _e199, _e200), _e181, _e202, _e203);
             } else {
-                phi_393_ = type_44(array<f32, 3>(((_e194 * _e211) * _e217), ((_e195 * _e211) * _e217), ((_e196 * _e211) * _e217)), _e177, ((_e198 * _e211) * _e217), _e199);
+                phi_392_ = type_45(array<f32, 3>(((_e198 * _e215) * _e221), ((_e199 * _e215) * _e221), ((_e200 * _e215) * _e221)), _e181, ((_e202 * _e215) * _e221), _e203);
             }
-            let _e230 = phi_393_;
-            if _e152 {
-                let _e231 = (_e137 < arrayLength((&global_2.member)));
-                if _e231 {
-                    if _e152 {
+            let _e234 = phi_392_;
+            if _e156 {
+                let _e235 = (_e141 < arrayLength((&global_2.member)));
+                if _e235 {
+                    if _e156 {
                     } else {
                         break;
                     }
-                    let _e236 = global_10.member[_e137].member.member_1;
-                    let _e241 = global_10.member[_e137].member.member_3;
-                    if (_e236 <= _e241) {
-                        let _e243 = (1u < _e105);
-                        if _e243 {
-                            if (0u < _e105) {
+                    let _e240 = global_10.member[_e141].member.member_1;
+                    let _e245 = global_10.member[_e141].member.member_3;
+                    if (_e240 <= _e245) {
+                        let _e247 = (1u < _e109);
+                        if _e247 {
+                            if (0u < _e109) {
                             } else {
                                 break;
                             }
-                            let _e247 = atomicAdd((&global_9.member[0u]), 1u);
-                            if ((_e247 + 1u) < _e247) {
-                                if _e243 {
+                            let _e251 = atomicAdd((&global_9.member[0u]), 1u);
+                            if ((_e251 + 1u) < _e251) {
+                                if _e247 {
                                 } else {
                                     break;
                                 }
-                                let _e252 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e256 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
-                        if _e152 {
+                        if _e156 {
                         } else {
                             break;
                         }
-                        let _e262 = global_10.member[_e137].member.member_2[0u];
-                        let _e264 = (bitcast<u32>(_e262) & 2147483647u);
-                        let _e270 = global_10.member[_e137].member.member_2[1u];
-                        let _e272 = (bitcast<u32>(_e270) & 2147483647u);
-                        let _e278 = global_10.member[_e137].member.member_2[2u];
-                        let _e280 = (bitcast<u32>(_e278) & 2147483647u);
-                        let _e286 = global_10.member[_e137].member.member[0u];
-                        let _e288 = (bitcast<u32>(_e286) & 2147483647u);
-                        let _e294 = global_10.member[_e137].member.member[1u];
-                        let _e296 = (bitcast<u32>(_e294) & 2147483647u);
-                        let _e302 = global_10.member[_e137].member.member[2u];
-                        let _e304 = (bitcast<u32>(_e302) & 2147483647u);
-                        let _e306 = select(_e272, _e264, (_e272 < _e264));
-                        let _e308 = select(_e280, _e306, (_e280 < _e306));
-                        let _e310 = select(_e288, _e308, (_e288 < _e308));
-                        let _e312 = select(_e296, _e310, (_e296 < _e310));
-                        let _e314 = select(_e304, _e312, (_e304 < _e312));
-                        let _e316 = (bitcast<u32>(_e236) & 2147483647u);
-                        let _e325 = (((select(_e316, _e314, (_e316 < _e314)) < 2139095040u) && ((bitcast<u32>(_e241) & 2147483647u) <= 2139095040u)) && (_e308 > 0u));
-                        if _e325 {
-                            let _e328 = (bitcast<u32>(bitcast<f32>(_e308)) & 2147483647u);
-                            if (_e328 >= 8388608u) {
-                                phi_543_ = (bitcast<i32>((_e328 >> bitcast<u32>(23i))) - 127i);
+                        let _e266 = global_10.member[_e141].member.member_2[0u];
+                        let _e268 = (bitcast<u32>(_e266) & 2147483647u);
+                        let _e274 = global_10.member[_e141].member.member_2[1u];
+                        let _e276 = (bitcast<u32>(_e274) & 2147483647u);
+                        let _e282 = global_10.member[_e141].member.member_2[2u];
+                        let _e284 = (bitcast<u32>(_e282) & 2147483647u);
+                        let _e290 = global_10.member[_e141].member.member[0u];
+                        let _e292 = (bitcast<u32>(_e290) & 2147483647u);
+                        let _e298 = global_10.member[_e141].member.member[1u];
+                        let _e300 = (bitcast<u32>(_e298) & 2147483647u);
+                        let _e306 = global_10.member[_e141].member.member[2u];
+                        let _e308 = (bitcast<u32>(_e306) & 2147483647u);
+                        let _e310 = select(_e276, _e268, (_e276 < _e268));
+                        let _e312 = select(_e284, _e310, (_e284 < _e310));
+                        let _e314 = select(_e292, _e312, (_e292 < _e312));
+                        let _e316 = select(_e300, _e314, (_e300 < _e314));
+                        let _e318 = select(_e308, _e316, (_e308 < _e316));
+                        let _e320 = (bitcast<u32>(_e240) & 2147483647u);
+                        let _e329 = (((select(_e320, _e318, (_e320 < _e318)) < 2139095040u) && ((bitcast<u32>(_e245) & 2147483647u) <= 2139095040u)) && (_e312 > 0u));
+                        if _e329 {
+                            let _e332 = (bitcast<u32>(bitcast<f32>(_e312)) & 2147483647u);
+                            if (_e332 >= 8388608u) {
+                                phi_542_ = (bitcast<i32>((_e332 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_543_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e328)), 32u, (_e328 == 0u))));
+                                phi_542_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e332)), 32u, (_e332 == 0u))));
                             }
-                            let _e342 = phi_543_;
-                            phi_544_ = _e342;
+                            let _e346 = phi_542_;
+                            phi_543_ = _e346;
                         } else {
-                            phi_544_ = 0i;
+                            phi_543_ = 0i;
                         }
-                        let _e344 = phi_544_;
-                        let _e345 = (_e264 == _e308);
-                        if _e345 {
-                            phi_554_ = true;
+                        let _e348 = phi_543_;
+                        let _e349 = (_e268 == _e312);
+                        if _e349 {
+                            phi_553_ = true;
                         } else {
-                            phi_554_ = (_e272 == _e308);
+                            phi_553_ = (_e276 == _e312);
                         }
-                        let _e348 = phi_554_;
-                        let _e349 = select(1u, 0u, _e345);
-                        if _e348 {
-                            let _e350 = (_e349 + 1u);
-                            phi_564_ = _e350;
-                            phi_565_ = _e350;
-                            phi_567_ = select(true, false, (_e350 == 2u));
+                        let _e352 = phi_553_;
+                        let _e353 = select(1u, 0u, _e349);
+                        if _e352 {
+                            let _e354 = (_e353 + 1u);
+                            phi_563_ = _e354;
+                            phi_564_ = _e354;
+                            phi_566_ = select(true, false, (_e354 == 2u));
                         } else {
-                            phi_564_ = u32();
-                            phi_565_ = 0u;
-                            phi_567_ = true;
+                            phi_563_ = u32();
+                            phi_564_ = 0u;
+                            phi_566_ = true;
                         }
-                        let _e354 = phi_564_;
-                        let _e356 = phi_565_;
-                        let _e358 = phi_567_;
-                        if _e358 {
-                            phi_572_ = (_e356 + 1u);
+                        let _e358 = phi_563_;
+                        let _e360 = phi_564_;
+                        let _e362 = phi_566_;
+                        if _e362 {
+                            phi_571_ = (_e360 + 1u);
                         } else {
-                            phi_572_ = 0u;
+                            phi_571_ = 0u;
                         }
-                        let _e362 = phi_572_;
-                        let _e363 = select(_e354, _e356, _e358);
-                        let _e364 = select(_e349, select(2u, _e349, _e348), _e358);
-                        let _e365 = -(_e344);
-                        if (_e365 < -126i) {
-                            phi_605_ = -126i;
+                        let _e366 = phi_571_;
+                        let _e367 = select(_e358, _e360, _e362);
+                        let _e368 = select(_e353, select(2u, _e353, _e352), _e362);
+                        let _e369 = -(_e348);
+                        if (_e369 < -126i) {
+                            phi_604_ = -126i;
                         } else {
-                            phi_605_ = select(_e365, 127i, (_e365 > 127i));
+                            phi_604_ = select(_e369, 127i, (_e369 > 127i));
                         }
-                        let _e370 = phi_605_;
-                        let _e375 = bitcast<f32>((bitcast<u32>((_e370 + 127i)) << bitcast<u32>(23i)));
-                        let _e381 = bitcast<f32>((bitcast<u32>(((_e365 - _e370) + 127i)) << bitcast<u32>(23i)));
-                        let _e386 = global_10.member[_e137].member.member;
-                        let _e387 = (_e363 == 0u);
-                        if _e387 {
-                            phi_623_ = _e386[0];
+                        let _e374 = phi_604_;
+                        let _e379 = bitcast<f32>((bitcast<u32>((_e374 + 127i)) << bitcast<u32>(23i)));
+                        let _e385 = bitcast<f32>((bitcast<u32>(((_e369 - _e374) + 127i)) << bitcast<u32>(23i)));
+                        let _e390 = global_10.member[_e141].member.member;
+                        let _e391 = (_e367 == 0u);
+                        if _e391 {
+                            phi_622_ = _e390[0];
                         } else {
-                            phi_623_ = _e386[1];
+                            phi_622_ = _e390[1];
                         }
-                        let _e391 = phi_623_;
-                        let _e392 = (_e363 == 2u);
-                        if _e392 {
-                            phi_629_ = _e386[2];
+                        let _e395 = phi_622_;
+                        let _e396 = (_e367 == 2u);
+                        if _e396 {
+                            phi_628_ = _e390[2];
                         } else {
-                            phi_629_ = _e391;
+                            phi_628_ = _e395;
                         }
-                        let _e395 = phi_629_;
-                        let _e396 = global_10.member[_e137].member.member_2;
-                        if _e387 {
-                            phi_640_ = _e396[0];
+                        let _e399 = phi_628_;
+                        let _e400 = global_10.member[_e141].member.member_2;
+                        if _e391 {
+                            phi_639_ = _e400[0];
                         } else {
-                            phi_640_ = _e396[1];
+                            phi_639_ = _e400[1];
                         }
-                        let _e400 = phi_640_;
-                        if _e392 {
-                            phi_646_ = _e396[2];
+                        let _e404 = phi_639_;
+                        if _e396 {
+                            phi_645_ = _e400[2];
                         } else {
-                            phi_646_ = _e400;
+                            phi_645_ = _e404;
                         }
-                        let _e403 = phi_646_;
-                        let _e405 = ((_e403 * _e375) * _e381);
-                        let _e409 = (bitcast<f32>((bitcast<u32>(_e405) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e409 {
-                            let _e413 = (bitcast<f32>((bitcast<u32>(_e395) & 2147483647u)) * 0.00000011920929f);
-                            phi_669_ = select(0.00000000000011368684f, _e413, (_e413 > 0.00000000000011368684f));
+                        let _e407 = phi_645_;
+                        let _e409 = ((_e407 * _e379) * _e385);
+                        let _e413 = (bitcast<f32>((bitcast<u32>(_e409) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e413 {
+                            let _e417 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) * 0.00000011920929f);
+                            phi_668_ = select(0.00000000000011368684f, _e417, (_e417 > 0.00000000000011368684f));
                         } else {
-                            phi_669_ = 0f;
+                            phi_668_ = 0f;
                         }
-                        let _e417 = phi_669_;
-                        let _e418 = (_e395 + _e417);
-                        let _e419 = (_e395 - _e417);
-                        let _e420 = select(_e405, 0f, _e409);
-                        if _e409 {
-                            phi_680_ = 38685626000000000000000000f;
+                        let _e421 = phi_668_;
+                        let _e422 = (_e399 + _e421);
+                        let _e423 = (_e399 - _e421);
+                        let _e424 = select(_e409, 0f, _e413);
+                        if _e413 {
+                            phi_679_ = 38685626000000000000000000f;
                         } else {
-                            phi_680_ = (1f / _e405);
+                            phi_679_ = (1f / _e409);
                         }
-                        let _e423 = phi_680_;
-                        let _e424 = (_e362 == 0u);
-                        if _e424 {
-                            phi_689_ = _e386[0];
+                        let _e427 = phi_679_;
+                        let _e428 = (_e366 == 0u);
+                        if _e428 {
+                            phi_688_ = _e390[0];
                         } else {
-                            phi_689_ = _e386[1];
+                            phi_688_ = _e390[1];
                         }
-                        let _e428 = phi_689_;
-                        let _e429 = (_e362 == 2u);
-                        if _e429 {
-                            phi_695_ = _e386[2];
+                        let _e432 = phi_688_;
+                        let _e433 = (_e366 == 2u);
+                        if _e433 {
+                            phi_694_ = _e390[2];
                         } else {
-                            phi_695_ = _e428;
+                            phi_694_ = _e432;
                         }
-                        let _e432 = phi_695_;
-                        if _e424 {
-                            phi_706_ = _e396[0];
+                        let _e436 = phi_694_;
+                        if _e428 {
+                            phi_705_ = _e400[0];
                         } else {
-                            phi_706_ = _e396[1];
+                            phi_705_ = _e400[1];
                         }
-                        let _e436 = phi_706_;
-                        if _e429 {
-                            phi_712_ = _e396[2];
+                        let _e440 = phi_705_;
+                        if _e433 {
+                            phi_711_ = _e400[2];
                         } else {
-                            phi_712_ = _e436;
+                            phi_711_ = _e440;
                         }
-                        let _e439 = phi_712_;
-                        let _e441 = ((_e439 * _e375) * _e381);
-                        let _e445 = (bitcast<f32>((bitcast<u32>(_e441) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e445 {
-                            let _e449 = (bitcast<f32>((bitcast<u32>(_e432) & 2147483647u)) * 0.00000011920929f);
-                            phi_735_ = select(0.00000000000011368684f, _e449, (_e449 > 0.00000000000011368684f));
+                        let _e443 = phi_711_;
+                        let _e445 = ((_e443 * _e379) * _e385);
+                        let _e449 = (bitcast<f32>((bitcast<u32>(_e445) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e449 {
+                            let _e453 = (bitcast<f32>((bitcast<u32>(_e436) & 2147483647u)) * 0.00000011920929f);
+                            phi_734_ = select(0.00000000000011368684f, _e453, (_e453 > 0.00000000000011368684f));
                         } else {
-                            phi_735_ = 0f;
+                            phi_734_ = 0f;
                         }
-                        let _e453 = phi_735_;
-                        let _e454 = (_e432 + _e453);
-                        let _e455 = (_e432 - _e453);
-                        let _e456 = select(_e441, 0f, _e445);
-                        if _e445 {
-                            phi_746_ = 38685626000000000000000000f;
+                        let _e457 = phi_734_;
+                        let _e458 = (_e436 + _e457);
+                        let _e459 = (_e436 - _e457);
+                        let _e460 = select(_e445, 0f, _e449);
+                        if _e449 {
+                            phi_745_ = 38685626000000000000000000f;
                         } else {
-                            phi_746_ = (1f / _e441);
+                            phi_745_ = (1f / _e445);
                         }
-                        let _e459 = phi_746_;
-                        let _e460 = (_e364 == 0u);
-                        if _e460 {
-                            phi_755_ = _e386[0];
+                        let _e463 = phi_745_;
+                        let _e464 = (_e368 == 0u);
+                        if _e464 {
+                            phi_754_ = _e390[0];
                         } else {
-                            phi_755_ = _e386[1];
+                            phi_754_ = _e390[1];
                         }
-                        let _e464 = phi_755_;
-                        let _e465 = (_e364 == 2u);
-                        if _e465 {
-                            phi_761_ = _e386[2];
+                        let _e468 = phi_754_;
+                        let _e469 = (_e368 == 2u);
+                        if _e469 {
+                            phi_760_ = _e390[2];
                         } else {
-                            phi_761_ = _e464;
+                            phi_760_ = _e468;
                         }
-                        let _e468 = phi_761_;
-                        if _e460 {
-                            phi_772_ = _e396[0];
+                        let _e472 = phi_760_;
+                        if _e464 {
+                            phi_771_ = _e400[0];
                         } else {
-                            phi_772_ = _e396[1];
+                            phi_771_ = _e400[1];
                         }
-                        let _e472 = phi_772_;
-                        if _e465 {
-                            phi_778_ = _e396[2];
+                        let _e476 = phi_771_;
+                        if _e469 {
+                            phi_777_ = _e400[2];
                         } else {
-                            phi_778_ = _e472;
+                            phi_777_ = _e476;
                         }
-                        let _e475 = phi_778_;
-                        let _e477 = ((_e475 * _e375) * _e381);
-                        let _e481 = (bitcast<f32>((bitcast<u32>(_e477) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e481 {
-                            let _e485 = (bitcast<f32>((bitcast<u32>(_e468) & 2147483647u)) * 0.00000011920929f);
-                            phi_801_ = select(0.00000000000011368684f, _e485, (_e485 > 0.00000000000011368684f));
+                        let _e479 = phi_777_;
+                        let _e481 = ((_e479 * _e379) * _e385);
+                        let _e485 = (bitcast<f32>((bitcast<u32>(_e481) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e485 {
+                            let _e489 = (bitcast<f32>((bitcast<u32>(_e472) & 2147483647u)) * 0.00000011920929f);
+                            phi_800_ = select(0.00000000000011368684f, _e489, (_e489 > 0.00000000000011368684f));
                         } else {
-                            phi_801_ = 0f;
+                            phi_800_ = 0f;
                         }
-                        let _e489 = phi_801_;
-                        let _e490 = (_e468 + _e489);
-                        let _e491 = (_e468 - _e489);
-                        let _e492 = select(_e477, 0f, _e481);
-                        if _e481 {
-                            phi_812_ = 38685626000000000000000000f;
+                        let _e493 = phi_800_;
+                        let _e494 = (_e472 + _e493);
+                        let _e495 = (_e472 - _e493);
+                        let _e496 = select(_e481, 0f, _e485);
+                        if _e485 {
+                            phi_811_ = 38685626000000000000000000f;
                         } else {
-                            phi_812_ = (1f / _e477);
+                            phi_811_ = (1f / _e481);
                         }
-                        let _e495 = phi_812_;
-                        let _e498 = bitcast<f32>((bitcast<u32>(_e395) & 2147483647u));
-                        let _e501 = bitcast<f32>((bitcast<u32>(_e432) & 2147483647u));
-                        let _e503 = select(_e501, _e498, (_e498 > _e501));
-                        let _e506 = bitcast<f32>((bitcast<u32>(_e468) & 2147483647u));
-                        if (_e325 && (select(_e506, _e503, (_e503 > _e506)) <= 1099511600000f)) {
-                            let _e511 = (_e344 / 3i);
-                            let _e518 = bitcast<f32>((bitcast<u32>((_e511 + 127i)) << bitcast<u32>(23i)));
-                            let _e525 = bitcast<f32>((bitcast<u32>(((_e344 - (2i * _e511)) + 127i)) << bitcast<u32>(23i)));
-                            let _e526 = (((_e236 * _e518) * _e518) * _e525);
-                            let _e528 = select(340282350000000000000000000000000000000f, _e526, (_e526 < 340282350000000000000000000000000000000f));
-                            let _e533 = (((_e241 * _e518) * _e518) * _e525);
-                            let _e535 = select(340282350000000000000000000000000000000f, _e533, (_e533 < 340282350000000000000000000000000000000f));
-                            phi_912_ = select(-340282350000000000000000000000000000000f, _e535, (_e535 > -340282350000000000000000000000000000000f));
-                            phi_913_ = select(-340282350000000000000000000000000000000f, _e528, (_e528 > -340282350000000000000000000000000000000f));
+                        let _e499 = phi_811_;
+                        let _e502 = bitcast<f32>((bitcast<u32>(_e399) & 2147483647u));
+                        let _e505 = bitcast<f32>((bitcast<u32>(_e436) & 2147483647u));
+                        let _e507 = select(_e505, _e502, (_e502 > _e505));
+                        let _e510 = bitcast<f32>((bitcast<u32>(_e472) & 2147483647u));
+                        if (_e329 && (select(_e510, _e507, (_e507 > _e510)) <= 1099511600000f)) {
+                            let _e515 = (_e348 / 3i);
+                            let _e522 = bitcast<f32>((bitcast<u32>((_e515 + 127i)) << bitcast<u32>(23i)));
+                            let _e529 = bitcast<f32>((bitcast<u32>(((_e348 - (2i * _e515)) + 127i)) << bitcast<u32>(23i)));
+                            let _e530 = (((_e240 * _e522) * _e522) * _e529);
+                            let _e532 = select(340282350000000000000000000000000000000f, _e530, (_e530 < 340282350000000000000000000000000000000f));
+                            let _e537 = (((_e245 * _e522) * _e522) * _e529);
+                            let _e539 = select(340282350000000000000000000000000000000f, _e537, (_e537 < 340282350000000000000000000000000000000f));
+                            phi_911_ = select(-340282350000000000000000000000000000000f, _e539, (_e539 > -340282350000000000000000000000000000000f));
+                            phi_912_ = select(-340282350000000000000000000000000000000f, _e532, (_e532 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_912_ = 0f;
-                            phi_913_ = 1f;
+                            phi_911_ = 0f;
+                            phi_912_ = 1f;
                         }
-                        let _e539 = phi_912_;
-                        let _e541 = phi_913_;
-                        local_3 = array<type_61, 128>(type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u));
+                        let _e543 = phi_911_;
+                        let _e545 = phi_912_;
+                        local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                        local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e545 = (_e363 % 3u);
-                        let _e546 = (_e545 < 3u);
-                        if _e546 {
+                        local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        let _e549 = (_e367 % 3u);
+                        let _e550 = (_e549 < 3u);
+                        if _e550 {
                         } else {
                             break;
                         }
-                        let _e548 = local_1[_e545];
-                        let _e551 = (_e362 % 3u);
-                        let _e552 = (_e551 < 3u);
-                        if _e552 {
+                        let _e552 = local_1[_e549];
+                        let _e555 = (_e366 % 3u);
+                        let _e556 = (_e555 < 3u);
+                        if _e556 {
                         } else {
                             break;
                         }
-                        let _e554 = local_1[_e551];
-                        let _e557 = (_e364 % 3u);
-                        let _e558 = (_e557 < 3u);
-                        if _e558 {
+                        let _e558 = local_1[_e555];
+                        let _e561 = (_e368 % 3u);
+                        let _e562 = (_e561 < 3u);
+                        if _e562 {
                         } else {
                             break;
                         }
-                        let _e560 = local_1[_e557];
-                        if _e546 {
+                        let _e564 = local_1[_e561];
+                        if _e550 {
                         } else {
                             break;
                         }
-                        let _e565 = local[_e545];
-                        if _e552 {
+                        let _e569 = local[_e549];
+                        if _e556 {
                         } else {
                             break;
                         }
-                        let _e569 = local[_e551];
-                        if _e558 {
+                        let _e573 = local[_e555];
+                        if _e562 {
                         } else {
                             break;
                         }
-                        let _e573 = local[_e557];
-                        phi_4711_ = false;
-                        phi_2033_ = type_49(_e539, false);
-                        phi_2036_ = type_61(type_38(vec4<f32>((f32(_e548) * _e149), (f32(_e554) * _e149), (f32(_e560) * _e149), 0f), vec4<f32>((f32(_e565) * _e149), (f32(_e569) * _e149), (f32(_e573) * _e149), 0f)), select(0u, 2147483648u, (_e91 == 0u)));
-                        phi_2038_ = ((3u * _e91) + 1u);
-                        phi_2040_ = (_e541 <= _e539);
-                        phi_2042_ = 0u;
+                        let _e577 = local[_e561];
+                        phi_3786_ = false;
+                        phi_1001_ = type_51(_e543, false);
+                        phi_1004_ = type_63(type_39(vec4<f32>((f32(_e552) * _e153), (f32(_e558) * _e153), (f32(_e564) * _e153), 0f), vec4<f32>((f32(_e569) * _e153), (f32(_e573) * _e153), (f32(_e577) * _e153), 0f)), select(0u, 2147483648u, (_e95 == 0u)));
+                        phi_1006_ = ((3u * _e95) + 1u);
+                        phi_1008_ = (_e545 <= _e543);
+                        phi_1010_ = 0u;
                         loop {
-                            let _e583 = phi_4711_;
-                            let _e585 = phi_2033_;
-                            let _e587 = phi_2036_;
-                            let _e589 = phi_2038_;
-                            let _e591 = phi_2040_;
-                            let _e593 = phi_2042_;
-                            local_5 = _e585;
-                            if _e591 {
-                                phi_2053_ = true;
+                            let _e587 = phi_3786_;
+                            let _e589 = phi_1001_;
+                            let _e591 = phi_1004_;
+                            let _e593 = phi_1006_;
+                            let _e595 = phi_1008_;
+                            let _e597 = phi_1010_;
+                            local_11 = _e589;
+                            if _e595 {
+                                phi_1021_ = true;
                             } else {
-                                phi_2053_ = (_e593 > 0u);
+                                phi_1021_ = (_e597 > 0u);
                             }
-                            let _e596 = phi_2053_;
-                            if _e596 {
-                                let _e597 = (_e589 > 0u);
-                                if _e597 {
-                                    if _e591 {
-                                        phi_2090_ = _e587;
-                                        phi_2091_ = _e591;
-                                        phi_2092_ = _e593;
+                            let _e600 = phi_1021_;
+                            if _e600 {
+                                let _e601 = (_e593 > 0u);
+                                if _e601 {
+                                    if _e595 {
+                                        phi_1107_ = _e591;
+                                        phi_1108_ = _e595;
+                                        phi_1109_ = _e597;
                                     } else {
-                                        let _e598 = (_e593 - 1u);
-                                        let _e599 = (_e598 % 128u);
-                                        let _e600 = (_e599 < 128u);
-                                        if _e600 {
+                                        let _e602 = (_e597 - 1u);
+                                        let _e603 = (_e602 % 128u);
+                                        let _e604 = (_e603 < 128u);
+                                        if _e604 {
                                         } else {
-                                            phi_4843_ = true;
+                                            phi_3918_ = true;
                                             break;
                                         }
-                                        let _e602 = local_3[_e599];
-                                        if _e600 {
+                                        let _e606 = local_7[_e603];
+                                        if _e604 {
                                         } else {
-                                            phi_4843_ = true;
+                                            phi_3918_ = true;
                                             break;
                                         }
-                                        let _e610 = local_2[_e599];
-                                        phi_2090_ = type_61(type_38(_e602.member.member, _e602.member.member_1), _e602.member_1);
-                                        phi_2091_ = (_e610 <= _e585.member);
-                                        phi_2092_ = _e598;
+                                        let _e608 = local_6[_e603];
+                                        if _e604 {
+                                        } else {
+                                            phi_3918_ = true;
+                                            break;
+                                        }
+                                        let _e610 = local_5[_e603];
+                                        if _e604 {
+                                        } else {
+                                            phi_3918_ = true;
+                                            break;
+                                        }
+                                        let _e612 = local_4[_e603];
+                                        if _e604 {
+                                        } else {
+                                            phi_3918_ = true;
+                                            break;
+                                        }
+                                        let _e614 = local_3[_e603];
+                                        if _e604 {
+                                        } else {
+                                            phi_3918_ = true;
+                                            break;
+                                        }
+                                        let _e616 = local_2[_e603];
+                                        if _e604 {
+                                        } else {
+                                            phi_3918_ = true;
+                                            break;
+                                        }
+                                        let _e621 = local_8[_e603];
+                                        if _e604 {
+                                        } else {
+                                            phi_3918_ = true;
+                                            break;
+                                        }
+                                        let _e624 = local_9[_e603];
+                                        phi_1107_ = type_63(type_39(vec4<f32>(_e606, _e608, _e610, 0f), vec4<f32>(_e612, _e614, _e616, 0f)), _e621);
+                                        phi_1108_ = (_e624 <= _e589.member);
+                                        phi_1109_ = _e602;
                                     }
-                                    let _e614 = phi_2090_;
-                                    let _e616 = phi_2091_;
-                                    let _e618 = phi_2092_;
-                                    if _e616 {
-                                        if ((_e614.member_1 & 2147483648u) != 0u) {
-                                            phi_2110_ = _e585;
-                                            phi_2113_ = type_8(0u, ((_e614.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e628 = phi_1107_;
+                                    let _e630 = phi_1108_;
+                                    let _e632 = phi_1109_;
+                                    if _e630 {
+                                        if ((_e628.member_1 & 2147483648u) != 0u) {
+                                            phi_1127_ = _e589;
+                                            phi_1130_ = type_8(0u, ((_e628.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1064 = phi_2110_;
-                                                let _e1066 = phi_2113_;
-                                                local_4 = _e1064;
-                                                local_6 = _e1064;
-                                                if (_e1066.member < _e1066.member_1) {
-                                                    phi_2114_ = type_8((_e1066.member + 1u), _e1066.member_1);
-                                                    phi_2136_ = type_8(1u, _e1066.member);
+                                                let _e1097 = phi_1127_;
+                                                let _e1099 = phi_1130_;
+                                                local_10 = _e1097;
+                                                local_12 = _e1097;
+                                                if (_e1099.member < _e1099.member_1) {
+                                                    phi_1131_ = type_8((_e1099.member + 1u), _e1099.member_1);
+                                                    phi_1153_ = type_8(1u, _e1099.member);
                                                 } else {
-                                                    phi_2114_ = _e1066;
-                                                    phi_2136_ = type_8(0u, type_8().member_1);
+                                                    phi_1131_ = _e1099;
+                                                    phi_1153_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1079 = phi_2114_;
-                                                let _e1081 = phi_2136_;
-                                                let _e1085 = (bitcast<i32>(_e1081.member) != 0i);
-                                                if _e1085 {
-                                                    let _e1086 = ((_e614.member_1 & 268435455u) + _e1081.member_1);
-                                                    let _e1087 = (_e1086 < _e93);
-                                                    if _e1087 {
-                                                        if _e1087 {
+                                                let _e1112 = phi_1131_;
+                                                let _e1114 = phi_1153_;
+                                                let _e1118 = (bitcast<i32>(_e1114.member) != 0i);
+                                                if _e1118 {
+                                                    let _e1119 = ((_e628.member_1 & 268435455u) + _e1114.member_1);
+                                                    let _e1120 = (_e1119 < _e97);
+                                                    if _e1120 {
+                                                        if _e1120 {
                                                         } else {
-                                                            phi_4705_ = true;
+                                                            phi_3780_ = true;
                                                             break;
                                                         }
-                                                        let _e1091 = global_6.member[_e1086].member_1;
-                                                        phi_2157_ = _e1091;
+                                                        let _e1124 = global_6.member[_e1119].member_1;
+                                                        phi_1174_ = _e1124;
                                                     } else {
-                                                        phi_2157_ = 4294967295u;
+                                                        phi_1174_ = 4294967295u;
                                                     }
-                                                    let _e1093 = phi_2157_;
-                                                    if (_e1086 >= _e93) {
-                                                        phi_2246_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e1126 = phi_1174_;
+                                                    if (_e1119 >= _e97) {
+                                                        phi_1263_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e1087 {
+                                                        if _e1120 {
                                                         } else {
-                                                            phi_4705_ = true;
+                                                            phi_3780_ = true;
                                                             break;
                                                         }
-                                                        if (_e545 < 9u) {
+                                                        if (_e549 < 9u) {
                                                         } else {
-                                                            phi_4705_ = true;
+                                                            phi_3780_ = true;
                                                             break;
                                                         }
-                                                        let _e1100 = global_6.member[_e1086].member[_e545];
-                                                        if (_e551 < 9u) {
+                                                        let _e1133 = global_6.member[_e1119].member[_e549];
+                                                        if (_e555 < 9u) {
                                                         } else {
-                                                            phi_4705_ = true;
+                                                            phi_3780_ = true;
                                                             break;
                                                         }
-                                                        let _e1106 = global_6.member[_e1086].member[_e551];
-                                                        if (_e557 < 9u) {
+                                                        let _e1139 = global_6.member[_e1119].member[_e555];
+                                                        if (_e561 < 9u) {
                                                         } else {
-                                                            phi_4705_ = true;
+                                                            phi_3780_ = true;
                                                             break;
                                                         }
-                                                        let _e1112 = global_6.member[_e1086].member[_e557];
-                                                        let _e1114 = (3u + _e545);
-                                                        if (_e1114 < 9u) {
+                                                        let _e1145 = global_6.member[_e1119].member[_e561];
+                                                        let _e1147 = (3u + _e549);
+                                                        if (_e1147 < 9u) {
                                                         } else {
-                                                            phi_4705_ = true;
+                                                            phi_3780_ = true;
                                                             break;
                                                         }
-                                                        let _e1120 = global_6.member[_e1086].member[_e1114];
-                                                        let _e1121 = (3u + _e551);
-                                                        if (_e1121 < 9u) {
+                                                        let _e1153 = global_6.member[_e1119].member[_e1147];
+                                                        let _e1154 = (3u + _e555);
+                                                        if (_e1154 < 9u) {
                                                         } else {
-                                                            phi_4705_ = true;
+                                                            phi_3780_ = true;
                                                             break;
                                                         }
-                                                        let _e1127 = global_6.member[_e1086].member[_e1121];
-                                                        let _e1128 = (3u + _e557);
-                                                        if (_e1128 < 9u) {
+                                                        let _e1160 = global_6.member[_e1119].member[_e1154];
+                                                        let _e1161 = (3u + _e561);
+                                                        if (_e1161 < 9u) {
                                                         } else {
-                                                            phi_4705_ = true;
+                                                            phi_3780_ = true;
                                                             break;
                                                         }
-                                                        let _e1134 = global_6.member[_e1086].member[_e1128];
-                                                        let _e1136 = (6u + _e545);
-                                                        if (_e1136 < 9u) {
+                                                        let _e1167 = global_6.member[_e1119].member[_e1161];
+                                                        let _e1169 = (6u + _e549);
+                                                        if (_e1169 < 9u) {
                                                         } else {
-                                                            phi_4705_ = true;
+                                                            phi_3780_ = true;
                                                             break;
                                                         }
-                                                        let _e1142 = global_6.member[_e1086].member[_e1136];
-                                                        let _e1143 = (6u + _e551);
-                                                        if (_e1143 < 9u) {
+                                                        let _e1175 = global_6.member[_e1119].member[_e1169];
+                                                        let _e1176 = (6u + _e555);
+                                                        if (_e1176 < 9u) {
                                                         } else {
-                                                            phi_4705_ = true;
+                                                            phi_3780_ = true;
                                                             break;
                                                         }
-                                                        let _e1149 = global_6.member[_e1086].member[_e1143];
-                                                        let _e1150 = (6u + _e557);
-                                                        if (_e1150 < 9u) {
+                                                        let _e1182 = global_6.member[_e1119].member[_e1176];
+                                                        let _e1183 = (6u + _e561);
+                                                        if (_e1183 < 9u) {
                                                         } else {
-                                                            phi_4705_ = true;
+                                                            phi_3780_ = true;
                                                             break;
                                                         }
-                                                        let _e1156 = global_6.member[_e1086].member[_e1150];
-                                                        phi_2246_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1100, _e1106, _e1112), array<f32, 3>(_e1120, _e1127, _e1134), array<f32, 3>(_e1142, _e1149, _e1156));
+                                                        let _e1189 = global_6.member[_e1119].member[_e1183];
+                                                        phi_1263_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1133, _e1139, _e1145), array<f32, 3>(_e1153, _e1160, _e1167), array<f32, 3>(_e1175, _e1182, _e1189));
                                                     }
-                                                    let _e1160 = phi_2246_;
-                                                    let _e1168 = (_e1160[0][2] - _e468);
-                                                    let _e1171 = (((_e1160[0][0] - _e395) * _e492) - (_e1168 * _e420));
-                                                    let _e1174 = (((_e1160[0][1] - _e432) * _e492) - (_e1168 * _e456));
-                                                    let _e1181 = (_e1160[1][2] - _e468);
-                                                    let _e1184 = (((_e1160[1][0] - _e395) * _e492) - (_e1181 * _e420));
-                                                    let _e1187 = (((_e1160[1][1] - _e432) * _e492) - (_e1181 * _e456));
-                                                    let _e1194 = (_e1160[2][2] - _e468);
-                                                    let _e1197 = (((_e1160[2][0] - _e395) * _e492) - (_e1194 * _e420));
-                                                    let _e1200 = (((_e1160[2][1] - _e432) * _e492) - (_e1194 * _e456));
-                                                    let _e1201 = (_e1197 * _e1187);
-                                                    let _e1202 = (_e1200 * _e1184);
-                                                    let _e1203 = (_e1171 * _e1200);
-                                                    let _e1204 = (_e1174 * _e1197);
-                                                    let _e1205 = (_e1184 * _e1174);
-                                                    let _e1206 = (_e1187 * _e1171);
-                                                    let _e1211 = (((_e1201 >= _e1202) && (_e1203 >= _e1204)) && (_e1205 >= _e1206));
-                                                    if (_e1211 || (((_e1201 <= _e1202) && (_e1203 <= _e1204)) && (_e1205 <= _e1206))) {
-                                                        let _e1218 = select(-1f, 1f, _e1211);
-                                                        let _e1220 = ((_e1201 - _e1202) * _e1218);
-                                                        let _e1222 = select(0f, _e1220, (_e1220 > 0f));
-                                                        let _e1224 = ((_e1203 - _e1204) * _e1218);
-                                                        let _e1226 = select(0f, _e1224, (_e1224 > 0f));
-                                                        let _e1228 = ((_e1205 - _e1206) * _e1218);
-                                                        let _e1230 = select(0f, _e1228, (_e1228 > 0f));
-                                                        let _e1232 = ((_e1222 + _e1226) + _e1230);
-                                                        if (_e1232 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2812_ = type_29();
-                                                            phi_2813_ = true;
+                                                    let _e1193 = phi_1263_;
+                                                    let _e1201 = (_e1193[0][2] - _e472);
+                                                    let _e1204 = (((_e1193[0][0] - _e399) * _e496) - (_e1201 * _e424));
+                                                    let _e1207 = (((_e1193[0][1] - _e436) * _e496) - (_e1201 * _e460));
+                                                    let _e1214 = (_e1193[1][2] - _e472);
+                                                    let _e1217 = (((_e1193[1][0] - _e399) * _e496) - (_e1214 * _e424));
+                                                    let _e1220 = (((_e1193[1][1] - _e436) * _e496) - (_e1214 * _e460));
+                                                    let _e1227 = (_e1193[2][2] - _e472);
+                                                    let _e1230 = (((_e1193[2][0] - _e399) * _e496) - (_e1227 * _e424));
+                                                    let _e1233 = (((_e1193[2][1] - _e436) * _e496) - (_e1227 * _e460));
+                                                    let _e1234 = (_e1230 * _e1220);
+                                                    let _e1235 = (_e1233 * _e1217);
+                                                    let _e1236 = (_e1204 * _e1233);
+                                                    let _e1237 = (_e1207 * _e1230);
+                                                    let _e1238 = (_e1217 * _e1207);
+                                                    let _e1239 = (_e1220 * _e1204);
+                                                    let _e1244 = (((_e1234 >= _e1235) && (_e1236 >= _e1237)) && (_e1238 >= _e1239));
+                                                    if (_e1244 || (((_e1234 <= _e1235) && (_e1236 <= _e1237)) && (_e1238 <= _e1239))) {
+                                                        let _e1251 = select(-1f, 1f, _e1244);
+                                                        let _e1253 = ((_e1234 - _e1235) * _e1251);
+                                                        let _e1255 = select(0f, _e1253, (_e1253 > 0f));
+                                                        let _e1257 = ((_e1236 - _e1237) * _e1251);
+                                                        let _e1259 = select(0f, _e1257, (_e1257 > 0f));
+                                                        let _e1261 = ((_e1238 - _e1239) * _e1251);
+                                                        let _e1263 = select(0f, _e1261, (_e1261 > 0f));
+                                                        let _e1265 = ((_e1255 + _e1259) + _e1263);
+                                                        if (_e1265 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1829_ = type_30();
+                                                            phi_1830_ = true;
                                                         } else {
-                                                            let _e1235 = select(_e1160[1][0], _e1160[0][0], (_e1160[0][0] < _e1160[1][0]));
-                                                            let _e1239 = select(_e1160[1][0], _e1160[0][0], (_e1160[0][0] > _e1160[1][0]));
-                                                            let _e1243 = select(_e1160[1][1], _e1160[0][1], (_e1160[0][1] < _e1160[1][1]));
-                                                            let _e1247 = select(_e1160[1][1], _e1160[0][1], (_e1160[0][1] > _e1160[1][1]));
-                                                            let _e1251 = select(_e1160[1][2], _e1160[0][2], (_e1160[0][2] < _e1160[1][2]));
-                                                            let _e1255 = select(_e1160[1][2], _e1160[0][2], (_e1160[0][2] > _e1160[1][2]));
-                                                            let _e1260 = ((select(_e1160[2][0], _e1235, (_e1235 < _e1160[2][0])) - _e418) * _e423);
-                                                            let _e1261 = ((select(_e1160[2][0], _e1239, (_e1239 > _e1160[2][0])) - _e419) * _e423);
-                                                            let _e1264 = ((select(_e1160[2][1], _e1243, (_e1243 < _e1160[2][1])) - _e454) * _e459);
-                                                            let _e1265 = ((select(_e1160[2][1], _e1247, (_e1247 > _e1160[2][1])) - _e455) * _e459);
-                                                            let _e1268 = ((select(_e1160[2][2], _e1251, (_e1251 < _e1160[2][2])) - _e490) * _e495);
-                                                            let _e1269 = ((select(_e1160[2][2], _e1255, (_e1255 > _e1160[2][2])) - _e491) * _e495);
-                                                            let _e1271 = select(_e1269, _e1268, (_e1268 < _e1269));
-                                                            let _e1273 = select(_e1269, _e1268, (_e1268 > _e1269));
-                                                            let _e1275 = select(_e1261, _e1260, (_e1260 < _e1261));
-                                                            let _e1277 = select(_e1265, _e1264, (_e1264 < _e1265));
-                                                            let _e1279 = select(_e1277, _e1275, (_e1275 > _e1277));
-                                                            let _e1281 = select(_e1271, _e1279, (_e1279 > _e1271));
-                                                            let _e1283 = select(_e1261, _e1260, (_e1260 > _e1261));
-                                                            let _e1285 = select(_e1265, _e1264, (_e1264 > _e1265));
-                                                            let _e1287 = select(_e1285, _e1283, (_e1283 < _e1285));
-                                                            let _e1289 = select(_e1273, _e1287, (_e1287 < _e1273));
-                                                            let _e1290 = -(_e1271);
-                                                            let _e1296 = select(_e541, _e1281, (_e1281 > _e541));
-                                                            if (_e1296 > (_e1289 + (select(_e1290, _e1273, (_e1273 > _e1290)) * 0.0000019073523f))) {
-                                                                phi_2807_ = type_29();
-                                                                phi_2808_ = true;
+                                                            let _e1268 = select(_e1193[1][0], _e1193[0][0], (_e1193[0][0] < _e1193[1][0]));
+                                                            let _e1272 = select(_e1193[1][0], _e1193[0][0], (_e1193[0][0] > _e1193[1][0]));
+                                                            let _e1276 = select(_e1193[1][1], _e1193[0][1], (_e1193[0][1] < _e1193[1][1]));
+                                                            let _e1280 = select(_e1193[1][1], _e1193[0][1], (_e1193[0][1] > _e1193[1][1]));
+                                                            let _e1284 = select(_e1193[1][2], _e1193[0][2], (_e1193[0][2] < _e1193[1][2]));
+                                                            let _e1288 = select(_e1193[1][2], _e1193[0][2], (_e1193[0][2] > _e1193[1][2]));
+                                                            let _e1293 = ((select(_e1193[2][0], _e1268, (_e1268 < _e1193[2][0])) - _e422) * _e427);
+                                                            let _e1294 = ((select(_e1193[2][0], _e1272, (_e1272 > _e1193[2][0])) - _e423) * _e427);
+                                                            let _e1297 = ((select(_e1193[2][1], _e1276, (_e1276 < _e1193[2][1])) - _e458) * _e463);
+                                                            let _e1298 = ((select(_e1193[2][1], _e1280, (_e1280 > _e1193[2][1])) - _e459) * _e463);
+                                                            let _e1301 = ((select(_e1193[2][2], _e1284, (_e1284 < _e1193[2][2])) - _e494) * _e499);
+                                                            let _e1302 = ((select(_e1193[2][2], _e1288, (_e1288 > _e1193[2][2])) - _e495) * _e499);
+                                                            let _e1304 = select(_e1302, _e1301, (_e1301 < _e1302));
+                                                            let _e1306 = select(_e1302, _e1301, (_e1301 > _e1302));
+                                                            let _e1308 = select(_e1294, _e1293, (_e1293 < _e1294));
+                                                            let _e1310 = select(_e1298, _e1297, (_e1297 < _e1298));
+                                                            let _e1312 = select(_e1310, _e1308, (_e1308 > _e1310));
+                                                            let _e1314 = select(_e1304, _e1312, (_e1312 > _e1304));
+                                                            let _e1316 = select(_e1294, _e1293, (_e1293 > _e1294));
+                                                            let _e1318 = select(_e1298, _e1297, (_e1297 > _e1298));
+                                                            let _e1320 = select(_e1318, _e1316, (_e1316 < _e1318));
+                                                            let _e1322 = select(_e1306, _e1320, (_e1320 < _e1306));
+                                                            let _e1323 = -(_e1304);
+                                                            let _e1329 = select(_e545, _e1314, (_e1314 > _e545));
+                                                            if (_e1329 > (_e1322 + (select(_e1323, _e1306, (_e1306 > _e1323)) * 0.0000019073523f))) {
+                                                                phi_1824_ = type_30();
+                                                                phi_1825_ = true;
                                                             } else {
-                                                                let _e1298 = (_e1296 > _e1064.member);
-                                                                if _e1298 {
-                                                                    phi_2806_ = type_29();
+                                                                let _e1331 = (_e1329 > _e1097.member);
+                                                                if _e1331 {
+                                                                    phi_1823_ = type_30();
                                                                 } else {
-                                                                    let _e1302 = (_e1160[1][0] - _e1160[0][0]);
-                                                                    let _e1303 = (_e1160[1][1] - _e1160[0][1]);
-                                                                    let _e1304 = (_e1160[1][2] - _e1160[0][2]);
-                                                                    let _e1305 = vec3<f32>(_e1302, _e1303, _e1304);
-                                                                    let _e1306 = (_e1160[2][0] - _e1160[1][0]);
-                                                                    let _e1307 = (_e1160[2][1] - _e1160[1][1]);
-                                                                    let _e1308 = (_e1160[2][2] - _e1160[1][2]);
-                                                                    let _e1309 = vec3<f32>(_e1306, _e1307, _e1308);
-                                                                    let _e1310 = (_e1160[0][0] - _e1160[2][0]);
-                                                                    let _e1311 = (_e1160[0][1] - _e1160[2][1]);
-                                                                    let _e1312 = (_e1160[0][2] - _e1160[2][2]);
-                                                                    let _e1313 = vec3<f32>(_e1310, _e1311, _e1312);
-                                                                    let _e1316 = bitcast<f32>((bitcast<u32>(_e1302) & 2147483647u));
-                                                                    let _e1319 = bitcast<f32>((bitcast<u32>(_e1303) & 2147483647u));
-                                                                    let _e1321 = select(_e1319, _e1316, (_e1316 > _e1319));
-                                                                    let _e1324 = bitcast<f32>((bitcast<u32>(_e1304) & 2147483647u));
-                                                                    let _e1326 = select(_e1324, _e1321, (_e1321 > _e1324));
-                                                                    let _e1329 = bitcast<f32>((bitcast<u32>(_e1306) & 2147483647u));
-                                                                    let _e1332 = bitcast<f32>((bitcast<u32>(_e1307) & 2147483647u));
-                                                                    let _e1334 = select(_e1332, _e1329, (_e1329 > _e1332));
-                                                                    let _e1337 = bitcast<f32>((bitcast<u32>(_e1308) & 2147483647u));
-                                                                    let _e1339 = select(_e1337, _e1334, (_e1334 > _e1337));
-                                                                    let _e1342 = bitcast<f32>((bitcast<u32>(_e1310) & 2147483647u));
-                                                                    let _e1345 = bitcast<f32>((bitcast<u32>(_e1311) & 2147483647u));
-                                                                    let _e1347 = select(_e1345, _e1342, (_e1342 > _e1345));
-                                                                    let _e1350 = bitcast<f32>((bitcast<u32>(_e1312) & 2147483647u));
-                                                                    let _e1352 = select(_e1350, _e1347, (_e1347 > _e1350));
-                                                                    let _e1354 = select(_e1339, _e1326, (_e1326 > _e1339));
-                                                                    let _e1356 = select(_e1352, _e1354, (_e1354 > _e1352));
-                                                                    if (_e1326 == _e1356) {
-                                                                        phi_2717_ = _e1309;
-                                                                        phi_2718_ = _e1313;
+                                                                    let _e1335 = (_e1193[1][0] - _e1193[0][0]);
+                                                                    let _e1336 = (_e1193[1][1] - _e1193[0][1]);
+                                                                    let _e1337 = (_e1193[1][2] - _e1193[0][2]);
+                                                                    let _e1338 = vec3<f32>(_e1335, _e1336, _e1337);
+                                                                    let _e1339 = (_e1193[2][0] - _e1193[1][0]);
+                                                                    let _e1340 = (_e1193[2][1] - _e1193[1][1]);
+                                                                    let _e1341 = (_e1193[2][2] - _e1193[1][2]);
+                                                                    let _e1342 = vec3<f32>(_e1339, _e1340, _e1341);
+                                                                    let _e1343 = (_e1193[0][0] - _e1193[2][0]);
+                                                                    let _e1344 = (_e1193[0][1] - _e1193[2][1]);
+                                                                    let _e1345 = (_e1193[0][2] - _e1193[2][2]);
+                                                                    let _e1346 = vec3<f32>(_e1343, _e1344, _e1345);
+                                                                    let _e1349 = bitcast<f32>((bitcast<u32>(_e1335) & 2147483647u));
+                                                                    let _e1352 = bitcast<f32>((bitcast<u32>(_e1336) & 2147483647u));
+                                                                    let _e1354 = select(_e1352, _e1349, (_e1349 > _e1352));
+                                                                    let _e1357 = bitcast<f32>((bitcast<u32>(_e1337) & 2147483647u));
+                                                                    let _e1359 = select(_e1357, _e1354, (_e1354 > _e1357));
+                                                                    let _e1362 = bitcast<f32>((bitcast<u32>(_e1339) & 2147483647u));
+                                                                    let _e1365 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
+                                                                    let _e1367 = select(_e1365, _e1362, (_e1362 > _e1365));
+                                                                    let _e1370 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
+                                                                    let _e1372 = select(_e1370, _e1367, (_e1367 > _e1370));
+                                                                    let _e1375 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
+                                                                    let _e1378 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
+                                                                    let _e1380 = select(_e1378, _e1375, (_e1375 > _e1378));
+                                                                    let _e1383 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
+                                                                    let _e1385 = select(_e1383, _e1380, (_e1380 > _e1383));
+                                                                    let _e1387 = select(_e1372, _e1359, (_e1359 > _e1372));
+                                                                    let _e1389 = select(_e1385, _e1387, (_e1387 > _e1385));
+                                                                    if (_e1359 == _e1389) {
+                                                                        phi_1734_ = _e1342;
+                                                                        phi_1735_ = _e1346;
                                                                     } else {
-                                                                        let _e1359 = vec3((_e1339 == _e1356));
-                                                                        phi_2717_ = select(_e1305, _e1313, _e1359);
-                                                                        phi_2718_ = select(_e1309, _e1305, _e1359);
+                                                                        let _e1392 = vec3((_e1372 == _e1389));
+                                                                        phi_1734_ = select(_e1338, _e1346, _e1392);
+                                                                        phi_1735_ = select(_e1342, _e1338, _e1392);
                                                                     }
-                                                                    let _e1363 = phi_2717_;
-                                                                    let _e1365 = phi_2718_;
-                                                                    let _e1372 = ((_e1363.y * _e1365.z) - (_e1365.y * _e1363.z));
-                                                                    let _e1377 = ((_e1363.z * _e1365.x) - (_e1365.z * _e1363.x));
-                                                                    let _e1380 = ((_e1363.x * _e1365.y) - (_e1365.x * _e1363.y));
-                                                                    if (_e1222 >= _e1226) {
-                                                                        phi_2749_ = select(true, false, (_e1222 >= _e1230));
+                                                                    let _e1396 = phi_1734_;
+                                                                    let _e1398 = phi_1735_;
+                                                                    let _e1405 = ((_e1396.y * _e1398.z) - (_e1398.y * _e1396.z));
+                                                                    let _e1410 = ((_e1396.z * _e1398.x) - (_e1398.z * _e1396.x));
+                                                                    let _e1413 = ((_e1396.x * _e1398.y) - (_e1398.x * _e1396.y));
+                                                                    if (_e1255 >= _e1259) {
+                                                                        phi_1766_ = select(true, false, (_e1255 >= _e1263));
                                                                     } else {
-                                                                        phi_2749_ = true;
+                                                                        phi_1766_ = true;
                                                                     }
-                                                                    let _e1385 = phi_2749_;
-                                                                    if _e1385 {
-                                                                        phi_2758_ = select(vec3<f32>(_e1160[2][0], _e1160[2][1], _e1160[2][2]), vec3<f32>(_e1160[1][0], _e1160[1][1], _e1160[1][2]), vec3((_e1226 >= _e1230)));
+                                                                    let _e1418 = phi_1766_;
+                                                                    if _e1418 {
+                                                                        phi_1775_ = select(vec3<f32>(_e1193[2][0], _e1193[2][1], _e1193[2][2]), vec3<f32>(_e1193[1][0], _e1193[1][1], _e1193[1][2]), vec3((_e1259 >= _e1263)));
                                                                     } else {
-                                                                        phi_2758_ = vec3<f32>(_e1160[0][0], _e1160[0][1], _e1160[0][2]);
+                                                                        phi_1775_ = vec3<f32>(_e1193[0][0], _e1193[0][1], _e1193[0][2]);
                                                                     }
-                                                                    let _e1390 = phi_2758_;
-                                                                    let _e1407 = ((((_e1372 * (_e1390.x - _e395)) + (_e1377 * (_e1390.y - _e432))) + (_e1380 * (_e1390.z - _e468))) / (((_e1372 * _e420) + (_e1377 * _e456)) + (_e1380 * _e492)));
-                                                                    let _e1409 = select(_e1289, _e1407, (_e1407 < _e1289));
-                                                                    let _e1411 = select(_e1281, _e1409, (_e1409 > _e1281));
-                                                                    if (_e1411 >= _e541) {
-                                                                        let _e1413 = (_e1411 <= _e1064.member);
-                                                                        if _e1413 {
-                                                                            let _e1414 = (1f / _e1232);
-                                                                            phi_2798_ = type_29(_e1411, (_e1226 * _e1414), (_e1230 * _e1414), _e1093);
+                                                                    let _e1423 = phi_1775_;
+                                                                    let _e1440 = ((((_e1405 * (_e1423.x - _e399)) + (_e1410 * (_e1423.y - _e436))) + (_e1413 * (_e1423.z - _e472))) / (((_e1405 * _e424) + (_e1410 * _e460)) + (_e1413 * _e496)));
+                                                                    let _e1442 = select(_e1322, _e1440, (_e1440 < _e1322));
+                                                                    let _e1444 = select(_e1314, _e1442, (_e1442 > _e1314));
+                                                                    if (_e1444 >= _e545) {
+                                                                        let _e1446 = (_e1444 <= _e1097.member);
+                                                                        if _e1446 {
+                                                                            let _e1447 = (1f / _e1265);
+                                                                            phi_1815_ = type_30(_e1444, (_e1259 * _e1447), (_e1263 * _e1447), _e1126);
                                                                         } else {
-                                                                            phi_2798_ = type_29();
+                                                                            phi_1815_ = type_30();
                                                                         }
-                                                                        let _e1419 = phi_2798_;
-                                                                        phi_2800_ = _e1419;
-                                                                        phi_2801_ = select(true, false, _e1413);
+                                                                        let _e1452 = phi_1815_;
+                                                                        phi_1817_ = _e1452;
+                                                                        phi_1818_ = select(true, false, _e1446);
                                                                     } else {
-                                                                        phi_2800_ = type_29();
-                                                                        phi_2801_ = true;
+                                                                        phi_1817_ = type_30();
+                                                                        phi_1818_ = true;
                                                                     }
-                                                                    let _e1422 = phi_2800_;
-                                                                    let _e1424 = phi_2801_;
-                                                                    if _e1424 {
-                                                                        phi_2805_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e1455 = phi_1817_;
+                                                                    let _e1457 = phi_1818_;
+                                                                    if _e1457 {
+                                                                        phi_1822_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_2805_ = _e1422;
+                                                                        phi_1822_ = _e1455;
                                                                     }
-                                                                    let _e1426 = phi_2805_;
-                                                                    phi_2806_ = _e1426;
+                                                                    let _e1459 = phi_1822_;
+                                                                    phi_1823_ = _e1459;
                                                                 }
-                                                                let _e1428 = phi_2806_;
-                                                                phi_2807_ = _e1428;
-                                                                phi_2808_ = _e1298;
+                                                                let _e1461 = phi_1823_;
+                                                                phi_1824_ = _e1461;
+                                                                phi_1825_ = _e1331;
                                                             }
-                                                            let _e1430 = phi_2807_;
-                                                            let _e1432 = phi_2808_;
-                                                            phi_2812_ = _e1430;
-                                                            phi_2813_ = _e1432;
+                                                            let _e1463 = phi_1824_;
+                                                            let _e1465 = phi_1825_;
+                                                            phi_1829_ = _e1463;
+                                                            phi_1830_ = _e1465;
                                                         }
-                                                        let _e1434 = phi_2812_;
-                                                        let _e1436 = phi_2813_;
-                                                        phi_2817_ = _e1434;
-                                                        phi_2818_ = _e1436;
+                                                        let _e1467 = phi_1829_;
+                                                        let _e1469 = phi_1830_;
+                                                        phi_1834_ = _e1467;
+                                                        phi_1835_ = _e1469;
                                                     } else {
-                                                        phi_2817_ = type_29();
-                                                        phi_2818_ = true;
+                                                        phi_1834_ = type_30();
+                                                        phi_1835_ = true;
                                                     }
-                                                    let _e1438 = phi_2817_;
-                                                    let _e1440 = phi_2818_;
-                                                    if _e1440 {
-                                                        phi_2822_ = type_29(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1471 = phi_1834_;
+                                                    let _e1473 = phi_1835_;
+                                                    if _e1473 {
+                                                        phi_1839_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2822_ = _e1438;
+                                                        phi_1839_ = _e1471;
                                                     }
-                                                    let _e1442 = phi_2822_;
-                                                    if (_e1442.member_3 != 4294967295u) {
-                                                        if (_e1093 == _e158) {
-                                                            phi_3151_ = false;
+                                                    let _e1475 = phi_1839_;
+                                                    if (_e1475.member_3 != 4294967295u) {
+                                                        if (_e1126 == _e162) {
+                                                            phi_2168_ = false;
                                                         } else {
-                                                            let _e1446 = (_e1093 < arrayLength((&global_7.member)));
-                                                            if _e1446 {
-                                                                if _e1446 {
+                                                            let _e1479 = (_e1126 < arrayLength((&global_7.member)));
+                                                            if _e1479 {
+                                                                if _e1479 {
                                                                 } else {
-                                                                    phi_4705_ = true;
+                                                                    phi_3780_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1448 = global_7.member[_e1093];
-                                                                phi_2845_ = _e1448;
+                                                                let _e1481 = global_7.member[_e1126];
+                                                                phi_1862_ = _e1481;
                                                             } else {
-                                                                phi_2845_ = 4294967295u;
+                                                                phi_1862_ = 4294967295u;
                                                             }
-                                                            let _e1450 = phi_2845_;
-                                                            let _e1451 = (_e1450 < arrayLength((&global_8.member)));
-                                                            if _e1451 {
-                                                                if _e1451 {
+                                                            let _e1483 = phi_1862_;
+                                                            let _e1484 = (_e1483 < arrayLength((&global_8.member)));
+                                                            if _e1484 {
+                                                                if _e1484 {
                                                                 } else {
-                                                                    phi_4705_ = true;
+                                                                    phi_3780_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1453 = global_8.member[_e1450];
-                                                                phi_2859_ = _e1453;
+                                                                let _e1486 = global_8.member[_e1483];
+                                                                phi_1876_ = _e1486;
                                                             } else {
-                                                                phi_2859_ = 0i;
+                                                                phi_1876_ = 0i;
                                                             }
-                                                            let _e1455 = phi_2859_;
-                                                            let _e1456 = (_e1455 == 0i);
-                                                            if _e1456 {
-                                                                phi_3150_ = true;
+                                                            let _e1488 = phi_1876_;
+                                                            let _e1489 = (_e1488 == 0i);
+                                                            if _e1489 {
+                                                                phi_2167_ = true;
                                                             } else {
-                                                                if _e387 {
-                                                                    phi_2880_ = vec3<f32>(_e1160[0][0], _e1160[0][1], _e1160[0][2]);
+                                                                if _e391 {
+                                                                    phi_1897_ = vec3<f32>(_e1193[0][0], _e1193[0][1], _e1193[0][2]);
                                                                 } else {
-                                                                    if (_e363 == 1u) {
-                                                                        phi_2879_ = vec3<f32>(_e1160[0][2], _e1160[0][0], _e1160[0][1]);
+                                                                    if (_e367 == 1u) {
+                                                                        phi_1896_ = vec3<f32>(_e1193[0][2], _e1193[0][0], _e1193[0][1]);
                                                                     } else {
-                                                                        phi_2879_ = vec3<f32>(_e1160[0][1], _e1160[0][2], _e1160[0][0]);
+                                                                        phi_1896_ = vec3<f32>(_e1193[0][1], _e1193[0][2], _e1193[0][0]);
                                                                     }
-                                                                    let _e1461 = phi_2879_;
-                                                                    phi_2880_ = _e1461;
+                                                                    let _e1494 = phi_1896_;
+                                                                    phi_1897_ = _e1494;
                                                                 }
-                                                                let _e1464 = phi_2880_;
-                                                                if _e387 {
-                                                                    phi_2897_ = vec3<f32>(_e1160[1][0], _e1160[1][1], _e1160[1][2]);
+                                                                let _e1497 = phi_1897_;
+                                                                if _e391 {
+                                                                    phi_1914_ = vec3<f32>(_e1193[1][0], _e1193[1][1], _e1193[1][2]);
                                                                 } else {
-                                                                    if (_e363 == 1u) {
-                                                                        phi_2896_ = vec3<f32>(_e1160[1][2], _e1160[1][0], _e1160[1][1]);
+                                                                    if (_e367 == 1u) {
+                                                                        phi_1913_ = vec3<f32>(_e1193[1][2], _e1193[1][0], _e1193[1][1]);
                                                                     } else {
-                                                                        phi_2896_ = vec3<f32>(_e1160[1][1], _e1160[1][2], _e1160[1][0]);
+                                                                        phi_1913_ = vec3<f32>(_e1193[1][1], _e1193[1][2], _e1193[1][0]);
                                                                     }
-                                                                    let _e1469 = phi_2896_;
-                                                                    phi_2897_ = _e1469;
+                                                                    let _e1502 = phi_1913_;
+                                                                    phi_1914_ = _e1502;
                                                                 }
-                                                                let _e1472 = phi_2897_;
-                                                                if _e387 {
-                                                                    phi_2914_ = vec3<f32>(_e1160[2][0], _e1160[2][1], _e1160[2][2]);
+                                                                let _e1505 = phi_1914_;
+                                                                if _e391 {
+                                                                    phi_1931_ = vec3<f32>(_e1193[2][0], _e1193[2][1], _e1193[2][2]);
                                                                 } else {
-                                                                    if (_e363 == 1u) {
-                                                                        phi_2913_ = vec3<f32>(_e1160[2][2], _e1160[2][0], _e1160[2][1]);
+                                                                    if (_e367 == 1u) {
+                                                                        phi_1930_ = vec3<f32>(_e1193[2][2], _e1193[2][0], _e1193[2][1]);
                                                                     } else {
-                                                                        phi_2913_ = vec3<f32>(_e1160[2][1], _e1160[2][2], _e1160[2][0]);
+                                                                        phi_1930_ = vec3<f32>(_e1193[2][1], _e1193[2][2], _e1193[2][0]);
                                                                     }
-                                                                    let _e1477 = phi_2913_;
-                                                                    phi_2914_ = _e1477;
+                                                                    let _e1510 = phi_1930_;
+                                                                    phi_1931_ = _e1510;
                                                                 }
-                                                                let _e1480 = phi_2914_;
-                                                                let _e1483 = (_e1472.x - _e1464.x);
-                                                                let _e1486 = (_e1472.y - _e1464.y);
-                                                                let _e1489 = (_e1472.z - _e1464.z);
-                                                                let _e1491 = (_e1480.x - _e1464.x);
-                                                                let _e1493 = (_e1480.y - _e1464.y);
-                                                                let _e1495 = (_e1480.z - _e1464.z);
-                                                                if (_e230.member_1 == 1u) {
-                                                                    phi_2950_ = (vec3<f32>(_e230.member[0], _e230.member[1], _e230.member[2]) - _e1464);
+                                                                let _e1513 = phi_1931_;
+                                                                let _e1516 = (_e1505.x - _e1497.x);
+                                                                let _e1519 = (_e1505.y - _e1497.y);
+                                                                let _e1522 = (_e1505.z - _e1497.z);
+                                                                let _e1524 = (_e1513.x - _e1497.x);
+                                                                let _e1526 = (_e1513.y - _e1497.y);
+                                                                let _e1528 = (_e1513.z - _e1497.z);
+                                                                if (_e234.member_1 == 1u) {
+                                                                    phi_1967_ = (vec3<f32>(_e234.member[0], _e234.member[1], _e234.member[2]) - _e1497);
                                                                 } else {
-                                                                    phi_2950_ = vec3<f32>(_e230.member[0], _e230.member[1], _e230.member[2]);
+                                                                    phi_1967_ = vec3<f32>(_e234.member[0], _e234.member[1], _e234.member[2]);
                                                                 }
-                                                                let _e1510 = phi_2950_;
-                                                                let _e1516 = bitcast<f32>((bitcast<u32>((_e1483 * _e1493)) ^ _e230.member_3[0]));
-                                                                let _e1520 = bitcast<f32>((bitcast<u32>((_e1486 * _e1491)) ^ _e230.member_3[0]));
-                                                                let _e1524 = bitcast<f32>((bitcast<u32>((_e1486 * _e1495)) ^ _e230.member_3[0]));
-                                                                let _e1528 = bitcast<f32>((bitcast<u32>((_e1489 * _e1493)) ^ _e230.member_3[0]));
-                                                                let _e1532 = bitcast<f32>((bitcast<u32>((_e1489 * _e1491)) ^ _e230.member_3[0]));
-                                                                let _e1536 = bitcast<f32>((bitcast<u32>((_e1483 * _e1495)) ^ _e230.member_3[0]));
-                                                                let _e1537 = (_e1524 - _e1528);
-                                                                let _e1538 = (_e1532 - _e1536);
-                                                                let _e1539 = (_e1516 - _e1520);
-                                                                let _e1563 = (bitcast<f32>((bitcast<u32>(_e1524) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1528) & 2147483647u)));
-                                                                let _e1570 = (bitcast<f32>((bitcast<u32>(_e1532) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1536) & 2147483647u)));
-                                                                let _e1577 = (bitcast<f32>((bitcast<u32>(_e1516) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1520) & 2147483647u)));
-                                                                if (_e230.member_2 == 0f) {
-                                                                    phi_3132_ = 0f;
+                                                                let _e1543 = phi_1967_;
+                                                                let _e1549 = bitcast<f32>((bitcast<u32>((_e1516 * _e1526)) ^ _e234.member_3[0]));
+                                                                let _e1553 = bitcast<f32>((bitcast<u32>((_e1519 * _e1524)) ^ _e234.member_3[0]));
+                                                                let _e1557 = bitcast<f32>((bitcast<u32>((_e1519 * _e1528)) ^ _e234.member_3[0]));
+                                                                let _e1561 = bitcast<f32>((bitcast<u32>((_e1522 * _e1526)) ^ _e234.member_3[0]));
+                                                                let _e1565 = bitcast<f32>((bitcast<u32>((_e1522 * _e1524)) ^ _e234.member_3[0]));
+                                                                let _e1569 = bitcast<f32>((bitcast<u32>((_e1516 * _e1528)) ^ _e234.member_3[0]));
+                                                                let _e1570 = (_e1557 - _e1561);
+                                                                let _e1571 = (_e1565 - _e1569);
+                                                                let _e1572 = (_e1549 - _e1553);
+                                                                let _e1596 = (bitcast<f32>((bitcast<u32>(_e1557) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1561) & 2147483647u)));
+                                                                let _e1603 = (bitcast<f32>((bitcast<u32>(_e1565) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1569) & 2147483647u)));
+                                                                let _e1610 = (bitcast<f32>((bitcast<u32>(_e1549) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1553) & 2147483647u)));
+                                                                if (_e234.member_2 == 0f) {
+                                                                    phi_2149_ = 0f;
                                                                 } else {
-                                                                    let _e1607 = bitcast<f32>((bitcast<u32>(_e1537) & 2147483647u));
-                                                                    let _e1610 = bitcast<f32>((bitcast<u32>(_e1538) & 2147483647u));
-                                                                    let _e1613 = bitcast<f32>((bitcast<u32>(_e1539) & 2147483647u));
-                                                                    let _e1615 = select(_e1613, _e1610, (_e1610 > _e1613));
-                                                                    let _e1619 = select(_e1613, _e1610, (_e1610 < _e1613));
-                                                                    let _e1623 = select(_e1610, _e1607, (_e1607 < _e1610));
-                                                                    let _e1625 = select(_e1610, _e1607, (_e1607 > _e1610));
-                                                                    let _e1627 = select(_e1613, _e1625, (_e1625 < _e1613));
-                                                                    phi_3132_ = bitcast<f32>((bitcast<u32>((_e230.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1615, _e1607, (_e1607 > _e1615)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1627, _e1623, (_e1623 > _e1627)))) ^ _e230.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1619, _e1607, (_e1607 < _e1619)))) ^ _e230.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1563 + _e1570) + _e1577))) ^ _e230.member_3[0]))) * 1.0000005f)) ^ _e230.member_3[0])))) ^ _e230.member_3[0]));
+                                                                    let _e1640 = bitcast<f32>((bitcast<u32>(_e1570) & 2147483647u));
+                                                                    let _e1643 = bitcast<f32>((bitcast<u32>(_e1571) & 2147483647u));
+                                                                    let _e1646 = bitcast<f32>((bitcast<u32>(_e1572) & 2147483647u));
+                                                                    let _e1648 = select(_e1646, _e1643, (_e1643 > _e1646));
+                                                                    let _e1652 = select(_e1646, _e1643, (_e1643 < _e1646));
+                                                                    let _e1656 = select(_e1643, _e1640, (_e1640 < _e1643));
+                                                                    let _e1658 = select(_e1643, _e1640, (_e1640 > _e1643));
+                                                                    let _e1660 = select(_e1646, _e1658, (_e1658 < _e1646));
+                                                                    phi_2149_ = bitcast<f32>((bitcast<u32>((_e234.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1648, _e1640, (_e1640 > _e1648)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1660, _e1656, (_e1656 > _e1660)))) ^ _e234.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1652, _e1640, (_e1640 < _e1652)))) ^ _e234.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1596 + _e1603) + _e1610))) ^ _e234.member_3[0]))) * 1.0000005f)) ^ _e234.member_3[0])))) ^ _e234.member_3[0]));
                                                                 }
-                                                                let _e1654 = phi_3132_;
-                                                                phi_3150_ = (_e1456 || !(((((bitcast<f32>((bitcast<u32>((_e1510.x * _e1537)) ^ _e230.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1510.y * _e1538)) ^ _e230.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1510.z * _e1539)) ^ _e230.member_3[0]))) * f32(-(_e1455))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1510.x) & 2147483647u)) * _e1563)) ^ _e230.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1510.y) & 2147483647u)) * _e1570)) ^ _e230.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1510.z) & 2147483647u)) * _e1577)) ^ _e230.member_3[0]))))) ^ _e230.member_3[0])) + _e1654) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1687 = phi_2149_;
+                                                                phi_2167_ = (_e1489 || !(((((bitcast<f32>((bitcast<u32>((_e1543.x * _e1570)) ^ _e234.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1543.y * _e1571)) ^ _e234.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1543.z * _e1572)) ^ _e234.member_3[0]))) * f32(-(_e1488))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1543.x) & 2147483647u)) * _e1596)) ^ _e234.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1543.y) & 2147483647u)) * _e1603)) ^ _e234.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1543.z) & 2147483647u)) * _e1610)) ^ _e234.member_3[0]))))) ^ _e234.member_3[0])) + _e1687) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1668 = phi_3150_;
-                                                            phi_3151_ = _e1668;
+                                                            let _e1701 = phi_2167_;
+                                                            phi_2168_ = _e1701;
                                                         }
-                                                        let _e1670 = phi_3151_;
-                                                        if _e1670 {
-                                                            phi_3156_ = type_49(_e1064.member, true);
+                                                        let _e1703 = phi_2168_;
+                                                        if _e1703 {
+                                                            phi_2173_ = type_51(_e1097.member, true);
                                                         } else {
-                                                            phi_3156_ = _e1064;
+                                                            phi_2173_ = _e1097;
                                                         }
-                                                        let _e1675 = phi_3156_;
-                                                        phi_3157_ = _e1675;
+                                                        let _e1708 = phi_2173_;
+                                                        phi_2174_ = _e1708;
                                                     } else {
-                                                        phi_3157_ = _e1064;
+                                                        phi_2174_ = _e1097;
                                                     }
-                                                    let _e1677 = phi_3157_;
-                                                    phi_2111_ = _e1677;
+                                                    let _e1710 = phi_2174_;
+                                                    phi_1128_ = _e1710;
                                                 } else {
-                                                    phi_2111_ = type_49();
+                                                    phi_1128_ = type_51();
                                                 }
-                                                let _e1679 = phi_2111_;
+                                                let _e1712 = phi_1128_;
                                                 continue;
                                                 continuing {
-                                                    phi_2110_ = _e1679;
-                                                    phi_2113_ = _e1079;
-                                                    phi_4705_ = _e583;
-                                                    break if !(_e1085);
+                                                    phi_1127_ = _e1712;
+                                                    phi_1130_ = _e1112;
+                                                    phi_3780_ = _e587;
+                                                    break if !(_e1118);
                                                 }
                                             }
-                                            let _e1682 = phi_4705_;
-                                            phi_4843_ = _e1682;
-                                            if _e1682 {
+                                            let _e1715 = phi_3780_;
+                                            phi_3918_ = _e1715;
+                                            if _e1715 {
                                                 break;
                                             }
-                                            let _e1684 = local_4;
-                                            phi_4847_ = _e1682;
-                                            let _e1871 = local_6;
-                                            phi_4461_ = _e1871;
-                                            phi_4462_ = _e614;
-                                            phi_4463_ = false;
-                                            phi_4464_ = select(_e618, 0u, _e1684.member_1);
+                                            let _e1717 = local_10;
+                                            phi_3922_ = _e1715;
+                                            let _e1904 = local_12;
+                                            phi_3522_ = _e1904;
+                                            phi_3523_ = _e628;
+                                            phi_3524_ = false;
+                                            phi_3525_ = select(_e632, 0u, _e1717.member_1);
                                         } else {
-                                            if (_e614.member_1 >= _e91) {
-                                                phi_4061_ = type_64(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_61(type_38(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e628.member_1 >= _e95) {
+                                                phi_3078_ = type_64(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_63(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_63(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e614.member_1 < _e91) {
+                                                if (_e628.member_1 < _e95) {
                                                 } else {
-                                                    phi_4843_ = true;
+                                                    phi_3918_ = true;
                                                     break;
                                                 }
-                                                let _e630 = ((1u + _e363) % 4u);
-                                                if (_e630 < 4u) {
-                                                } else {
-                                                    phi_4843_ = true;
-                                                    break;
-                                                }
-                                                let _e635 = global_5.member[_e614.member_1][_e630];
-                                                let _e637 = ((1u + _e362) % 4u);
-                                                if (_e637 < 4u) {
-                                                } else {
-                                                    phi_4843_ = true;
-                                                    break;
-                                                }
-                                                let _e642 = global_5.member[_e614.member_1][_e637];
-                                                let _e644 = ((1u + _e364) % 4u);
+                                                let _e644 = ((1u + _e367) % 4u);
                                                 if (_e644 < 4u) {
                                                 } else {
-                                                    phi_4843_ = true;
+                                                    phi_3918_ = true;
                                                     break;
                                                 }
-                                                let _e649 = global_5.member[_e614.member_1][_e644];
-                                                let _e651 = ((_e363 + 1u) % 4u);
+                                                let _e649 = global_5.member[_e628.member_1][_e644];
+                                                let _e651 = ((1u + _e366) % 4u);
                                                 if (_e651 < 4u) {
                                                 } else {
-                                                    phi_4843_ = true;
+                                                    phi_3918_ = true;
                                                     break;
                                                 }
-                                                let _e656 = global_5.member[_e614.member_1][_e651];
-                                                let _e658 = (_e656 >> bitcast<u32>(11u));
-                                                let _e660 = ((_e362 + 1u) % 4u);
-                                                if (_e660 < 4u) {
+                                                let _e656 = global_5.member[_e628.member_1][_e651];
+                                                let _e658 = ((1u + _e368) % 4u);
+                                                if (_e658 < 4u) {
                                                 } else {
-                                                    phi_4843_ = true;
+                                                    phi_3918_ = true;
                                                     break;
                                                 }
-                                                let _e665 = global_5.member[_e614.member_1][_e660];
-                                                let _e667 = (_e665 >> bitcast<u32>(11u));
-                                                let _e669 = ((_e364 + 1u) % 4u);
-                                                if (_e669 < 4u) {
+                                                let _e663 = global_5.member[_e628.member_1][_e658];
+                                                let _e665 = ((_e367 + 1u) % 4u);
+                                                if (_e665 < 4u) {
                                                 } else {
-                                                    phi_4843_ = true;
+                                                    phi_3918_ = true;
                                                     break;
                                                 }
-                                                let _e674 = global_5.member[_e614.member_1][_e669];
-                                                let _e676 = (_e674 >> bitcast<u32>(11u));
-                                                let _e699 = (bitcast<f32>((bitcast<u32>((_e614.member.member_1.x - _e614.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e700 = (bitcast<f32>((bitcast<u32>((_e614.member.member_1.y - _e614.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e701 = (bitcast<f32>((bitcast<u32>((_e614.member.member_1.z - _e614.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e703 = select(_e149, _e699, (_e699 > _e149));
-                                                let _e705 = select(_e149, _e700, (_e700 > _e149));
-                                                let _e707 = select(_e149, _e701, (_e701 > _e149));
-                                                let _e732 = bitcast<u32>((f32(bitcast<i32>((_e635 & 1023u))) * _e703));
-                                                let _e737 = (bitcast<i32>((_e635 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e740 = bitcast<f32>((_e732 & bitcast<u32>(_e737)));
-                                                let _e741 = bitcast<u32>((f32(bitcast<i32>((_e642 & 1023u))) * _e705));
-                                                let _e746 = (bitcast<i32>((_e642 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e749 = bitcast<f32>((_e741 & bitcast<u32>(_e746)));
-                                                let _e750 = bitcast<u32>((f32(bitcast<i32>((_e649 & 1023u))) * _e707));
-                                                let _e755 = (bitcast<i32>((_e649 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e758 = bitcast<f32>((_e750 & bitcast<u32>(_e755)));
-                                                let _e762 = bitcast<f32>((_e732 & bitcast<u32>(~(_e737))));
-                                                let _e766 = bitcast<f32>((_e741 & bitcast<u32>(~(_e746))));
-                                                let _e770 = bitcast<f32>((_e750 & bitcast<u32>(~(_e755))));
-                                                let _e771 = bitcast<u32>((f32(bitcast<i32>((_e658 & 1023u))) * _e703));
-                                                let _e776 = (bitcast<i32>((_e658 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e779 = bitcast<f32>((_e771 & bitcast<u32>(_e776)));
-                                                let _e780 = bitcast<u32>((f32(bitcast<i32>((_e667 & 1023u))) * _e705));
-                                                let _e785 = (bitcast<i32>((_e667 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e788 = bitcast<f32>((_e780 & bitcast<u32>(_e785)));
-                                                let _e789 = bitcast<u32>((f32(bitcast<i32>((_e676 & 1023u))) * _e707));
-                                                let _e794 = (bitcast<i32>((_e676 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e797 = bitcast<f32>((_e789 & bitcast<u32>(_e794)));
-                                                let _e801 = bitcast<f32>((_e771 & bitcast<u32>(~(_e776))));
-                                                let _e805 = bitcast<f32>((_e780 & bitcast<u32>(~(_e785))));
-                                                let _e809 = bitcast<f32>((_e789 & bitcast<u32>(~(_e794))));
-                                                let _e839 = global_5.member[_e614.member_1][0u];
-                                                let _e843 = global_5.member[_e614.member_1][1u];
-                                                let _e847 = global_5.member[_e614.member_1][2u];
-                                                let _e851 = global_5.member[_e614.member_1][3u];
-                                                let _e863 = (((_e843 >> bitcast<u32>(22i)) | ((_e847 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e851 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e864 = (_e839 & 268435455u);
-                                                let _e865 = (_e863 & 268435455u);
-                                                let _e868 = ((_e839 >> bitcast<u32>(28u)) & 7u);
-                                                let _e876 = ((_e839 >> bitcast<u32>(31i)) | (((_e863 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e877 = (_e868 != 0u);
-                                                if (_e868 == 0u) {
-                                                    phi_4023_ = _e864;
+                                                let _e670 = global_5.member[_e628.member_1][_e665];
+                                                let _e672 = (_e670 >> bitcast<u32>(11u));
+                                                let _e674 = ((_e366 + 1u) % 4u);
+                                                if (_e674 < 4u) {
                                                 } else {
-                                                    if (_e868 == 7u) {
-                                                        phi_4022_ = 2147483648u;
-                                                    } else {
-                                                        phi_4022_ = ((2147483648u | (_e868 << bitcast<u32>(28u))) | (_e865 & 268435455u));
-                                                    }
-                                                    let _e886 = phi_4022_;
-                                                    phi_4023_ = _e886;
+                                                    phi_3918_ = true;
+                                                    break;
                                                 }
-                                                let _e888 = phi_4023_;
-                                                if _e877 {
-                                                    let _e889 = (_e868 != 7u);
-                                                    if _e889 {
-                                                        phi_4033_ = (_e865 + _e868);
-                                                    } else {
-                                                        phi_4033_ = u32();
-                                                    }
-                                                    let _e892 = phi_4033_;
-                                                    phi_4035_ = _e892;
-                                                    phi_4036_ = select(true, false, _e889);
+                                                let _e679 = global_5.member[_e628.member_1][_e674];
+                                                let _e681 = (_e679 >> bitcast<u32>(11u));
+                                                let _e683 = ((_e368 + 1u) % 4u);
+                                                if (_e683 < 4u) {
                                                 } else {
-                                                    phi_4035_ = u32();
-                                                    phi_4036_ = true;
+                                                    phi_3918_ = true;
+                                                    break;
                                                 }
-                                                let _e895 = phi_4035_;
-                                                let _e897 = phi_4036_;
-                                                if (_e876 == 0u) {
-                                                    phi_4057_ = (_e864 + select(0u, 1u, !(_e877)));
+                                                let _e688 = global_5.member[_e628.member_1][_e683];
+                                                let _e690 = (_e688 >> bitcast<u32>(11u));
+                                                let _e713 = (bitcast<f32>((bitcast<u32>((_e628.member.member_1.x - _e628.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e714 = (bitcast<f32>((bitcast<u32>((_e628.member.member_1.y - _e628.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e715 = (bitcast<f32>((bitcast<u32>((_e628.member.member_1.z - _e628.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e717 = select(_e153, _e713, (_e713 > _e153));
+                                                let _e719 = select(_e153, _e714, (_e714 > _e153));
+                                                let _e721 = select(_e153, _e715, (_e715 > _e153));
+                                                let _e746 = bitcast<u32>((f32(bitcast<i32>((_e649 & 1023u))) * _e717));
+                                                let _e751 = (bitcast<i32>((_e649 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e754 = bitcast<f32>((_e746 & bitcast<u32>(_e751)));
+                                                let _e755 = bitcast<u32>((f32(bitcast<i32>((_e656 & 1023u))) * _e719));
+                                                let _e760 = (bitcast<i32>((_e656 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e763 = bitcast<f32>((_e755 & bitcast<u32>(_e760)));
+                                                let _e764 = bitcast<u32>((f32(bitcast<i32>((_e663 & 1023u))) * _e721));
+                                                let _e769 = (bitcast<i32>((_e663 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e772 = bitcast<f32>((_e764 & bitcast<u32>(_e769)));
+                                                let _e776 = bitcast<f32>((_e746 & bitcast<u32>(~(_e751))));
+                                                let _e780 = bitcast<f32>((_e755 & bitcast<u32>(~(_e760))));
+                                                let _e784 = bitcast<f32>((_e764 & bitcast<u32>(~(_e769))));
+                                                let _e785 = bitcast<u32>((f32(bitcast<i32>((_e672 & 1023u))) * _e717));
+                                                let _e790 = (bitcast<i32>((_e672 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e793 = bitcast<f32>((_e785 & bitcast<u32>(_e790)));
+                                                let _e794 = bitcast<u32>((f32(bitcast<i32>((_e681 & 1023u))) * _e719));
+                                                let _e799 = (bitcast<i32>((_e681 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e802 = bitcast<f32>((_e794 & bitcast<u32>(_e799)));
+                                                let _e803 = bitcast<u32>((f32(bitcast<i32>((_e690 & 1023u))) * _e721));
+                                                let _e808 = (bitcast<i32>((_e690 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e811 = bitcast<f32>((_e803 & bitcast<u32>(_e808)));
+                                                let _e815 = bitcast<f32>((_e785 & bitcast<u32>(~(_e790))));
+                                                let _e819 = bitcast<f32>((_e794 & bitcast<u32>(~(_e799))));
+                                                let _e823 = bitcast<f32>((_e803 & bitcast<u32>(~(_e808))));
+                                                let _e853 = global_5.member[_e628.member_1][0u];
+                                                let _e857 = global_5.member[_e628.member_1][1u];
+                                                let _e861 = global_5.member[_e628.member_1][2u];
+                                                let _e865 = global_5.member[_e628.member_1][3u];
+                                                let _e877 = (((_e857 >> bitcast<u32>(22i)) | ((_e861 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e865 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e878 = (_e853 & 268435455u);
+                                                let _e879 = (_e877 & 268435455u);
+                                                let _e882 = ((_e853 >> bitcast<u32>(28u)) & 7u);
+                                                let _e890 = ((_e853 >> bitcast<u32>(31i)) | (((_e877 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e891 = (_e882 != 0u);
+                                                if (_e882 == 0u) {
+                                                    phi_3040_ = _e878;
                                                 } else {
-                                                    if (_e876 == 7u) {
-                                                        phi_4056_ = 2147483648u;
+                                                    if (_e882 == 7u) {
+                                                        phi_3039_ = 2147483648u;
                                                     } else {
-                                                        phi_4056_ = ((2147483648u | (_e876 << bitcast<u32>(28u))) | (select(_e895, _e865, _e897) & 268435455u));
+                                                        phi_3039_ = ((2147483648u | (_e882 << bitcast<u32>(28u))) | (_e879 & 268435455u));
                                                     }
-                                                    let _e910 = phi_4056_;
-                                                    phi_4057_ = _e910;
+                                                    let _e900 = phi_3039_;
+                                                    phi_3040_ = _e900;
                                                 }
-                                                let _e912 = phi_4057_;
-                                                phi_4061_ = type_64(array<vec4<f32>, 3>(vec4<f32>((_e614.member.member.x + _e740), (_e614.member.member.x + _e762), (_e614.member.member_1.x - _e779), (_e614.member.member_1.x - _e801)), vec4<f32>((_e614.member.member.y + _e749), (_e614.member.member.y + _e766), (_e614.member.member_1.y - _e788), (_e614.member.member_1.y - _e805)), vec4<f32>((_e614.member.member.z + _e758), (_e614.member.member.z + _e770), (_e614.member.member_1.z - _e797), (_e614.member.member_1.z - _e809))), type_61(type_38((_e614.member.member + vec4<f32>(_e740, _e749, _e758, 0f)), (_e614.member.member_1 - vec4<f32>(_e779, _e788, _e797, 0f))), _e888), type_61(type_38((_e614.member.member + vec4<f32>(_e762, _e766, _e770, 0f)), (_e614.member.member_1 - vec4<f32>(_e801, _e805, _e809, 0f))), _e912));
+                                                let _e902 = phi_3040_;
+                                                if _e891 {
+                                                    let _e903 = (_e882 != 7u);
+                                                    if _e903 {
+                                                        phi_3050_ = (_e879 + _e882);
+                                                    } else {
+                                                        phi_3050_ = u32();
+                                                    }
+                                                    let _e906 = phi_3050_;
+                                                    phi_3052_ = _e906;
+                                                    phi_3053_ = select(true, false, _e903);
+                                                } else {
+                                                    phi_3052_ = u32();
+                                                    phi_3053_ = true;
+                                                }
+                                                let _e909 = phi_3052_;
+                                                let _e911 = phi_3053_;
+                                                if (_e890 == 0u) {
+                                                    phi_3074_ = (_e878 + select(0u, 1u, !(_e891)));
+                                                } else {
+                                                    if (_e890 == 7u) {
+                                                        phi_3073_ = 2147483648u;
+                                                    } else {
+                                                        phi_3073_ = ((2147483648u | (_e890 << bitcast<u32>(28u))) | (select(_e909, _e879, _e911) & 268435455u));
+                                                    }
+                                                    let _e924 = phi_3073_;
+                                                    phi_3074_ = _e924;
+                                                }
+                                                let _e926 = phi_3074_;
+                                                phi_3078_ = type_64(array<vec4<f32>, 3>(vec4<f32>((_e628.member.member.x + _e754), (_e628.member.member.x + _e776), (_e628.member.member_1.x - _e793), (_e628.member.member_1.x - _e815)), vec4<f32>((_e628.member.member.y + _e763), (_e628.member.member.y + _e780), (_e628.member.member_1.y - _e802), (_e628.member.member_1.y - _e819)), vec4<f32>((_e628.member.member.z + _e772), (_e628.member.member.z + _e784), (_e628.member.member_1.z - _e811), (_e628.member.member_1.z - _e823))), type_63(type_39((_e628.member.member + vec4<f32>(_e754, _e763, _e772, 0f)), (_e628.member.member_1 - vec4<f32>(_e793, _e802, _e811, 0f))), _e902), type_63(type_39((_e628.member.member + vec4<f32>(_e776, _e780, _e784, 0f)), (_e628.member.member_1 - vec4<f32>(_e815, _e819, _e823, 0f))), _e926));
                                             }
-                                            let _e917 = phi_4061_;
-                                            let _e929 = ((_e917.member[0].x - _e418) * _e423);
-                                            let _e930 = ((_e917.member[0].y - _e418) * _e423);
-                                            let _e931 = ((_e917.member[0].z - _e419) * _e423);
-                                            let _e932 = ((_e917.member[0].w - _e419) * _e423);
-                                            let _e942 = ((_e917.member[1].x - _e454) * _e459);
-                                            let _e943 = ((_e917.member[1].y - _e454) * _e459);
-                                            let _e944 = ((_e917.member[1].z - _e455) * _e459);
-                                            let _e945 = ((_e917.member[1].w - _e455) * _e459);
-                                            let _e955 = ((_e917.member[2].x - _e490) * _e495);
-                                            let _e956 = ((_e917.member[2].y - _e490) * _e495);
-                                            let _e957 = ((_e917.member[2].z - _e491) * _e495);
-                                            let _e958 = ((_e917.member[2].w - _e491) * _e495);
-                                            let _e960 = select(_e957, _e955, (_e955 < _e957));
-                                            let _e962 = select(_e958, _e956, (_e956 < _e958));
-                                            let _e964 = select(_e957, _e955, (_e955 > _e957));
-                                            let _e966 = select(_e958, _e956, (_e956 > _e958));
-                                            let _e968 = select(_e931, _e929, (_e929 < _e931));
-                                            let _e970 = select(_e932, _e930, (_e930 < _e932));
-                                            let _e972 = select(_e944, _e942, (_e942 < _e944));
-                                            let _e974 = select(_e945, _e943, (_e943 < _e945));
-                                            let _e976 = select(_e972, _e968, (_e968 > _e972));
-                                            let _e978 = select(_e974, _e970, (_e970 > _e974));
-                                            let _e980 = select(_e960, _e976, (_e976 > _e960));
-                                            let _e982 = select(_e962, _e978, (_e978 > _e962));
-                                            let _e984 = select(_e931, _e929, (_e929 > _e931));
-                                            let _e986 = select(_e932, _e930, (_e930 > _e932));
-                                            let _e988 = select(_e944, _e942, (_e942 > _e944));
-                                            let _e990 = select(_e945, _e943, (_e943 > _e945));
-                                            let _e992 = select(_e988, _e984, (_e984 < _e988));
-                                            let _e994 = select(_e990, _e986, (_e986 < _e990));
-                                            let _e999 = -(_e960);
-                                            let _e1000 = -(_e962);
-                                            let _e1007 = (select(_e964, _e992, (_e992 < _e964)) + (select(_e999, _e964, (_e964 > _e999)) * 0.0000019073523f));
-                                            let _e1008 = (select(_e966, _e994, (_e994 < _e966)) + (select(_e1000, _e966, (_e966 > _e1000)) * 0.0000019073523f));
-                                            let _e1010 = select(_e541, _e980, (_e980 > _e541));
-                                            let _e1012 = select(_e541, _e982, (_e982 > _e541));
-                                            let _e1017 = (_e1010 <= select(_e585.member, _e1007, (_e1007 < _e585.member)));
-                                            let _e1018 = (_e1012 <= select(_e585.member, _e1008, (_e1008 < _e585.member)));
-                                            let _e1019 = (_e1010 <= _e1012);
-                                            if _e1017 {
-                                                if _e1018 {
-                                                    if _e1019 {
-                                                        phi_4405_ = _e917.member_2;
+                                            let _e931 = phi_3078_;
+                                            let _e943 = ((_e931.member[0].x - _e422) * _e427);
+                                            let _e944 = ((_e931.member[0].y - _e422) * _e427);
+                                            let _e945 = ((_e931.member[0].z - _e423) * _e427);
+                                            let _e946 = ((_e931.member[0].w - _e423) * _e427);
+                                            let _e956 = ((_e931.member[1].x - _e458) * _e463);
+                                            let _e957 = ((_e931.member[1].y - _e458) * _e463);
+                                            let _e958 = ((_e931.member[1].z - _e459) * _e463);
+                                            let _e959 = ((_e931.member[1].w - _e459) * _e463);
+                                            let _e969 = ((_e931.member[2].x - _e494) * _e499);
+                                            let _e970 = ((_e931.member[2].y - _e494) * _e499);
+                                            let _e971 = ((_e931.member[2].z - _e495) * _e499);
+                                            let _e972 = ((_e931.member[2].w - _e495) * _e499);
+                                            let _e974 = select(_e971, _e969, (_e969 < _e971));
+                                            let _e976 = select(_e972, _e970, (_e970 < _e972));
+                                            let _e978 = select(_e971, _e969, (_e969 > _e971));
+                                            let _e980 = select(_e972, _e970, (_e970 > _e972));
+                                            let _e982 = select(_e945, _e943, (_e943 < _e945));
+                                            let _e984 = select(_e946, _e944, (_e944 < _e946));
+                                            let _e986 = select(_e958, _e956, (_e956 < _e958));
+                                            let _e988 = select(_e959, _e957, (_e957 < _e959));
+                                            let _e990 = select(_e986, _e982, (_e982 > _e986));
+                                            let _e992 = select(_e988, _e984, (_e984 > _e988));
+                                            let _e994 = select(_e974, _e990, (_e990 > _e974));
+                                            let _e996 = select(_e976, _e992, (_e992 > _e976));
+                                            let _e998 = select(_e945, _e943, (_e943 > _e945));
+                                            let _e1000 = select(_e946, _e944, (_e944 > _e946));
+                                            let _e1002 = select(_e958, _e956, (_e956 > _e958));
+                                            let _e1004 = select(_e959, _e957, (_e957 > _e959));
+                                            let _e1006 = select(_e1002, _e998, (_e998 < _e1002));
+                                            let _e1008 = select(_e1004, _e1000, (_e1000 < _e1004));
+                                            let _e1013 = -(_e974);
+                                            let _e1014 = -(_e976);
+                                            let _e1021 = (select(_e978, _e1006, (_e1006 < _e978)) + (select(_e1013, _e978, (_e978 > _e1013)) * 0.0000019073523f));
+                                            let _e1022 = (select(_e980, _e1008, (_e1008 < _e980)) + (select(_e1014, _e980, (_e980 > _e1014)) * 0.0000019073523f));
+                                            let _e1024 = select(_e545, _e994, (_e994 > _e545));
+                                            let _e1026 = select(_e545, _e996, (_e996 > _e545));
+                                            let _e1031 = (_e1024 <= select(_e589.member, _e1021, (_e1021 < _e589.member)));
+                                            let _e1032 = (_e1026 <= select(_e589.member, _e1022, (_e1022 < _e589.member)));
+                                            let _e1033 = (_e1024 <= _e1026);
+                                            if _e1031 {
+                                                if _e1032 {
+                                                    if _e1033 {
+                                                        phi_3422_ = _e931.member_2;
                                                     } else {
-                                                        phi_4405_ = _e917.member_1;
+                                                        phi_3422_ = _e931.member_1;
                                                     }
-                                                    let _e1023 = phi_4405_;
-                                                    let _e1024 = (_e618 % 128u);
-                                                    let _e1025 = (_e1024 < 128u);
-                                                    if _e1025 {
+                                                    let _e1037 = phi_3422_;
+                                                    let _e1059 = (_e632 % 128u);
+                                                    let _e1060 = (_e1059 < 128u);
+                                                    if _e1060 {
                                                     } else {
-                                                        phi_4843_ = true;
+                                                        phi_3918_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1024] = type_61(type_38(_e1023.member.member, _e1023.member.member_1), _e1023.member_1);
-                                                    if _e1025 {
+                                                    local_8[_e1059] = _e1037.member_1;
+                                                    if _e1060 {
                                                     } else {
-                                                        phi_4843_ = true;
+                                                        phi_3918_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1024] = select(_e1012, _e1010, (_e1010 > _e1012));
-                                                    if _e1019 {
-                                                        phi_4438_ = _e917.member_1;
+                                                    local_7[_e1059] = _e1037.member.member.x;
+                                                    if _e1060 {
                                                     } else {
-                                                        phi_4438_ = _e917.member_2;
+                                                        phi_3918_ = true;
+                                                        break;
                                                     }
-                                                    let _e1040 = phi_4438_;
-                                                    phi_4439_ = _e1040;
-                                                    phi_4440_ = (_e618 + 1u);
+                                                    local_6[_e1059] = _e1037.member.member.y;
+                                                    if _e1060 {
+                                                    } else {
+                                                        phi_3918_ = true;
+                                                        break;
+                                                    }
+                                                    local_5[_e1059] = _e1037.member.member.z;
+                                                    if _e1060 {
+                                                    } else {
+                                                        phi_3918_ = true;
+                                                        break;
+                                                    }
+                                                    local_4[_e1059] = _e1037.member.member_1.x;
+                                                    if _e1060 {
+                                                    } else {
+                                                        phi_3918_ = true;
+                                                        break;
+                                                    }
+                                                    local_3[_e1059] = _e1037.member.member_1.y;
+                                                    if _e1060 {
+                                                    } else {
+                                                        phi_3918_ = true;
+                                                        break;
+                                                    }
+                                                    local_2[_e1059] = _e1037.member.member_1.z;
+                                                    if _e1060 {
+                                                    } else {
+                                                        phi_3918_ = true;
+                                                        break;
+                                                    }
+                                                    local_9[_e1059] = select(_e1026, _e1024, (_e1024 > _e1026));
+                                                    if _e1033 {
+                                                        phi_3499_ = _e931.member_1;
+                                                    } else {
+                                                        phi_3499_ = _e931.member_2;
+                                                    }
+                                                    let _e1073 = phi_3499_;
+                                                    phi_3500_ = _e1073;
+                                                    phi_3501_ = (_e632 + 1u);
                                                 } else {
-                                                    phi_4439_ = type_61();
-                                                    phi_4440_ = u32();
+                                                    phi_3500_ = type_63();
+                                                    phi_3501_ = u32();
                                                 }
-                                                let _e1042 = phi_4439_;
-                                                let _e1044 = phi_4440_;
-                                                phi_4442_ = _e1042;
-                                                phi_4443_ = _e1044;
-                                                phi_4444_ = select(true, false, _e1018);
+                                                let _e1075 = phi_3500_;
+                                                let _e1077 = phi_3501_;
+                                                phi_3503_ = _e1075;
+                                                phi_3504_ = _e1077;
+                                                phi_3505_ = select(true, false, _e1032);
                                             } else {
-                                                phi_4442_ = type_61();
-                                                phi_4443_ = u32();
-                                                phi_4444_ = true;
+                                                phi_3503_ = type_63();
+                                                phi_3504_ = u32();
+                                                phi_3505_ = true;
                                             }
-                                            let _e1047 = phi_4442_;
-                                            let _e1049 = phi_4443_;
-                                            let _e1051 = phi_4444_;
-                                            if _e1051 {
-                                                if _e1017 {
-                                                    phi_4453_ = _e917.member_1;
+                                            let _e1080 = phi_3503_;
+                                            let _e1082 = phi_3504_;
+                                            let _e1084 = phi_3505_;
+                                            if _e1084 {
+                                                if _e1031 {
+                                                    phi_3514_ = _e931.member_1;
                                                 } else {
-                                                    phi_4453_ = _e917.member_2;
+                                                    phi_3514_ = _e931.member_2;
                                                 }
-                                                let _e1055 = phi_4453_;
-                                                phi_4458_ = _e1055;
-                                                phi_4459_ = select(_e1018, true, _e1017);
+                                                let _e1088 = phi_3514_;
+                                                phi_3519_ = _e1088;
+                                                phi_3520_ = select(_e1032, true, _e1031);
                                             } else {
-                                                phi_4458_ = _e1047;
-                                                phi_4459_ = _e616;
+                                                phi_3519_ = _e1080;
+                                                phi_3520_ = _e630;
                                             }
-                                            let _e1058 = phi_4458_;
-                                            let _e1060 = phi_4459_;
-                                            phi_4847_ = _e583;
-                                            phi_4461_ = _e585;
-                                            phi_4462_ = _e1058;
-                                            phi_4463_ = _e1060;
-                                            phi_4464_ = select(_e1049, _e618, _e1051);
+                                            let _e1091 = phi_3519_;
+                                            let _e1093 = phi_3520_;
+                                            phi_3922_ = _e587;
+                                            phi_3522_ = _e589;
+                                            phi_3523_ = _e1091;
+                                            phi_3524_ = _e1093;
+                                            phi_3525_ = select(_e1082, _e632, _e1084);
                                         }
-                                        let _e1688 = phi_4847_;
-                                        let _e1690 = phi_4461_;
-                                        let _e1692 = phi_4462_;
-                                        let _e1694 = phi_4463_;
-                                        let _e1696 = phi_4464_;
-                                        phi_4846_ = _e1688;
-                                        phi_4465_ = _e1690;
-                                        phi_4466_ = _e1692;
-                                        phi_4467_ = (_e589 - 1u);
-                                        phi_4468_ = _e1694;
-                                        phi_4469_ = _e1696;
+                                        let _e1721 = phi_3922_;
+                                        let _e1723 = phi_3522_;
+                                        let _e1725 = phi_3523_;
+                                        let _e1727 = phi_3524_;
+                                        let _e1729 = phi_3525_;
+                                        phi_3921_ = _e1721;
+                                        phi_3526_ = _e1723;
+                                        phi_3527_ = _e1725;
+                                        phi_3528_ = (_e593 - 1u);
+                                        phi_3529_ = _e1727;
+                                        phi_3530_ = _e1729;
                                     } else {
-                                        phi_4846_ = _e583;
-                                        phi_4465_ = _e585;
-                                        phi_4466_ = _e614;
-                                        phi_4467_ = _e589;
-                                        phi_4468_ = _e616;
-                                        phi_4469_ = _e618;
+                                        phi_3921_ = _e587;
+                                        phi_3526_ = _e589;
+                                        phi_3527_ = _e628;
+                                        phi_3528_ = _e593;
+                                        phi_3529_ = _e630;
+                                        phi_3530_ = _e632;
                                     }
-                                    let _e1698 = phi_4846_;
-                                    let _e1700 = phi_4465_;
-                                    let _e1702 = phi_4466_;
-                                    let _e1704 = phi_4467_;
-                                    let _e1706 = phi_4468_;
-                                    let _e1708 = phi_4469_;
-                                    phi_4845_ = _e1698;
-                                    phi_4470_ = _e1700;
-                                    phi_4471_ = _e1702;
-                                    phi_4472_ = _e1704;
-                                    phi_4473_ = _e1706;
-                                    phi_4474_ = _e1708;
+                                    let _e1731 = phi_3921_;
+                                    let _e1733 = phi_3526_;
+                                    let _e1735 = phi_3527_;
+                                    let _e1737 = phi_3528_;
+                                    let _e1739 = phi_3529_;
+                                    let _e1741 = phi_3530_;
+                                    phi_3920_ = _e1731;
+                                    phi_3531_ = _e1733;
+                                    phi_3532_ = _e1735;
+                                    phi_3533_ = _e1737;
+                                    phi_3534_ = _e1739;
+                                    phi_3535_ = _e1741;
                                 } else {
-                                    phi_4845_ = _e583;
-                                    phi_4470_ = type_49();
-                                    phi_4471_ = type_61();
-                                    phi_4472_ = u32();
-                                    phi_4473_ = bool();
-                                    phi_4474_ = u32();
+                                    phi_3920_ = _e587;
+                                    phi_3531_ = type_51();
+                                    phi_3532_ = type_63();
+                                    phi_3533_ = u32();
+                                    phi_3534_ = bool();
+                                    phi_3535_ = u32();
                                 }
-                                let _e1710 = phi_4845_;
-                                let _e1712 = phi_4470_;
-                                let _e1714 = phi_4471_;
-                                let _e1716 = phi_4472_;
-                                let _e1718 = phi_4473_;
-                                let _e1720 = phi_4474_;
-                                phi_4844_ = _e1710;
-                                phi_2034_ = _e1712;
-                                phi_2037_ = _e1714;
-                                phi_2039_ = _e1716;
-                                phi_2041_ = _e1718;
-                                phi_2043_ = _e1720;
-                                phi_4475_ = _e597;
+                                let _e1743 = phi_3920_;
+                                let _e1745 = phi_3531_;
+                                let _e1747 = phi_3532_;
+                                let _e1749 = phi_3533_;
+                                let _e1751 = phi_3534_;
+                                let _e1753 = phi_3535_;
+                                phi_3919_ = _e1743;
+                                phi_1002_ = _e1745;
+                                phi_1005_ = _e1747;
+                                phi_1007_ = _e1749;
+                                phi_1009_ = _e1751;
+                                phi_1011_ = _e1753;
+                                phi_3536_ = _e601;
                             } else {
-                                phi_4844_ = _e583;
-                                phi_2034_ = type_49();
-                                phi_2037_ = type_61();
-                                phi_2039_ = u32();
-                                phi_2041_ = bool();
-                                phi_2043_ = u32();
-                                phi_4475_ = false;
+                                phi_3919_ = _e587;
+                                phi_1002_ = type_51();
+                                phi_1005_ = type_63();
+                                phi_1007_ = u32();
+                                phi_1009_ = bool();
+                                phi_1011_ = u32();
+                                phi_3536_ = false;
                             }
-                            let _e1722 = phi_4844_;
-                            let _e1724 = phi_2034_;
-                            let _e1726 = phi_2037_;
-                            let _e1728 = phi_2039_;
-                            let _e1730 = phi_2041_;
-                            let _e1732 = phi_2043_;
-                            let _e1734 = phi_4475_;
+                            let _e1755 = phi_3919_;
+                            let _e1757 = phi_1002_;
+                            let _e1759 = phi_1005_;
+                            let _e1761 = phi_1007_;
+                            let _e1763 = phi_1009_;
+                            let _e1765 = phi_1011_;
+                            let _e1767 = phi_3536_;
                             continue;
                             continuing {
-                                phi_4711_ = _e1722;
-                                phi_2033_ = _e1724;
-                                phi_2036_ = _e1726;
-                                phi_2038_ = _e1728;
-                                phi_2040_ = _e1730;
-                                phi_2042_ = _e1732;
-                                phi_4843_ = _e1722;
-                                break if !(_e1734);
+                                phi_3786_ = _e1755;
+                                phi_1001_ = _e1757;
+                                phi_1004_ = _e1759;
+                                phi_1006_ = _e1761;
+                                phi_1008_ = _e1763;
+                                phi_1010_ = _e1765;
+                                phi_3918_ = _e1755;
+                                break if !(_e1767);
                             }
                         }
-                        let _e1737 = phi_4843_;
-                        if _e1737 {
+                        let _e1770 = phi_3918_;
+                        if _e1770 {
                             break;
                         }
-                        let _e1739 = local_5;
-                        if _e1739.member_1 {
+                        let _e1772 = local_11;
+                        if _e1772.member_1 {
                         } else {
-                            if _e231 {
+                            if _e235 {
                             } else {
                                 break;
                             }
-                            let _e1743 = global_2.member[_e137];
-                            if _e152 {
+                            let _e1776 = global_2.member[_e141];
+                            if _e156 {
                             } else {
                                 break;
                             }
-                            let _e1747 = global_10.member[_e137].member_1;
-                            if _e231 {
+                            let _e1780 = global_10.member[_e141].member_1;
+                            if _e235 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e137] = type_31(_e1743.member, _e1743.member_1, _e1743.member_2, array<f32, 3>((_e1743.member_3[0] + (_e1747[0] * _e1743.member_1[0])), (_e1743.member_3[1] + (_e1747[1] * _e1743.member_1[1])), (_e1743.member_3[2] + (_e1747[2] * _e1743.member_1[2]))), _e1743.member_4);
+                            global_2.member[_e141] = type_32(_e1776.member, _e1776.member_1, _e1776.member_2, array<f32, 3>((_e1776.member_3[0] + (_e1780[0] * _e1776.member_1[0])), (_e1776.member_3[1] + (_e1780[1] * _e1776.member_1[1])), (_e1776.member_3[2] + (_e1780[2] * _e1776.member_1[2]))), _e1776.member_4);
                         }
                     }
                 }

@@ -63,31 +63,31 @@ struct type_41 {
     member_3: array<u32, 3>,
 }
 
-struct type_45 {
+struct type_46 {
     member: f32,
     member_1: bool,
 }
 
-struct type_47 {
+struct type_48 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_50 {
+struct type_51 {
     member: array<i32>,
 }
 
-struct type_60 {
+struct type_61 {
     member: type_34,
     member_1: u32,
 }
 
-struct type_63 {
+struct type_62 {
     member: array<vec4<f32>, 3>,
-    member_1: type_60,
-    member_2: type_60,
+    member_1: type_61,
+    member_2: type_61,
 }
 
-struct type_70 {
+struct type_69 {
     member: array<atomic<u32>>,
 }
 
@@ -97,17 +97,17 @@ var<uniform> global_1: type_16;
 @group(0) @binding(8) 
 var<storage, read_write> global_2: type_29;
 @group(0) @binding(1) 
-var<uniform> global_3: type_47;
+var<uniform> global_3: type_48;
 @group(0) @binding(2) 
-var<uniform> global_4: type_47;
+var<uniform> global_4: type_48;
 @group(0) @binding(3) 
 var<storage> global_5: type_13;
 @group(0) @binding(5) 
 var<storage> global_6: type_4;
 @group(0) @binding(6) 
-var<storage> global_7: type_50;
+var<storage> global_7: type_51;
 @group(0) @binding(9) 
-var<storage, read_write> global_8: type_70;
+var<storage, read_write> global_8: type_69;
 @group(0) @binding(7) 
 var<storage> global_9: type_37;
 @group(0) @binding(4) 
@@ -117,10 +117,16 @@ fn function_() {
     var local: array<i32, 3>;
     var local_1: array<i32, 3>;
     var local_2: array<f32, 128>;
-    var local_3: array<type_60, 128>;
-    var local_4: array<u32, 3>;
-    var local_5: array<array<f32, 3>, 3>;
-    var local_6: array<f32, 4>;
+    var local_3: array<f32, 128>;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<f32, 128>;
+    var local_7: array<f32, 128>;
+    var local_8: array<u32, 128>;
+    var local_9: array<f32, 128>;
+    var local_10: array<u32, 3>;
+    var local_11: array<array<f32, 3>, 3>;
+    var local_12: array<f32, 4>;
     var phi_342_: u32;
     var phi_386_: i32;
     var phi_410_: type_41;
@@ -152,1524 +158,1602 @@ fn function_() {
     var phi_829_: f32;
     var phi_929_: f32;
     var phi_930_: f32;
-    var phi_5007_: bool;
-    var phi_2050_: type_45;
-    var phi_2053_: type_60;
-    var phi_2055_: u32;
+    var phi_4083_: bool;
+    var phi_1019_: type_46;
+    var phi_1022_: type_61;
+    var phi_1024_: u32;
+    var phi_1026_: bool;
+    var phi_1028_: u32;
+    var phi_1039_: bool;
+    var phi_1125_: type_61;
+    var phi_1126_: bool;
+    var phi_1127_: u32;
+    var phi_3053_: u32;
+    var phi_3059_: u32;
+    var phi_3313_: u32;
+    var phi_3314_: u32;
+    var phi_3324_: u32;
+    var phi_3326_: u32;
+    var phi_3327_: bool;
+    var phi_3347_: u32;
+    var phi_3348_: u32;
+    var phi_3352_: type_62;
+    var phi_3696_: type_61;
+    var phi_3773_: type_61;
+    var phi_3774_: type_61;
+    var phi_3775_: u32;
+    var phi_3777_: type_61;
+    var phi_3778_: u32;
+    var phi_3779_: bool;
+    var phi_3788_: type_61;
+    var phi_3793_: type_61;
+    var phi_3794_: bool;
+    var phi_4080_: bool;
+    var phi_1146_: type_46;
+    var phi_1149_: type_8;
+    var phi_1150_: type_8;
+    var phi_1172_: type_8;
+    var phi_1213_: u32;
+    var phi_1219_: u32;
+    var phi_1229_: u32;
+    var phi_1245_: u32;
+    var phi_1282_: u32;
+    var phi_1288_: u32;
+    var phi_1298_: u32;
+    var phi_4065_: bool;
+    var phi_1314_: type_8;
+    var phi_1315_: type_8;
+    var phi_1338_: type_8;
+    var phi_1361_: u32;
+    var phi_1376_: u32;
+    var phi_1379_: type_8;
+    var phi_1380_: type_8;
+    var phi_1403_: type_8;
+    var phi_1469_: u32;
+    var phi_1449_: u32;
+    var phi_1450_: u32;
+    var phi_1473_: f32;
+    var phi_4058_: bool;
+    var phi_4144_: bool;
+    var phi_4143_: bool;
+    var phi_1973_: vec3<f32>;
+    var phi_1974_: vec3<f32>;
+    var phi_2005_: bool;
+    var phi_2014_: vec3<f32>;
+    var phi_2054_: type_25;
+    var phi_2056_: type_25;
     var phi_2057_: bool;
-    var phi_2059_: u32;
-    var phi_2070_: bool;
-    var phi_2107_: type_60;
-    var phi_2108_: bool;
-    var phi_2109_: u32;
-    var phi_4035_: u32;
-    var phi_4041_: u32;
-    var phi_4295_: u32;
-    var phi_4296_: u32;
-    var phi_4306_: u32;
-    var phi_4308_: u32;
-    var phi_4309_: bool;
-    var phi_4329_: u32;
-    var phi_4330_: u32;
-    var phi_4334_: type_63;
-    var phi_4678_: type_60;
-    var phi_4711_: type_60;
-    var phi_4712_: type_60;
-    var phi_4713_: u32;
-    var phi_4715_: type_60;
-    var phi_4716_: u32;
-    var phi_4717_: bool;
-    var phi_4726_: type_60;
-    var phi_4731_: type_60;
-    var phi_4732_: bool;
-    var phi_5004_: bool;
-    var phi_2128_: type_45;
-    var phi_2131_: type_8;
-    var phi_2132_: type_8;
-    var phi_2154_: type_8;
-    var phi_2195_: u32;
-    var phi_2201_: u32;
-    var phi_2211_: u32;
-    var phi_2227_: u32;
-    var phi_2264_: u32;
-    var phi_2270_: u32;
-    var phi_2280_: u32;
-    var phi_4989_: bool;
-    var phi_2296_: type_8;
-    var phi_2297_: type_8;
-    var phi_2320_: type_8;
-    var phi_2343_: u32;
-    var phi_2358_: u32;
-    var phi_2361_: type_8;
-    var phi_2362_: type_8;
-    var phi_2385_: type_8;
-    var phi_2451_: u32;
-    var phi_2431_: u32;
-    var phi_2432_: u32;
-    var phi_2455_: f32;
-    var phi_4982_: bool;
-    var phi_5068_: bool;
-    var phi_5067_: bool;
-    var phi_2955_: vec3<f32>;
-    var phi_2956_: vec3<f32>;
-    var phi_2987_: bool;
-    var phi_2996_: vec3<f32>;
-    var phi_3036_: type_25;
-    var phi_3038_: type_25;
-    var phi_3039_: bool;
-    var phi_3043_: type_25;
-    var phi_3044_: type_25;
-    var phi_3045_: type_25;
-    var phi_3046_: bool;
-    var phi_3050_: type_25;
-    var phi_3051_: bool;
-    var phi_3055_: type_25;
-    var phi_3056_: bool;
-    var phi_3060_: type_25;
-    var phi_3083_: u32;
-    var phi_3097_: i32;
-    var phi_3117_: vec3<f32>;
-    var phi_3118_: vec3<f32>;
-    var phi_3134_: vec3<f32>;
-    var phi_3135_: vec3<f32>;
-    var phi_3151_: vec3<f32>;
-    var phi_3152_: vec3<f32>;
-    var phi_3188_: vec3<f32>;
-    var phi_3370_: f32;
-    var phi_3388_: bool;
-    var phi_3389_: bool;
-    var phi_3394_: type_45;
-    var phi_3395_: type_45;
-    var phi_5070_: bool;
-    var phi_2129_: type_45;
-    var phi_5069_: bool;
-    var local_7: type_45;
-    var phi_5149_: bool;
-    var phi_4734_: type_45;
-    var phi_4735_: type_60;
-    var phi_4736_: bool;
-    var phi_4737_: u32;
-    var phi_5148_: bool;
-    var phi_4738_: type_45;
-    var phi_4739_: type_60;
-    var phi_4740_: u32;
-    var phi_4741_: bool;
-    var phi_4742_: u32;
-    var phi_5147_: bool;
-    var phi_4743_: type_45;
-    var phi_4744_: type_60;
-    var phi_4745_: u32;
-    var phi_4746_: bool;
-    var phi_4747_: u32;
-    var phi_5146_: bool;
-    var phi_2051_: type_45;
-    var phi_2054_: type_60;
-    var phi_2056_: u32;
-    var phi_2058_: bool;
-    var phi_2060_: u32;
-    var phi_4748_: bool;
-    var phi_5145_: bool;
-    var local_8: type_45;
-    var local_9: type_45;
+    var phi_2061_: type_25;
+    var phi_2062_: type_25;
+    var phi_2063_: type_25;
+    var phi_2064_: bool;
+    var phi_2068_: type_25;
+    var phi_2069_: bool;
+    var phi_2073_: type_25;
+    var phi_2074_: bool;
+    var phi_2078_: type_25;
+    var phi_2101_: u32;
+    var phi_2115_: i32;
+    var phi_2135_: vec3<f32>;
+    var phi_2136_: vec3<f32>;
+    var phi_2152_: vec3<f32>;
+    var phi_2153_: vec3<f32>;
+    var phi_2169_: vec3<f32>;
+    var phi_2170_: vec3<f32>;
+    var phi_2206_: vec3<f32>;
+    var phi_2388_: f32;
+    var phi_2406_: bool;
+    var phi_2407_: bool;
+    var phi_2412_: type_46;
+    var phi_2413_: type_46;
+    var phi_4146_: bool;
+    var phi_1147_: type_46;
+    var phi_4145_: bool;
+    var local_13: type_46;
+    var phi_4225_: bool;
+    var phi_3796_: type_46;
+    var phi_3797_: type_61;
+    var phi_3798_: bool;
+    var phi_3799_: u32;
+    var phi_4224_: bool;
+    var phi_3800_: type_46;
+    var phi_3801_: type_61;
+    var phi_3802_: u32;
+    var phi_3803_: bool;
+    var phi_3804_: u32;
+    var phi_4223_: bool;
+    var phi_3805_: type_46;
+    var phi_3806_: type_61;
+    var phi_3807_: u32;
+    var phi_3808_: bool;
+    var phi_3809_: u32;
+    var phi_4222_: bool;
+    var phi_1020_: type_46;
+    var phi_1023_: type_61;
+    var phi_1025_: u32;
+    var phi_1027_: bool;
+    var phi_1029_: u32;
+    var phi_3810_: bool;
+    var phi_4221_: bool;
+    var local_14: type_46;
+    var local_15: type_46;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e98 = global;
-            let _e100 = arrayLength((&global_5.member));
-            let _e103 = arrayLength((&global_10.member));
-            let _e115 = arrayLength((&global_8.member));
-            let _e119 = global_4.member[0u][0u];
-            let _e123 = global_4.member[0u][1u];
-            let _e127 = global_4.member[0u][2u];
-            let _e131 = global_4.member[0u][3u];
-            let _e135 = global_4.member[1u][0u];
-            let _e139 = global_4.member[1u][1u];
-            let _e143 = global_4.member[1u][2u];
-            let _e147 = (_e98.x + (_e98.y * 2097152u));
-            let _e159 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e131) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
-            local = array<i32, 3>(bitcast<i32>(_e135), bitcast<i32>(_e139), bitcast<i32>(_e143));
-            let _e162 = (_e147 < arrayLength((&global_9.member)));
-            if _e162 {
-                if _e162 {
+            let _e102 = global;
+            let _e104 = arrayLength((&global_5.member));
+            let _e107 = arrayLength((&global_10.member));
+            let _e119 = arrayLength((&global_8.member));
+            let _e123 = global_4.member[0u][0u];
+            let _e127 = global_4.member[0u][1u];
+            let _e131 = global_4.member[0u][2u];
+            let _e135 = global_4.member[0u][3u];
+            let _e139 = global_4.member[1u][0u];
+            let _e143 = global_4.member[1u][1u];
+            let _e147 = global_4.member[1u][2u];
+            let _e151 = (_e102.x + (_e102.y * 2097152u));
+            let _e163 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e135) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e123), bitcast<i32>(_e127), bitcast<i32>(_e131));
+            local = array<i32, 3>(bitcast<i32>(_e139), bitcast<i32>(_e143), bitcast<i32>(_e147));
+            let _e166 = (_e151 < arrayLength((&global_9.member)));
+            if _e166 {
+                if _e166 {
                 } else {
                     break;
                 }
-                let _e166 = global_9.member[_e147].member_2;
-                phi_342_ = _e166;
+                let _e170 = global_9.member[_e151].member_2;
+                phi_342_ = _e170;
             } else {
                 phi_342_ = 4294967295u;
             }
-            let _e168 = phi_342_;
-            let _e171 = global_1.member[0u];
-            let _e175 = global_3.member[0u][0u];
-            let _e179 = global_3.member[0u][1u];
-            let _e183 = global_3.member[0u][2u];
-            let _e187 = global_3.member[0u][3u];
-            let _e191 = global_3.member[1u][0u];
-            let _e195 = global_3.member[1u][1u];
-            let _e199 = global_3.member[1u][2u];
-            let _e203 = global_3.member[1u][3u];
-            let _e204 = bitcast<f32>(_e175);
-            let _e205 = bitcast<f32>(_e179);
-            let _e206 = bitcast<f32>(_e183);
-            let _e208 = bitcast<f32>(_e191);
-            let _e209 = array<u32, 3>(_e195, _e199, _e203);
-            let _e211 = bitcast<i32>(_e171);
-            if (_e211 < -126i) {
+            let _e172 = phi_342_;
+            let _e175 = global_1.member[0u];
+            let _e179 = global_3.member[0u][0u];
+            let _e183 = global_3.member[0u][1u];
+            let _e187 = global_3.member[0u][2u];
+            let _e191 = global_3.member[0u][3u];
+            let _e195 = global_3.member[1u][0u];
+            let _e199 = global_3.member[1u][1u];
+            let _e203 = global_3.member[1u][2u];
+            let _e207 = global_3.member[1u][3u];
+            let _e208 = bitcast<f32>(_e179);
+            let _e209 = bitcast<f32>(_e183);
+            let _e210 = bitcast<f32>(_e187);
+            let _e212 = bitcast<f32>(_e195);
+            let _e213 = array<u32, 3>(_e199, _e203, _e207);
+            let _e215 = bitcast<i32>(_e175);
+            if (_e215 < -126i) {
                 phi_386_ = -126i;
             } else {
-                phi_386_ = select(_e211, 127i, (_e211 > 127i));
+                phi_386_ = select(_e215, 127i, (_e215 > 127i));
             }
-            let _e216 = phi_386_;
-            let _e221 = bitcast<f32>((bitcast<u32>((_e216 + 127i)) << bitcast<u32>(23i)));
-            let _e227 = bitcast<f32>((bitcast<u32>(((_e211 - _e216) + 127i)) << bitcast<u32>(23i)));
-            if (_e187 == 0u) {
-                phi_410_ = type_41(array<f32, 3>(_e204, _e205, _e206), _e187, _e208, _e209);
+            let _e220 = phi_386_;
+            let _e225 = bitcast<f32>((bitcast<u32>((_e220 + 127i)) << bitcast<u32>(23i)));
+            let _e231 = bitcast<f32>((bitcast<u32>(((_e215 - _e220) + 127i)) << bitcast<u32>(23i)));
+            if (_e191 == 0u) {
+                phi_410_ = type_41(array<f32, 3>(_e208, _e209, _e210), _e191, _e212, _e213);
             } else {
-                phi_410_ = type_41(array<f32, 3>(((_e204 * _e221) * _e227), ((_e205 * _e221) * _e227), ((_e206 * _e221) * _e227)), _e187, ((_e208 * _e221) * _e227), _e209);
+                phi_410_ = type_41(array<f32, 3>(((_e208 * _e225) * _e231), ((_e209 * _e225) * _e231), ((_e210 * _e225) * _e231)), _e191, ((_e212 * _e225) * _e231), _e213);
             }
-            let _e240 = phi_410_;
-            if _e162 {
-                let _e241 = (_e147 < arrayLength((&global_2.member)));
-                if _e241 {
-                    if _e162 {
+            let _e244 = phi_410_;
+            if _e166 {
+                let _e245 = (_e151 < arrayLength((&global_2.member)));
+                if _e245 {
+                    if _e166 {
                     } else {
                         break;
                     }
-                    let _e246 = global_9.member[_e147].member.member_1;
-                    let _e251 = global_9.member[_e147].member.member_3;
-                    if (_e246 <= _e251) {
-                        let _e253 = (1u < _e115);
-                        if _e253 {
-                            if (0u < _e115) {
+                    let _e250 = global_9.member[_e151].member.member_1;
+                    let _e255 = global_9.member[_e151].member.member_3;
+                    if (_e250 <= _e255) {
+                        let _e257 = (1u < _e119);
+                        if _e257 {
+                            if (0u < _e119) {
                             } else {
                                 break;
                             }
-                            let _e257 = atomicAdd((&global_8.member[0u]), 1u);
-                            if ((_e257 + 1u) < _e257) {
-                                if _e253 {
+                            let _e261 = atomicAdd((&global_8.member[0u]), 1u);
+                            if ((_e261 + 1u) < _e261) {
+                                if _e257 {
                                 } else {
                                     break;
                                 }
-                                let _e262 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e266 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
-                        if _e162 {
+                        if _e166 {
                         } else {
                             break;
                         }
-                        let _e272 = global_9.member[_e147].member.member_2[0u];
-                        let _e274 = (bitcast<u32>(_e272) & 2147483647u);
-                        let _e280 = global_9.member[_e147].member.member_2[1u];
-                        let _e282 = (bitcast<u32>(_e280) & 2147483647u);
-                        let _e288 = global_9.member[_e147].member.member_2[2u];
-                        let _e290 = (bitcast<u32>(_e288) & 2147483647u);
-                        let _e296 = global_9.member[_e147].member.member[0u];
-                        let _e298 = (bitcast<u32>(_e296) & 2147483647u);
-                        let _e304 = global_9.member[_e147].member.member[1u];
-                        let _e306 = (bitcast<u32>(_e304) & 2147483647u);
-                        let _e312 = global_9.member[_e147].member.member[2u];
-                        let _e314 = (bitcast<u32>(_e312) & 2147483647u);
-                        let _e316 = select(_e282, _e274, (_e282 < _e274));
-                        let _e318 = select(_e290, _e316, (_e290 < _e316));
-                        let _e320 = select(_e298, _e318, (_e298 < _e318));
-                        let _e322 = select(_e306, _e320, (_e306 < _e320));
-                        let _e324 = select(_e314, _e322, (_e314 < _e322));
-                        let _e326 = (bitcast<u32>(_e246) & 2147483647u);
-                        let _e335 = (((select(_e326, _e324, (_e326 < _e324)) < 2139095040u) && ((bitcast<u32>(_e251) & 2147483647u) <= 2139095040u)) && (_e318 > 0u));
-                        if _e335 {
-                            let _e338 = (bitcast<u32>(bitcast<f32>(_e318)) & 2147483647u);
-                            if (_e338 >= 8388608u) {
-                                phi_560_ = (bitcast<i32>((_e338 >> bitcast<u32>(23i))) - 127i);
+                        let _e276 = global_9.member[_e151].member.member_2[0u];
+                        let _e278 = (bitcast<u32>(_e276) & 2147483647u);
+                        let _e284 = global_9.member[_e151].member.member_2[1u];
+                        let _e286 = (bitcast<u32>(_e284) & 2147483647u);
+                        let _e292 = global_9.member[_e151].member.member_2[2u];
+                        let _e294 = (bitcast<u32>(_e292) & 2147483647u);
+                        let _e300 = global_9.member[_e151].member.member[0u];
+                        let _e302 = (bitcast<u32>(_e300) & 2147483647u);
+                        let _e308 = global_9.member[_e151].member.member[1u];
+                        let _e310 = (bitcast<u32>(_e308) & 2147483647u);
+                        let _e316 = global_9.member[_e151].member.member[2u];
+                        let _e318 = (bitcast<u32>(_e316) & 2147483647u);
+                        let _e320 = select(_e286, _e278, (_e286 < _e278));
+                        let _e322 = select(_e294, _e320, (_e294 < _e320));
+                        let _e324 = select(_e302, _e322, (_e302 < _e322));
+                        let _e326 = select(_e310, _e324, (_e310 < _e324));
+                        let _e328 = select(_e318, _e326, (_e318 < _e326));
+                        let _e330 = (bitcast<u32>(_e250) & 2147483647u);
+                        let _e339 = (((select(_e330, _e328, (_e330 < _e328)) < 2139095040u) && ((bitcast<u32>(_e255) & 2147483647u) <= 2139095040u)) && (_e322 > 0u));
+                        if _e339 {
+                            let _e342 = (bitcast<u32>(bitcast<f32>(_e322)) & 2147483647u);
+                            if (_e342 >= 8388608u) {
+                                phi_560_ = (bitcast<i32>((_e342 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_560_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u))));
+                                phi_560_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e342)), 32u, (_e342 == 0u))));
                             }
-                            let _e352 = phi_560_;
-                            phi_561_ = _e352;
+                            let _e356 = phi_560_;
+                            phi_561_ = _e356;
                         } else {
                             phi_561_ = 0i;
                         }
-                        let _e354 = phi_561_;
-                        let _e355 = (_e274 == _e318);
-                        if _e355 {
+                        let _e358 = phi_561_;
+                        let _e359 = (_e278 == _e322);
+                        if _e359 {
                             phi_571_ = true;
                         } else {
-                            phi_571_ = (_e282 == _e318);
+                            phi_571_ = (_e286 == _e322);
                         }
-                        let _e358 = phi_571_;
-                        let _e359 = select(1u, 0u, _e355);
-                        if _e358 {
-                            let _e360 = (_e359 + 1u);
-                            phi_581_ = _e360;
-                            phi_582_ = _e360;
-                            phi_584_ = select(true, false, (_e360 == 2u));
+                        let _e362 = phi_571_;
+                        let _e363 = select(1u, 0u, _e359);
+                        if _e362 {
+                            let _e364 = (_e363 + 1u);
+                            phi_581_ = _e364;
+                            phi_582_ = _e364;
+                            phi_584_ = select(true, false, (_e364 == 2u));
                         } else {
                             phi_581_ = u32();
                             phi_582_ = 0u;
                             phi_584_ = true;
                         }
-                        let _e364 = phi_581_;
-                        let _e366 = phi_582_;
-                        let _e368 = phi_584_;
-                        if _e368 {
-                            phi_589_ = (_e366 + 1u);
+                        let _e368 = phi_581_;
+                        let _e370 = phi_582_;
+                        let _e372 = phi_584_;
+                        if _e372 {
+                            phi_589_ = (_e370 + 1u);
                         } else {
                             phi_589_ = 0u;
                         }
-                        let _e372 = phi_589_;
-                        let _e373 = select(_e364, _e366, _e368);
-                        let _e374 = select(_e359, select(2u, _e359, _e358), _e368);
-                        let _e375 = -(_e354);
-                        if (_e375 < -126i) {
+                        let _e376 = phi_589_;
+                        let _e377 = select(_e368, _e370, _e372);
+                        let _e378 = select(_e363, select(2u, _e363, _e362), _e372);
+                        let _e379 = -(_e358);
+                        if (_e379 < -126i) {
                             phi_622_ = -126i;
                         } else {
-                            phi_622_ = select(_e375, 127i, (_e375 > 127i));
+                            phi_622_ = select(_e379, 127i, (_e379 > 127i));
                         }
-                        let _e380 = phi_622_;
-                        let _e385 = bitcast<f32>((bitcast<u32>((_e380 + 127i)) << bitcast<u32>(23i)));
-                        let _e391 = bitcast<f32>((bitcast<u32>(((_e375 - _e380) + 127i)) << bitcast<u32>(23i)));
-                        let _e396 = global_9.member[_e147].member.member;
-                        let _e397 = (_e373 == 0u);
-                        if _e397 {
-                            phi_640_ = _e396[0];
+                        let _e384 = phi_622_;
+                        let _e389 = bitcast<f32>((bitcast<u32>((_e384 + 127i)) << bitcast<u32>(23i)));
+                        let _e395 = bitcast<f32>((bitcast<u32>(((_e379 - _e384) + 127i)) << bitcast<u32>(23i)));
+                        let _e400 = global_9.member[_e151].member.member;
+                        let _e401 = (_e377 == 0u);
+                        if _e401 {
+                            phi_640_ = _e400[0];
                         } else {
-                            phi_640_ = _e396[1];
+                            phi_640_ = _e400[1];
                         }
-                        let _e401 = phi_640_;
-                        let _e402 = (_e373 == 2u);
-                        if _e402 {
-                            phi_646_ = _e396[2];
+                        let _e405 = phi_640_;
+                        let _e406 = (_e377 == 2u);
+                        if _e406 {
+                            phi_646_ = _e400[2];
                         } else {
-                            phi_646_ = _e401;
+                            phi_646_ = _e405;
                         }
-                        let _e405 = phi_646_;
-                        let _e406 = global_9.member[_e147].member.member_2;
-                        if _e397 {
-                            phi_657_ = _e406[0];
+                        let _e409 = phi_646_;
+                        let _e410 = global_9.member[_e151].member.member_2;
+                        if _e401 {
+                            phi_657_ = _e410[0];
                         } else {
-                            phi_657_ = _e406[1];
+                            phi_657_ = _e410[1];
                         }
-                        let _e410 = phi_657_;
-                        if _e402 {
-                            phi_663_ = _e406[2];
+                        let _e414 = phi_657_;
+                        if _e406 {
+                            phi_663_ = _e410[2];
                         } else {
-                            phi_663_ = _e410;
+                            phi_663_ = _e414;
                         }
-                        let _e413 = phi_663_;
-                        let _e415 = ((_e413 * _e385) * _e391);
-                        let _e419 = (bitcast<f32>((bitcast<u32>(_e415) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e419 {
-                            let _e423 = (bitcast<f32>((bitcast<u32>(_e405) & 2147483647u)) * 0.00000011920929f);
-                            phi_686_ = select(0.00000000000011368684f, _e423, (_e423 > 0.00000000000011368684f));
+                        let _e417 = phi_663_;
+                        let _e419 = ((_e417 * _e389) * _e395);
+                        let _e423 = (bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e423 {
+                            let _e427 = (bitcast<f32>((bitcast<u32>(_e409) & 2147483647u)) * 0.00000011920929f);
+                            phi_686_ = select(0.00000000000011368684f, _e427, (_e427 > 0.00000000000011368684f));
                         } else {
                             phi_686_ = 0f;
                         }
-                        let _e427 = phi_686_;
-                        let _e428 = (_e405 + _e427);
-                        let _e429 = (_e405 - _e427);
-                        let _e430 = select(_e415, 0f, _e419);
-                        if _e419 {
+                        let _e431 = phi_686_;
+                        let _e432 = (_e409 + _e431);
+                        let _e433 = (_e409 - _e431);
+                        let _e434 = select(_e419, 0f, _e423);
+                        if _e423 {
                             phi_697_ = 38685626000000000000000000f;
                         } else {
-                            phi_697_ = (1f / _e415);
+                            phi_697_ = (1f / _e419);
                         }
-                        let _e433 = phi_697_;
-                        let _e434 = (_e372 == 0u);
-                        if _e434 {
-                            phi_706_ = _e396[0];
+                        let _e437 = phi_697_;
+                        let _e438 = (_e376 == 0u);
+                        if _e438 {
+                            phi_706_ = _e400[0];
                         } else {
-                            phi_706_ = _e396[1];
+                            phi_706_ = _e400[1];
                         }
-                        let _e438 = phi_706_;
-                        let _e439 = (_e372 == 2u);
-                        if _e439 {
-                            phi_712_ = _e396[2];
+                        let _e442 = phi_706_;
+                        let _e443 = (_e376 == 2u);
+                        if _e443 {
+                            phi_712_ = _e400[2];
                         } else {
-                            phi_712_ = _e438;
+                            phi_712_ = _e442;
                         }
-                        let _e442 = phi_712_;
-                        if _e434 {
-                            phi_723_ = _e406[0];
+                        let _e446 = phi_712_;
+                        if _e438 {
+                            phi_723_ = _e410[0];
                         } else {
-                            phi_723_ = _e406[1];
+                            phi_723_ = _e410[1];
                         }
-                        let _e446 = phi_723_;
-                        if _e439 {
-                            phi_729_ = _e406[2];
+                        let _e450 = phi_723_;
+                        if _e443 {
+                            phi_729_ = _e410[2];
                         } else {
-                            phi_729_ = _e446;
+                            phi_729_ = _e450;
                         }
-                        let _e449 = phi_729_;
-                        let _e451 = ((_e449 * _e385) * _e391);
-                        let _e455 = (bitcast<f32>((bitcast<u32>(_e451) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e455 {
-                            let _e459 = (bitcast<f32>((bitcast<u32>(_e442) & 2147483647u)) * 0.00000011920929f);
-                            phi_752_ = select(0.00000000000011368684f, _e459, (_e459 > 0.00000000000011368684f));
+                        let _e453 = phi_729_;
+                        let _e455 = ((_e453 * _e389) * _e395);
+                        let _e459 = (bitcast<f32>((bitcast<u32>(_e455) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e459 {
+                            let _e463 = (bitcast<f32>((bitcast<u32>(_e446) & 2147483647u)) * 0.00000011920929f);
+                            phi_752_ = select(0.00000000000011368684f, _e463, (_e463 > 0.00000000000011368684f));
                         } else {
                             phi_752_ = 0f;
                         }
-                        let _e463 = phi_752_;
-                        let _e464 = (_e442 + _e463);
-                        let _e465 = (_e442 - _e463);
-                        let _e466 = select(_e451, 0f, _e455);
-                        if _e455 {
+                        let _e467 = phi_752_;
+                        let _e468 = (_e446 + _e467);
+                        let _e469 = (_e446 - _e467);
+                        let _e470 = select(_e455, 0f, _e459);
+                        if _e459 {
                             phi_763_ = 38685626000000000000000000f;
                         } else {
-                            phi_763_ = (1f / _e451);
+                            phi_763_ = (1f / _e455);
                         }
-                        let _e469 = phi_763_;
-                        let _e470 = (_e374 == 0u);
-                        if _e470 {
-                            phi_772_ = _e396[0];
+                        let _e473 = phi_763_;
+                        let _e474 = (_e378 == 0u);
+                        if _e474 {
+                            phi_772_ = _e400[0];
                         } else {
-                            phi_772_ = _e396[1];
+                            phi_772_ = _e400[1];
                         }
-                        let _e474 = phi_772_;
-                        let _e475 = (_e374 == 2u);
-                        if _e475 {
-                            phi_778_ = _e396[2];
+                        let _e478 = phi_772_;
+                        let _e479 = (_e378 == 2u);
+                        if _e479 {
+                            phi_778_ = _e400[2];
                         } else {
-                            phi_778_ = _e474;
+                            phi_778_ = _e478;
                         }
-                        let _e478 = phi_778_;
-                        if _e470 {
-                            phi_789_ = _e406[0];
+                        let _e482 = phi_778_;
+                        if _e474 {
+                            phi_789_ = _e410[0];
                         } else {
-                            phi_789_ = _e406[1];
+                            phi_789_ = _e410[1];
                         }
-                        let _e482 = phi_789_;
-                        if _e475 {
-                            phi_795_ = _e406[2];
+                        let _e486 = phi_789_;
+                        if _e479 {
+                            phi_795_ = _e410[2];
                         } else {
-                            phi_795_ = _e482;
+                            phi_795_ = _e486;
                         }
-                        let _e485 = phi_795_;
-                        let _e487 = ((_e485 * _e385) * _e391);
-                        let _e491 = (bitcast<f32>((bitcast<u32>(_e487) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e491 {
-                            let _e495 = (bitcast<f32>((bitcast<u32>(_e478) & 2147483647u)) * 0.00000011920929f);
-                            phi_818_ = select(0.00000000000011368684f, _e495, (_e495 > 0.00000000000011368684f));
+                        let _e489 = phi_795_;
+                        let _e491 = ((_e489 * _e389) * _e395);
+                        let _e495 = (bitcast<f32>((bitcast<u32>(_e491) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e495 {
+                            let _e499 = (bitcast<f32>((bitcast<u32>(_e482) & 2147483647u)) * 0.00000011920929f);
+                            phi_818_ = select(0.00000000000011368684f, _e499, (_e499 > 0.00000000000011368684f));
                         } else {
                             phi_818_ = 0f;
                         }
-                        let _e499 = phi_818_;
-                        let _e500 = (_e478 + _e499);
-                        let _e501 = (_e478 - _e499);
-                        let _e502 = select(_e487, 0f, _e491);
-                        if _e491 {
+                        let _e503 = phi_818_;
+                        let _e504 = (_e482 + _e503);
+                        let _e505 = (_e482 - _e503);
+                        let _e506 = select(_e491, 0f, _e495);
+                        if _e495 {
                             phi_829_ = 38685626000000000000000000f;
                         } else {
-                            phi_829_ = (1f / _e487);
+                            phi_829_ = (1f / _e491);
                         }
-                        let _e505 = phi_829_;
-                        let _e508 = bitcast<f32>((bitcast<u32>(_e405) & 2147483647u));
-                        let _e511 = bitcast<f32>((bitcast<u32>(_e442) & 2147483647u));
-                        let _e513 = select(_e511, _e508, (_e508 > _e511));
-                        let _e516 = bitcast<f32>((bitcast<u32>(_e478) & 2147483647u));
-                        if (_e335 && (select(_e516, _e513, (_e513 > _e516)) <= 1099511600000f)) {
-                            let _e521 = (_e354 / 3i);
-                            let _e528 = bitcast<f32>((bitcast<u32>((_e521 + 127i)) << bitcast<u32>(23i)));
-                            let _e535 = bitcast<f32>((bitcast<u32>(((_e354 - (2i * _e521)) + 127i)) << bitcast<u32>(23i)));
-                            let _e536 = (((_e246 * _e528) * _e528) * _e535);
-                            let _e538 = select(340282350000000000000000000000000000000f, _e536, (_e536 < 340282350000000000000000000000000000000f));
-                            let _e543 = (((_e251 * _e528) * _e528) * _e535);
-                            let _e545 = select(340282350000000000000000000000000000000f, _e543, (_e543 < 340282350000000000000000000000000000000f));
-                            phi_929_ = select(-340282350000000000000000000000000000000f, _e545, (_e545 > -340282350000000000000000000000000000000f));
-                            phi_930_ = select(-340282350000000000000000000000000000000f, _e538, (_e538 > -340282350000000000000000000000000000000f));
+                        let _e509 = phi_829_;
+                        let _e512 = bitcast<f32>((bitcast<u32>(_e409) & 2147483647u));
+                        let _e515 = bitcast<f32>((bitcast<u32>(_e446) & 2147483647u));
+                        let _e517 = select(_e515, _e512, (_e512 > _e515));
+                        let _e520 = bitcast<f32>((bitcast<u32>(_e482) & 2147483647u));
+                        if (_e339 && (select(_e520, _e517, (_e517 > _e520)) <= 1099511600000f)) {
+                            let _e525 = (_e358 / 3i);
+                            let _e532 = bitcast<f32>((bitcast<u32>((_e525 + 127i)) << bitcast<u32>(23i)));
+                            let _e539 = bitcast<f32>((bitcast<u32>(((_e358 - (2i * _e525)) + 127i)) << bitcast<u32>(23i)));
+                            let _e540 = (((_e250 * _e532) * _e532) * _e539);
+                            let _e542 = select(340282350000000000000000000000000000000f, _e540, (_e540 < 340282350000000000000000000000000000000f));
+                            let _e547 = (((_e255 * _e532) * _e532) * _e539);
+                            let _e549 = select(340282350000000000000000000000000000000f, _e547, (_e547 < 340282350000000000000000000000000000000f));
+                            phi_929_ = select(-340282350000000000000000000000000000000f, _e549, (_e549 > -340282350000000000000000000000000000000f));
+                            phi_930_ = select(-340282350000000000000000000000000000000f, _e542, (_e542 > -340282350000000000000000000000000000000f));
                         } else {
                             phi_929_ = 0f;
                             phi_930_ = 1f;
                         }
-                        let _e549 = phi_929_;
-                        let _e551 = phi_930_;
-                        local_3 = array<type_60, 128>(type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u));
+                        let _e553 = phi_929_;
+                        let _e555 = phi_930_;
+                        local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                        local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e555 = (_e373 % 3u);
-                        let _e556 = (_e555 < 3u);
-                        if _e556 {
+                        local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        let _e559 = (_e377 % 3u);
+                        let _e560 = (_e559 < 3u);
+                        if _e560 {
                         } else {
                             break;
                         }
-                        let _e558 = local_1[_e555];
-                        let _e561 = (_e372 % 3u);
-                        let _e562 = (_e561 < 3u);
-                        if _e562 {
+                        let _e562 = local_1[_e559];
+                        let _e565 = (_e376 % 3u);
+                        let _e566 = (_e565 < 3u);
+                        if _e566 {
                         } else {
                             break;
                         }
-                        let _e564 = local_1[_e561];
-                        let _e567 = (_e374 % 3u);
-                        let _e568 = (_e567 < 3u);
-                        if _e568 {
+                        let _e568 = local_1[_e565];
+                        let _e571 = (_e378 % 3u);
+                        let _e572 = (_e571 < 3u);
+                        if _e572 {
                         } else {
                             break;
                         }
-                        let _e570 = local_1[_e567];
-                        if _e556 {
+                        let _e574 = local_1[_e571];
+                        if _e560 {
                         } else {
                             break;
                         }
-                        let _e575 = local[_e555];
-                        if _e562 {
+                        let _e579 = local[_e559];
+                        if _e566 {
                         } else {
                             break;
                         }
-                        let _e579 = local[_e561];
-                        if _e568 {
+                        let _e583 = local[_e565];
+                        if _e572 {
                         } else {
                             break;
                         }
-                        let _e583 = local[_e567];
-                        phi_5007_ = false;
-                        phi_2050_ = type_45(_e549, false);
-                        phi_2053_ = type_60(type_34(vec4<f32>((f32(_e558) * _e159), (f32(_e564) * _e159), (f32(_e570) * _e159), 0f), vec4<f32>((f32(_e575) * _e159), (f32(_e579) * _e159), (f32(_e583) * _e159), 0f)), select(0u, 2147483648u, (_e100 == 0u)));
-                        phi_2055_ = ((3u * _e100) + 1u);
-                        phi_2057_ = (_e551 <= _e549);
-                        phi_2059_ = 0u;
+                        let _e587 = local[_e571];
+                        phi_4083_ = false;
+                        phi_1019_ = type_46(_e553, false);
+                        phi_1022_ = type_61(type_34(vec4<f32>((f32(_e562) * _e163), (f32(_e568) * _e163), (f32(_e574) * _e163), 0f), vec4<f32>((f32(_e579) * _e163), (f32(_e583) * _e163), (f32(_e587) * _e163), 0f)), select(0u, 2147483648u, (_e104 == 0u)));
+                        phi_1024_ = ((3u * _e104) + 1u);
+                        phi_1026_ = (_e555 <= _e553);
+                        phi_1028_ = 0u;
                         loop {
-                            let _e593 = phi_5007_;
-                            let _e595 = phi_2050_;
-                            let _e597 = phi_2053_;
-                            let _e599 = phi_2055_;
-                            let _e601 = phi_2057_;
-                            let _e603 = phi_2059_;
-                            local_8 = _e595;
-                            if _e601 {
-                                phi_2070_ = true;
+                            let _e597 = phi_4083_;
+                            let _e599 = phi_1019_;
+                            let _e601 = phi_1022_;
+                            let _e603 = phi_1024_;
+                            let _e605 = phi_1026_;
+                            let _e607 = phi_1028_;
+                            local_14 = _e599;
+                            if _e605 {
+                                phi_1039_ = true;
                             } else {
-                                phi_2070_ = (_e603 > 0u);
+                                phi_1039_ = (_e607 > 0u);
                             }
-                            let _e606 = phi_2070_;
-                            if _e606 {
-                                let _e607 = (_e599 > 0u);
-                                if _e607 {
-                                    if _e601 {
-                                        phi_2107_ = _e597;
-                                        phi_2108_ = _e601;
-                                        phi_2109_ = _e603;
+                            let _e610 = phi_1039_;
+                            if _e610 {
+                                let _e611 = (_e603 > 0u);
+                                if _e611 {
+                                    if _e605 {
+                                        phi_1125_ = _e601;
+                                        phi_1126_ = _e605;
+                                        phi_1127_ = _e607;
                                     } else {
-                                        let _e608 = (_e603 - 1u);
-                                        let _e609 = (_e608 % 128u);
-                                        let _e610 = (_e609 < 128u);
-                                        if _e610 {
+                                        let _e612 = (_e607 - 1u);
+                                        let _e613 = (_e612 % 128u);
+                                        let _e614 = (_e613 < 128u);
+                                        if _e614 {
                                         } else {
-                                            phi_5145_ = true;
+                                            phi_4221_ = true;
                                             break;
                                         }
-                                        let _e612 = local_3[_e609];
-                                        if _e610 {
+                                        let _e616 = local_7[_e613];
+                                        if _e614 {
                                         } else {
-                                            phi_5145_ = true;
+                                            phi_4221_ = true;
                                             break;
                                         }
-                                        let _e620 = local_2[_e609];
-                                        phi_2107_ = type_60(type_34(_e612.member.member, _e612.member.member_1), _e612.member_1);
-                                        phi_2108_ = (_e620 <= _e595.member);
-                                        phi_2109_ = _e608;
+                                        let _e618 = local_6[_e613];
+                                        if _e614 {
+                                        } else {
+                                            phi_4221_ = true;
+                                            break;
+                                        }
+                                        let _e620 = local_5[_e613];
+                                        if _e614 {
+                                        } else {
+                                            phi_4221_ = true;
+                                            break;
+                                        }
+                                        let _e622 = local_4[_e613];
+                                        if _e614 {
+                                        } else {
+                                            phi_4221_ = true;
+                                            break;
+                                        }
+                                        let _e624 = local_3[_e613];
+                                        if _e614 {
+                                        } else {
+                                            phi_4221_ = true;
+                                            break;
+                                        }
+                                        let _e626 = local_2[_e613];
+                                        if _e614 {
+                                        } else {
+                                            phi_4221_ = true;
+                                            break;
+                                        }
+                                        let _e631 = local_8[_e613];
+                                        if _e614 {
+                                        } else {
+                                            phi_4221_ = true;
+                                            break;
+                                        }
+                                        let _e634 = local_9[_e613];
+                                        phi_1125_ = type_61(type_34(vec4<f32>(_e616, _e618, _e620, 0f), vec4<f32>(_e622, _e624, _e626, 0f)), _e631);
+                                        phi_1126_ = (_e634 <= _e599.member);
+                                        phi_1127_ = _e612;
                                     }
-                                    let _e624 = phi_2107_;
-                                    let _e626 = phi_2108_;
-                                    let _e628 = phi_2109_;
-                                    if _e626 {
-                                        let _e633 = (_e624.member_1 & 268435455u);
-                                        if ((_e624.member_1 & 2147483648u) != 0u) {
-                                            phi_5004_ = _e593;
-                                            phi_2128_ = _e595;
-                                            phi_2131_ = type_8(0u, ((_e624.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e638 = phi_1125_;
+                                    let _e640 = phi_1126_;
+                                    let _e642 = phi_1127_;
+                                    if _e640 {
+                                        let _e647 = (_e638.member_1 & 268435455u);
+                                        if ((_e638.member_1 & 2147483648u) != 0u) {
+                                            phi_4080_ = _e597;
+                                            phi_1146_ = _e599;
+                                            phi_1149_ = type_8(0u, ((_e638.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1095 = phi_5004_;
-                                                let _e1097 = phi_2128_;
-                                                let _e1099 = phi_2131_;
-                                                local_7 = _e1097;
-                                                local_9 = _e1097;
-                                                if (_e1099.member < _e1099.member_1) {
-                                                    phi_2132_ = type_8((_e1099.member + 1u), _e1099.member_1);
-                                                    phi_2154_ = type_8(1u, _e1099.member);
+                                                let _e1128 = phi_4080_;
+                                                let _e1130 = phi_1146_;
+                                                let _e1132 = phi_1149_;
+                                                local_13 = _e1130;
+                                                local_15 = _e1130;
+                                                if (_e1132.member < _e1132.member_1) {
+                                                    phi_1150_ = type_8((_e1132.member + 1u), _e1132.member_1);
+                                                    phi_1172_ = type_8(1u, _e1132.member);
                                                 } else {
-                                                    phi_2132_ = _e1099;
-                                                    phi_2154_ = type_8(0u, type_8().member_1);
+                                                    phi_1150_ = _e1132;
+                                                    phi_1172_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1112 = phi_2132_;
-                                                let _e1114 = phi_2154_;
-                                                let _e1118 = (bitcast<i32>(_e1114.member) != 0i);
-                                                if _e1118 {
-                                                    let _e1123 = (_e624.member.member_1.x - _e624.member.member.x);
-                                                    let _e1126 = (_e624.member.member_1.y - _e624.member.member.y);
-                                                    let _e1129 = (_e624.member.member_1.z - _e624.member.member.z);
-                                                    let _e1131 = select(_e1126, _e1123, (_e1123 > _e1126));
-                                                    let _e1133 = select(_e1129, _e1131, (_e1131 > _e1129));
-                                                    let _e1135 = (_e1133 < (1024f * _e159));
-                                                    if _e1135 {
-                                                        phi_2195_ = 0u;
+                                                let _e1145 = phi_1150_;
+                                                let _e1147 = phi_1172_;
+                                                let _e1151 = (bitcast<i32>(_e1147.member) != 0i);
+                                                if _e1151 {
+                                                    let _e1156 = (_e638.member.member_1.x - _e638.member.member.x);
+                                                    let _e1159 = (_e638.member.member_1.y - _e638.member.member.y);
+                                                    let _e1162 = (_e638.member.member_1.z - _e638.member.member.z);
+                                                    let _e1164 = select(_e1159, _e1156, (_e1156 > _e1159));
+                                                    let _e1166 = select(_e1162, _e1164, (_e1164 > _e1162));
+                                                    let _e1168 = (_e1166 < (1024f * _e163));
+                                                    if _e1168 {
+                                                        phi_1213_ = 0u;
                                                     } else {
-                                                        phi_2195_ = select(2u, 1u, (_e1133 < (2097152f * _e159)));
+                                                        phi_1213_ = select(2u, 1u, (_e1166 < (2097152f * _e163)));
                                                     }
-                                                    let _e1140 = phi_2195_;
-                                                    switch bitcast<i32>(_e1140) {
+                                                    let _e1173 = phi_1213_;
+                                                    switch bitcast<i32>(_e1173) {
                                                         case 0: {
-                                                            phi_2201_ = 1u;
+                                                            phi_1219_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_2201_ = 2u;
+                                                            phi_1219_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_2201_ = 3u;
+                                                            phi_1219_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2201_ = u32();
+                                                            phi_1219_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1143 = phi_2201_;
-                                                    switch bitcast<i32>(_e1140) {
+                                                    let _e1176 = phi_1219_;
+                                                    switch bitcast<i32>(_e1173) {
                                                         case 0: {
-                                                            phi_2211_ = 1u;
+                                                            phi_1229_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_2211_ = 2u;
+                                                            phi_1229_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_2211_ = 3u;
+                                                            phi_1229_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2211_ = u32();
+                                                            phi_1229_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1150 = phi_2211_;
-                                                    let _e1152 = ((_e633 + (_e1114.member_1 * ((3u * _e1143) + 1u))) + (3u * _e1150));
-                                                    let _e1153 = (_e1152 < _e103);
-                                                    if _e1153 {
-                                                        if _e1153 {
+                                                    let _e1183 = phi_1229_;
+                                                    let _e1185 = ((_e647 + (_e1147.member_1 * ((3u * _e1176) + 1u))) + (3u * _e1183));
+                                                    let _e1186 = (_e1185 < _e107);
+                                                    if _e1186 {
+                                                        if _e1186 {
                                                         } else {
-                                                            phi_5069_ = true;
+                                                            phi_4145_ = true;
                                                             break;
                                                         }
-                                                        let _e1155 = global_10.member[_e1152];
-                                                        phi_2227_ = _e1155;
+                                                        let _e1188 = global_10.member[_e1185];
+                                                        phi_1245_ = _e1188;
                                                     } else {
-                                                        phi_2227_ = 4294967295u;
+                                                        phi_1245_ = 4294967295u;
                                                     }
-                                                    let _e1157 = phi_2227_;
-                                                    local_4 = array<u32, 3>(_e373, _e372, _e374);
-                                                    if _e1135 {
-                                                        phi_2264_ = 0u;
+                                                    let _e1190 = phi_1245_;
+                                                    local_10 = array<u32, 3>(_e377, _e376, _e378);
+                                                    if _e1168 {
+                                                        phi_1282_ = 0u;
                                                     } else {
-                                                        phi_2264_ = select(2u, 1u, (_e1133 < (2097152f * _e159)));
+                                                        phi_1282_ = select(2u, 1u, (_e1166 < (2097152f * _e163)));
                                                     }
-                                                    let _e1163 = phi_2264_;
-                                                    switch bitcast<i32>(_e1163) {
+                                                    let _e1196 = phi_1282_;
+                                                    switch bitcast<i32>(_e1196) {
                                                         case 0: {
-                                                            phi_2270_ = 1u;
+                                                            phi_1288_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_2270_ = 2u;
+                                                            phi_1288_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_2270_ = 3u;
+                                                            phi_1288_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2270_ = u32();
+                                                            phi_1288_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1166 = phi_2270_;
-                                                    switch bitcast<i32>(_e1163) {
+                                                    let _e1199 = phi_1288_;
+                                                    switch bitcast<i32>(_e1196) {
                                                         case 0: {
-                                                            phi_2280_ = 1u;
+                                                            phi_1298_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_2280_ = 2u;
+                                                            phi_1298_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_2280_ = 3u;
+                                                            phi_1298_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2280_ = u32();
+                                                            phi_1298_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1173 = phi_2280_;
-                                                    local_6 = array<f32, 4>(_e624.member.member.x, _e624.member.member.y, _e624.member.member.z, _e624.member.member.w);
-                                                    local_5[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_5[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_5[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                    phi_4989_ = _e1095;
-                                                    phi_2296_ = type_8(0u, 3u);
+                                                    let _e1206 = phi_1298_;
+                                                    local_12 = array<f32, 4>(_e638.member.member.x, _e638.member.member.y, _e638.member.member.z, _e638.member.member.w);
+                                                    local_11[0u] = array<f32, 3>(0f, 0f, 0f);
+                                                    local_11[1u] = array<f32, 3>(0f, 0f, 0f);
+                                                    local_11[2u] = array<f32, 3>(0f, 0f, 0f);
+                                                    phi_4065_ = _e1128;
+                                                    phi_1314_ = type_8(0u, 3u);
                                                     loop {
-                                                        let _e1187 = phi_4989_;
-                                                        let _e1189 = phi_2296_;
-                                                        if (_e1189.member < _e1189.member_1) {
-                                                            phi_2297_ = type_8((_e1189.member + 1u), _e1189.member_1);
-                                                            phi_2320_ = type_8(1u, _e1189.member);
+                                                        let _e1220 = phi_4065_;
+                                                        let _e1222 = phi_1314_;
+                                                        if (_e1222.member < _e1222.member_1) {
+                                                            phi_1315_ = type_8((_e1222.member + 1u), _e1222.member_1);
+                                                            phi_1338_ = type_8(1u, _e1222.member);
                                                         } else {
-                                                            phi_2297_ = _e1189;
-                                                            phi_2320_ = type_8(0u, type_8().member_1);
+                                                            phi_1315_ = _e1222;
+                                                            phi_1338_ = type_8(0u, type_8().member_1);
                                                         }
-                                                        let _e1202 = phi_2297_;
-                                                        let _e1204 = phi_2320_;
-                                                        let _e1208 = (bitcast<i32>(_e1204.member) != 0i);
-                                                        if _e1208 {
-                                                            let _e1210 = ((_e633 + (_e1114.member_1 * ((3u * _e1166) + 1u))) + (_e1204.member_1 * _e1173));
-                                                            let _e1211 = (_e1210 < _e103);
-                                                            if _e1211 {
-                                                                if _e1211 {
+                                                        let _e1235 = phi_1315_;
+                                                        let _e1237 = phi_1338_;
+                                                        let _e1241 = (bitcast<i32>(_e1237.member) != 0i);
+                                                        if _e1241 {
+                                                            let _e1243 = ((_e647 + (_e1147.member_1 * ((3u * _e1199) + 1u))) + (_e1237.member_1 * _e1206));
+                                                            let _e1244 = (_e1243 < _e107);
+                                                            if _e1244 {
+                                                                if _e1244 {
                                                                 } else {
-                                                                    phi_5067_ = true;
+                                                                    phi_4143_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1213 = global_10.member[_e1210];
-                                                                phi_2343_ = _e1213;
+                                                                let _e1246 = global_10.member[_e1243];
+                                                                phi_1361_ = _e1246;
                                                             } else {
-                                                                phi_2343_ = 0u;
+                                                                phi_1361_ = 0u;
                                                             }
-                                                            let _e1215 = phi_2343_;
-                                                            let _e1216 = (_e1210 + 1u);
-                                                            let _e1217 = (_e1216 < _e103);
-                                                            if _e1217 {
-                                                                if _e1217 {
+                                                            let _e1248 = phi_1361_;
+                                                            let _e1249 = (_e1243 + 1u);
+                                                            let _e1250 = (_e1249 < _e107);
+                                                            if _e1250 {
+                                                                if _e1250 {
                                                                 } else {
-                                                                    phi_5067_ = true;
+                                                                    phi_4143_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1219 = global_10.member[_e1216];
-                                                                phi_2358_ = _e1219;
+                                                                let _e1252 = global_10.member[_e1249];
+                                                                phi_1376_ = _e1252;
                                                             } else {
-                                                                phi_2358_ = 0u;
+                                                                phi_1376_ = 0u;
                                                             }
-                                                            let _e1221 = phi_2358_;
-                                                            phi_2361_ = type_8(0u, 3u);
+                                                            let _e1254 = phi_1376_;
+                                                            phi_1379_ = type_8(0u, 3u);
                                                             loop {
-                                                                let _e1223 = phi_2361_;
-                                                                if (_e1223.member < _e1223.member_1) {
-                                                                    phi_2362_ = type_8((_e1223.member + 1u), _e1223.member_1);
-                                                                    phi_2385_ = type_8(1u, _e1223.member);
+                                                                let _e1256 = phi_1379_;
+                                                                if (_e1256.member < _e1256.member_1) {
+                                                                    phi_1380_ = type_8((_e1256.member + 1u), _e1256.member_1);
+                                                                    phi_1403_ = type_8(1u, _e1256.member);
                                                                 } else {
-                                                                    phi_2362_ = _e1223;
-                                                                    phi_2385_ = type_8(0u, type_8().member_1);
+                                                                    phi_1380_ = _e1256;
+                                                                    phi_1403_ = type_8(0u, type_8().member_1);
                                                                 }
-                                                                let _e1236 = phi_2362_;
-                                                                let _e1238 = phi_2385_;
-                                                                let _e1242 = (bitcast<i32>(_e1238.member) != 0i);
-                                                                if _e1242 {
-                                                                    let _e1243 = (_e1238.member_1 < 3u);
-                                                                    if _e1243 {
+                                                                let _e1269 = phi_1380_;
+                                                                let _e1271 = phi_1403_;
+                                                                let _e1275 = (bitcast<i32>(_e1271.member) != 0i);
+                                                                if _e1275 {
+                                                                    let _e1276 = (_e1271.member_1 < 3u);
+                                                                    if _e1276 {
                                                                     } else {
-                                                                        phi_4982_ = true;
+                                                                        phi_4058_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1245 = local_4[_e1238.member_1];
-                                                                    if (_e1238.member_1 < 4u) {
+                                                                    let _e1278 = local_10[_e1271.member_1];
+                                                                    if (_e1271.member_1 < 4u) {
                                                                     } else {
-                                                                        phi_4982_ = true;
+                                                                        phi_4058_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1248 = local_6[_e1238.member_1];
-                                                                    switch bitcast<i32>(_e1163) {
+                                                                    let _e1281 = local_12[_e1271.member_1];
+                                                                    switch bitcast<i32>(_e1196) {
                                                                         case 0: {
-                                                                            phi_2455_ = (_e1248 + (f32(((_e1215 >> bitcast<u32>(((10u * _e1245) & 31u))) & 1023u)) * _e159));
+                                                                            phi_1473_ = (_e1281 + (f32(((_e1248 >> bitcast<u32>(((10u * _e1278) & 31u))) & 1023u)) * _e163));
                                                                             break;
                                                                         }
                                                                         case 1: {
-                                                                            if (_e1245 == 0u) {
-                                                                                phi_2432_ = _e1215;
+                                                                            if (_e1278 == 0u) {
+                                                                                phi_1450_ = _e1248;
                                                                             } else {
-                                                                                if (_e1245 == 1u) {
-                                                                                    phi_2431_ = ((_e1215 >> bitcast<u32>(21i)) | (_e1221 << bitcast<u32>(11i)));
+                                                                                if (_e1278 == 1u) {
+                                                                                    phi_1449_ = ((_e1248 >> bitcast<u32>(21i)) | (_e1254 << bitcast<u32>(11i)));
                                                                                 } else {
-                                                                                    phi_2431_ = (_e1221 >> bitcast<u32>(10i));
+                                                                                    phi_1449_ = (_e1254 >> bitcast<u32>(10i));
                                                                                 }
-                                                                                let _e1269 = phi_2431_;
-                                                                                phi_2432_ = _e1269;
+                                                                                let _e1302 = phi_1449_;
+                                                                                phi_1450_ = _e1302;
                                                                             }
-                                                                            let _e1271 = phi_2432_;
-                                                                            phi_2455_ = (_e1248 + (f32((_e1271 & 2097151u)) * _e159));
+                                                                            let _e1304 = phi_1450_;
+                                                                            phi_1473_ = (_e1281 + (f32((_e1304 & 2097151u)) * _e163));
                                                                             break;
                                                                         }
                                                                         case 2: {
-                                                                            let _e1250 = (_e1210 + _e1245);
-                                                                            let _e1251 = (_e1250 < _e103);
-                                                                            if _e1251 {
-                                                                                if _e1251 {
+                                                                            let _e1283 = (_e1243 + _e1278);
+                                                                            let _e1284 = (_e1283 < _e107);
+                                                                            if _e1284 {
+                                                                                if _e1284 {
                                                                                 } else {
-                                                                                    phi_4982_ = true;
+                                                                                    phi_4058_ = true;
                                                                                     break;
                                                                                 }
-                                                                                let _e1253 = global_10.member[_e1250];
-                                                                                phi_2451_ = _e1253;
+                                                                                let _e1286 = global_10.member[_e1283];
+                                                                                phi_1469_ = _e1286;
                                                                             } else {
-                                                                                phi_2451_ = 0u;
+                                                                                phi_1469_ = 0u;
                                                                             }
-                                                                            let _e1255 = phi_2451_;
-                                                                            phi_2455_ = (f32(bitcast<i32>(_e1255)) * _e159);
+                                                                            let _e1288 = phi_1469_;
+                                                                            phi_1473_ = (f32(bitcast<i32>(_e1288)) * _e163);
                                                                             break;
                                                                         }
                                                                         default: {
-                                                                            phi_2455_ = f32();
+                                                                            phi_1473_ = f32();
                                                                             break;
                                                                         }
                                                                     }
-                                                                    let _e1285 = phi_2455_;
-                                                                    if (_e1204.member_1 < 3u) {
+                                                                    let _e1318 = phi_1473_;
+                                                                    if (_e1237.member_1 < 3u) {
                                                                     } else {
-                                                                        phi_4982_ = true;
+                                                                        phi_4058_ = true;
                                                                         break;
                                                                     }
-                                                                    if _e1243 {
+                                                                    if _e1276 {
                                                                     } else {
-                                                                        phi_4982_ = true;
+                                                                        phi_4058_ = true;
                                                                         break;
                                                                     }
-                                                                    local_5[_e1204.member_1][_e1238.member_1] = _e1285;
+                                                                    local_11[_e1237.member_1][_e1271.member_1] = _e1318;
                                                                 }
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2361_ = _e1236;
-                                                                    phi_4982_ = _e1187;
-                                                                    break if !(_e1242);
+                                                                    phi_1379_ = _e1269;
+                                                                    phi_4058_ = _e1220;
+                                                                    break if !(_e1275);
                                                                 }
                                                             }
-                                                            let _e1291 = phi_4982_;
-                                                            phi_5067_ = _e1291;
-                                                            if _e1291 {
+                                                            let _e1324 = phi_4058_;
+                                                            phi_4143_ = _e1324;
+                                                            if _e1324 {
                                                                 break;
                                                             }
-                                                            phi_5068_ = _e1291;
+                                                            phi_4144_ = _e1324;
                                                         } else {
-                                                            phi_5068_ = _e1187;
+                                                            phi_4144_ = _e1220;
                                                         }
-                                                        let _e1293 = phi_5068_;
+                                                        let _e1326 = phi_4144_;
                                                         continue;
                                                         continuing {
-                                                            phi_4989_ = _e1293;
-                                                            phi_2296_ = _e1202;
-                                                            phi_5067_ = _e1293;
-                                                            break if !(_e1208);
+                                                            phi_4065_ = _e1326;
+                                                            phi_1314_ = _e1235;
+                                                            phi_4143_ = _e1326;
+                                                            break if !(_e1241);
                                                         }
                                                     }
-                                                    let _e1296 = phi_5067_;
-                                                    phi_5069_ = _e1296;
-                                                    if _e1296 {
+                                                    let _e1329 = phi_4143_;
+                                                    phi_4145_ = _e1329;
+                                                    if _e1329 {
                                                         break;
                                                     }
-                                                    let _e1297 = local_5;
-                                                    let _e1313 = (_e1297[0][2] - _e478);
-                                                    let _e1316 = (((_e1297[0][0] - _e405) * _e502) - (_e1313 * _e430));
-                                                    let _e1319 = (((_e1297[0][1] - _e442) * _e502) - (_e1313 * _e466));
-                                                    let _e1322 = (_e1297[1][2] - _e478);
-                                                    let _e1325 = (((_e1297[1][0] - _e405) * _e502) - (_e1322 * _e430));
-                                                    let _e1328 = (((_e1297[1][1] - _e442) * _e502) - (_e1322 * _e466));
-                                                    let _e1331 = (_e1297[2][2] - _e478);
-                                                    let _e1334 = (((_e1297[2][0] - _e405) * _e502) - (_e1331 * _e430));
-                                                    let _e1337 = (((_e1297[2][1] - _e442) * _e502) - (_e1331 * _e466));
-                                                    let _e1338 = (_e1334 * _e1328);
-                                                    let _e1339 = (_e1337 * _e1325);
-                                                    let _e1340 = (_e1316 * _e1337);
-                                                    let _e1341 = (_e1319 * _e1334);
-                                                    let _e1342 = (_e1325 * _e1319);
-                                                    let _e1343 = (_e1328 * _e1316);
-                                                    let _e1348 = (((_e1338 >= _e1339) && (_e1340 >= _e1341)) && (_e1342 >= _e1343));
-                                                    if (_e1348 || (((_e1338 <= _e1339) && (_e1340 <= _e1341)) && (_e1342 <= _e1343))) {
-                                                        let _e1355 = select(-1f, 1f, _e1348);
-                                                        let _e1357 = ((_e1338 - _e1339) * _e1355);
-                                                        let _e1359 = select(0f, _e1357, (_e1357 > 0f));
-                                                        let _e1361 = ((_e1340 - _e1341) * _e1355);
-                                                        let _e1363 = select(0f, _e1361, (_e1361 > 0f));
-                                                        let _e1365 = ((_e1342 - _e1343) * _e1355);
-                                                        let _e1367 = select(0f, _e1365, (_e1365 > 0f));
-                                                        let _e1369 = ((_e1359 + _e1363) + _e1367);
-                                                        if (_e1369 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_3050_ = type_25();
-                                                            phi_3051_ = true;
+                                                    let _e1330 = local_11;
+                                                    let _e1346 = (_e1330[0][2] - _e482);
+                                                    let _e1349 = (((_e1330[0][0] - _e409) * _e506) - (_e1346 * _e434));
+                                                    let _e1352 = (((_e1330[0][1] - _e446) * _e506) - (_e1346 * _e470));
+                                                    let _e1355 = (_e1330[1][2] - _e482);
+                                                    let _e1358 = (((_e1330[1][0] - _e409) * _e506) - (_e1355 * _e434));
+                                                    let _e1361 = (((_e1330[1][1] - _e446) * _e506) - (_e1355 * _e470));
+                                                    let _e1364 = (_e1330[2][2] - _e482);
+                                                    let _e1367 = (((_e1330[2][0] - _e409) * _e506) - (_e1364 * _e434));
+                                                    let _e1370 = (((_e1330[2][1] - _e446) * _e506) - (_e1364 * _e470));
+                                                    let _e1371 = (_e1367 * _e1361);
+                                                    let _e1372 = (_e1370 * _e1358);
+                                                    let _e1373 = (_e1349 * _e1370);
+                                                    let _e1374 = (_e1352 * _e1367);
+                                                    let _e1375 = (_e1358 * _e1352);
+                                                    let _e1376 = (_e1361 * _e1349);
+                                                    let _e1381 = (((_e1371 >= _e1372) && (_e1373 >= _e1374)) && (_e1375 >= _e1376));
+                                                    if (_e1381 || (((_e1371 <= _e1372) && (_e1373 <= _e1374)) && (_e1375 <= _e1376))) {
+                                                        let _e1388 = select(-1f, 1f, _e1381);
+                                                        let _e1390 = ((_e1371 - _e1372) * _e1388);
+                                                        let _e1392 = select(0f, _e1390, (_e1390 > 0f));
+                                                        let _e1394 = ((_e1373 - _e1374) * _e1388);
+                                                        let _e1396 = select(0f, _e1394, (_e1394 > 0f));
+                                                        let _e1398 = ((_e1375 - _e1376) * _e1388);
+                                                        let _e1400 = select(0f, _e1398, (_e1398 > 0f));
+                                                        let _e1402 = ((_e1392 + _e1396) + _e1400);
+                                                        if (_e1402 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2068_ = type_25();
+                                                            phi_2069_ = true;
                                                         } else {
-                                                            let _e1372 = select(_e1297[1][0], _e1297[0][0], (_e1297[0][0] < _e1297[1][0]));
-                                                            let _e1376 = select(_e1297[1][0], _e1297[0][0], (_e1297[0][0] > _e1297[1][0]));
-                                                            let _e1380 = select(_e1297[1][1], _e1297[0][1], (_e1297[0][1] < _e1297[1][1]));
-                                                            let _e1384 = select(_e1297[1][1], _e1297[0][1], (_e1297[0][1] > _e1297[1][1]));
-                                                            let _e1388 = select(_e1297[1][2], _e1297[0][2], (_e1297[0][2] < _e1297[1][2]));
-                                                            let _e1392 = select(_e1297[1][2], _e1297[0][2], (_e1297[0][2] > _e1297[1][2]));
-                                                            let _e1397 = ((select(_e1297[2][0], _e1372, (_e1372 < _e1297[2][0])) - _e428) * _e433);
-                                                            let _e1398 = ((select(_e1297[2][0], _e1376, (_e1376 > _e1297[2][0])) - _e429) * _e433);
-                                                            let _e1401 = ((select(_e1297[2][1], _e1380, (_e1380 < _e1297[2][1])) - _e464) * _e469);
-                                                            let _e1402 = ((select(_e1297[2][1], _e1384, (_e1384 > _e1297[2][1])) - _e465) * _e469);
-                                                            let _e1405 = ((select(_e1297[2][2], _e1388, (_e1388 < _e1297[2][2])) - _e500) * _e505);
-                                                            let _e1406 = ((select(_e1297[2][2], _e1392, (_e1392 > _e1297[2][2])) - _e501) * _e505);
-                                                            let _e1408 = select(_e1406, _e1405, (_e1405 < _e1406));
-                                                            let _e1410 = select(_e1406, _e1405, (_e1405 > _e1406));
-                                                            let _e1412 = select(_e1398, _e1397, (_e1397 < _e1398));
-                                                            let _e1414 = select(_e1402, _e1401, (_e1401 < _e1402));
-                                                            let _e1416 = select(_e1414, _e1412, (_e1412 > _e1414));
-                                                            let _e1418 = select(_e1408, _e1416, (_e1416 > _e1408));
-                                                            let _e1420 = select(_e1398, _e1397, (_e1397 > _e1398));
-                                                            let _e1422 = select(_e1402, _e1401, (_e1401 > _e1402));
-                                                            let _e1424 = select(_e1422, _e1420, (_e1420 < _e1422));
-                                                            let _e1426 = select(_e1410, _e1424, (_e1424 < _e1410));
-                                                            let _e1427 = -(_e1408);
-                                                            let _e1433 = select(_e551, _e1418, (_e1418 > _e551));
-                                                            if (_e1433 > (_e1426 + (select(_e1427, _e1410, (_e1410 > _e1427)) * 0.0000019073523f))) {
-                                                                phi_3045_ = type_25();
-                                                                phi_3046_ = true;
+                                                            let _e1405 = select(_e1330[1][0], _e1330[0][0], (_e1330[0][0] < _e1330[1][0]));
+                                                            let _e1409 = select(_e1330[1][0], _e1330[0][0], (_e1330[0][0] > _e1330[1][0]));
+                                                            let _e1413 = select(_e1330[1][1], _e1330[0][1], (_e1330[0][1] < _e1330[1][1]));
+                                                            let _e1417 = select(_e1330[1][1], _e1330[0][1], (_e1330[0][1] > _e1330[1][1]));
+                                                            let _e1421 = select(_e1330[1][2], _e1330[0][2], (_e1330[0][2] < _e1330[1][2]));
+                                                            let _e1425 = select(_e1330[1][2], _e1330[0][2], (_e1330[0][2] > _e1330[1][2]));
+                                                            let _e1430 = ((select(_e1330[2][0], _e1405, (_e1405 < _e1330[2][0])) - _e432) * _e437);
+                                                            let _e1431 = ((select(_e1330[2][0], _e1409, (_e1409 > _e1330[2][0])) - _e433) * _e437);
+                                                            let _e1434 = ((select(_e1330[2][1], _e1413, (_e1413 < _e1330[2][1])) - _e468) * _e473);
+                                                            let _e1435 = ((select(_e1330[2][1], _e1417, (_e1417 > _e1330[2][1])) - _e469) * _e473);
+                                                            let _e1438 = ((select(_e1330[2][2], _e1421, (_e1421 < _e1330[2][2])) - _e504) * _e509);
+                                                            let _e1439 = ((select(_e1330[2][2], _e1425, (_e1425 > _e1330[2][2])) - _e505) * _e509);
+                                                            let _e1441 = select(_e1439, _e1438, (_e1438 < _e1439));
+                                                            let _e1443 = select(_e1439, _e1438, (_e1438 > _e1439));
+                                                            let _e1445 = select(_e1431, _e1430, (_e1430 < _e1431));
+                                                            let _e1447 = select(_e1435, _e1434, (_e1434 < _e1435));
+                                                            let _e1449 = select(_e1447, _e1445, (_e1445 > _e1447));
+                                                            let _e1451 = select(_e1441, _e1449, (_e1449 > _e1441));
+                                                            let _e1453 = select(_e1431, _e1430, (_e1430 > _e1431));
+                                                            let _e1455 = select(_e1435, _e1434, (_e1434 > _e1435));
+                                                            let _e1457 = select(_e1455, _e1453, (_e1453 < _e1455));
+                                                            let _e1459 = select(_e1443, _e1457, (_e1457 < _e1443));
+                                                            let _e1460 = -(_e1441);
+                                                            let _e1466 = select(_e555, _e1451, (_e1451 > _e555));
+                                                            if (_e1466 > (_e1459 + (select(_e1460, _e1443, (_e1443 > _e1460)) * 0.0000019073523f))) {
+                                                                phi_2063_ = type_25();
+                                                                phi_2064_ = true;
                                                             } else {
-                                                                let _e1435 = (_e1433 > _e1097.member);
-                                                                if _e1435 {
-                                                                    phi_3044_ = type_25();
+                                                                let _e1468 = (_e1466 > _e1130.member);
+                                                                if _e1468 {
+                                                                    phi_2062_ = type_25();
                                                                 } else {
-                                                                    let _e1439 = (_e1297[1][0] - _e1297[0][0]);
-                                                                    let _e1440 = (_e1297[1][1] - _e1297[0][1]);
-                                                                    let _e1441 = (_e1297[1][2] - _e1297[0][2]);
-                                                                    let _e1442 = vec3<f32>(_e1439, _e1440, _e1441);
-                                                                    let _e1443 = (_e1297[2][0] - _e1297[1][0]);
-                                                                    let _e1444 = (_e1297[2][1] - _e1297[1][1]);
-                                                                    let _e1445 = (_e1297[2][2] - _e1297[1][2]);
-                                                                    let _e1446 = vec3<f32>(_e1443, _e1444, _e1445);
-                                                                    let _e1447 = (_e1297[0][0] - _e1297[2][0]);
-                                                                    let _e1448 = (_e1297[0][1] - _e1297[2][1]);
-                                                                    let _e1449 = (_e1297[0][2] - _e1297[2][2]);
-                                                                    let _e1450 = vec3<f32>(_e1447, _e1448, _e1449);
-                                                                    let _e1453 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
-                                                                    let _e1456 = bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u));
-                                                                    let _e1458 = select(_e1456, _e1453, (_e1453 > _e1456));
-                                                                    let _e1461 = bitcast<f32>((bitcast<u32>(_e1441) & 2147483647u));
-                                                                    let _e1463 = select(_e1461, _e1458, (_e1458 > _e1461));
-                                                                    let _e1466 = bitcast<f32>((bitcast<u32>(_e1443) & 2147483647u));
-                                                                    let _e1469 = bitcast<f32>((bitcast<u32>(_e1444) & 2147483647u));
-                                                                    let _e1471 = select(_e1469, _e1466, (_e1466 > _e1469));
-                                                                    let _e1474 = bitcast<f32>((bitcast<u32>(_e1445) & 2147483647u));
-                                                                    let _e1476 = select(_e1474, _e1471, (_e1471 > _e1474));
-                                                                    let _e1479 = bitcast<f32>((bitcast<u32>(_e1447) & 2147483647u));
-                                                                    let _e1482 = bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u));
-                                                                    let _e1484 = select(_e1482, _e1479, (_e1479 > _e1482));
-                                                                    let _e1487 = bitcast<f32>((bitcast<u32>(_e1449) & 2147483647u));
-                                                                    let _e1489 = select(_e1487, _e1484, (_e1484 > _e1487));
-                                                                    let _e1491 = select(_e1476, _e1463, (_e1463 > _e1476));
-                                                                    let _e1493 = select(_e1489, _e1491, (_e1491 > _e1489));
-                                                                    if (_e1463 == _e1493) {
-                                                                        phi_2955_ = _e1446;
-                                                                        phi_2956_ = _e1450;
+                                                                    let _e1472 = (_e1330[1][0] - _e1330[0][0]);
+                                                                    let _e1473 = (_e1330[1][1] - _e1330[0][1]);
+                                                                    let _e1474 = (_e1330[1][2] - _e1330[0][2]);
+                                                                    let _e1475 = vec3<f32>(_e1472, _e1473, _e1474);
+                                                                    let _e1476 = (_e1330[2][0] - _e1330[1][0]);
+                                                                    let _e1477 = (_e1330[2][1] - _e1330[1][1]);
+                                                                    let _e1478 = (_e1330[2][2] - _e1330[1][2]);
+                                                                    let _e1479 = vec3<f32>(_e1476, _e1477, _e1478);
+                                                                    let _e1480 = (_e1330[0][0] - _e1330[2][0]);
+                                                                    let _e1481 = (_e1330[0][1] - _e1330[2][1]);
+                                                                    let _e1482 = (_e1330[0][2] - _e1330[2][2]);
+                                                                    let _e1483 = vec3<f32>(_e1480, _e1481, _e1482);
+                                                                    let _e1486 = bitcast<f32>((bitcast<u32>(_e1472) & 2147483647u));
+                                                                    let _e1489 = bitcast<f32>((bitcast<u32>(_e1473) & 2147483647u));
+                                                                    let _e1491 = select(_e1489, _e1486, (_e1486 > _e1489));
+                                                                    let _e1494 = bitcast<f32>((bitcast<u32>(_e1474) & 2147483647u));
+                                                                    let _e1496 = select(_e1494, _e1491, (_e1491 > _e1494));
+                                                                    let _e1499 = bitcast<f32>((bitcast<u32>(_e1476) & 2147483647u));
+                                                                    let _e1502 = bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u));
+                                                                    let _e1504 = select(_e1502, _e1499, (_e1499 > _e1502));
+                                                                    let _e1507 = bitcast<f32>((bitcast<u32>(_e1478) & 2147483647u));
+                                                                    let _e1509 = select(_e1507, _e1504, (_e1504 > _e1507));
+                                                                    let _e1512 = bitcast<f32>((bitcast<u32>(_e1480) & 2147483647u));
+                                                                    let _e1515 = bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u));
+                                                                    let _e1517 = select(_e1515, _e1512, (_e1512 > _e1515));
+                                                                    let _e1520 = bitcast<f32>((bitcast<u32>(_e1482) & 2147483647u));
+                                                                    let _e1522 = select(_e1520, _e1517, (_e1517 > _e1520));
+                                                                    let _e1524 = select(_e1509, _e1496, (_e1496 > _e1509));
+                                                                    let _e1526 = select(_e1522, _e1524, (_e1524 > _e1522));
+                                                                    if (_e1496 == _e1526) {
+                                                                        phi_1973_ = _e1479;
+                                                                        phi_1974_ = _e1483;
                                                                     } else {
-                                                                        let _e1496 = vec3((_e1476 == _e1493));
-                                                                        phi_2955_ = select(_e1442, _e1450, _e1496);
-                                                                        phi_2956_ = select(_e1446, _e1442, _e1496);
+                                                                        let _e1529 = vec3((_e1509 == _e1526));
+                                                                        phi_1973_ = select(_e1475, _e1483, _e1529);
+                                                                        phi_1974_ = select(_e1479, _e1475, _e1529);
                                                                     }
-                                                                    let _e1500 = phi_2955_;
-                                                                    let _e1502 = phi_2956_;
-                                                                    let _e1509 = ((_e1500.y * _e1502.z) - (_e1502.y * _e1500.z));
-                                                                    let _e1514 = ((_e1500.z * _e1502.x) - (_e1502.z * _e1500.x));
-                                                                    let _e1517 = ((_e1500.x * _e1502.y) - (_e1502.x * _e1500.y));
-                                                                    if (_e1359 >= _e1363) {
-                                                                        phi_2987_ = select(true, false, (_e1359 >= _e1367));
+                                                                    let _e1533 = phi_1973_;
+                                                                    let _e1535 = phi_1974_;
+                                                                    let _e1542 = ((_e1533.y * _e1535.z) - (_e1535.y * _e1533.z));
+                                                                    let _e1547 = ((_e1533.z * _e1535.x) - (_e1535.z * _e1533.x));
+                                                                    let _e1550 = ((_e1533.x * _e1535.y) - (_e1535.x * _e1533.y));
+                                                                    if (_e1392 >= _e1396) {
+                                                                        phi_2005_ = select(true, false, (_e1392 >= _e1400));
                                                                     } else {
-                                                                        phi_2987_ = true;
+                                                                        phi_2005_ = true;
                                                                     }
-                                                                    let _e1522 = phi_2987_;
-                                                                    if _e1522 {
-                                                                        phi_2996_ = select(vec3<f32>(_e1297[2][0], _e1297[2][1], _e1297[2][2]), vec3<f32>(_e1297[1][0], _e1297[1][1], _e1297[1][2]), vec3((_e1363 >= _e1367)));
+                                                                    let _e1555 = phi_2005_;
+                                                                    if _e1555 {
+                                                                        phi_2014_ = select(vec3<f32>(_e1330[2][0], _e1330[2][1], _e1330[2][2]), vec3<f32>(_e1330[1][0], _e1330[1][1], _e1330[1][2]), vec3((_e1396 >= _e1400)));
                                                                     } else {
-                                                                        phi_2996_ = vec3<f32>(_e1297[0][0], _e1297[0][1], _e1297[0][2]);
+                                                                        phi_2014_ = vec3<f32>(_e1330[0][0], _e1330[0][1], _e1330[0][2]);
                                                                     }
-                                                                    let _e1527 = phi_2996_;
-                                                                    let _e1544 = ((((_e1509 * (_e1527.x - _e405)) + (_e1514 * (_e1527.y - _e442))) + (_e1517 * (_e1527.z - _e478))) / (((_e1509 * _e430) + (_e1514 * _e466)) + (_e1517 * _e502)));
-                                                                    let _e1546 = select(_e1426, _e1544, (_e1544 < _e1426));
-                                                                    let _e1548 = select(_e1418, _e1546, (_e1546 > _e1418));
-                                                                    if (_e1548 >= _e551) {
-                                                                        let _e1550 = (_e1548 <= _e1097.member);
-                                                                        if _e1550 {
-                                                                            let _e1551 = (1f / _e1369);
-                                                                            phi_3036_ = type_25(_e1548, (_e1363 * _e1551), (_e1367 * _e1551), _e1157);
+                                                                    let _e1560 = phi_2014_;
+                                                                    let _e1577 = ((((_e1542 * (_e1560.x - _e409)) + (_e1547 * (_e1560.y - _e446))) + (_e1550 * (_e1560.z - _e482))) / (((_e1542 * _e434) + (_e1547 * _e470)) + (_e1550 * _e506)));
+                                                                    let _e1579 = select(_e1459, _e1577, (_e1577 < _e1459));
+                                                                    let _e1581 = select(_e1451, _e1579, (_e1579 > _e1451));
+                                                                    if (_e1581 >= _e555) {
+                                                                        let _e1583 = (_e1581 <= _e1130.member);
+                                                                        if _e1583 {
+                                                                            let _e1584 = (1f / _e1402);
+                                                                            phi_2054_ = type_25(_e1581, (_e1396 * _e1584), (_e1400 * _e1584), _e1190);
                                                                         } else {
-                                                                            phi_3036_ = type_25();
+                                                                            phi_2054_ = type_25();
                                                                         }
-                                                                        let _e1556 = phi_3036_;
-                                                                        phi_3038_ = _e1556;
-                                                                        phi_3039_ = select(true, false, _e1550);
+                                                                        let _e1589 = phi_2054_;
+                                                                        phi_2056_ = _e1589;
+                                                                        phi_2057_ = select(true, false, _e1583);
                                                                     } else {
-                                                                        phi_3038_ = type_25();
-                                                                        phi_3039_ = true;
+                                                                        phi_2056_ = type_25();
+                                                                        phi_2057_ = true;
                                                                     }
-                                                                    let _e1559 = phi_3038_;
-                                                                    let _e1561 = phi_3039_;
-                                                                    if _e1561 {
-                                                                        phi_3043_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e1592 = phi_2056_;
+                                                                    let _e1594 = phi_2057_;
+                                                                    if _e1594 {
+                                                                        phi_2061_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_3043_ = _e1559;
+                                                                        phi_2061_ = _e1592;
                                                                     }
-                                                                    let _e1563 = phi_3043_;
-                                                                    phi_3044_ = _e1563;
+                                                                    let _e1596 = phi_2061_;
+                                                                    phi_2062_ = _e1596;
                                                                 }
-                                                                let _e1565 = phi_3044_;
-                                                                phi_3045_ = _e1565;
-                                                                phi_3046_ = _e1435;
+                                                                let _e1598 = phi_2062_;
+                                                                phi_2063_ = _e1598;
+                                                                phi_2064_ = _e1468;
                                                             }
-                                                            let _e1567 = phi_3045_;
-                                                            let _e1569 = phi_3046_;
-                                                            phi_3050_ = _e1567;
-                                                            phi_3051_ = _e1569;
+                                                            let _e1600 = phi_2063_;
+                                                            let _e1602 = phi_2064_;
+                                                            phi_2068_ = _e1600;
+                                                            phi_2069_ = _e1602;
                                                         }
-                                                        let _e1571 = phi_3050_;
-                                                        let _e1573 = phi_3051_;
-                                                        phi_3055_ = _e1571;
-                                                        phi_3056_ = _e1573;
+                                                        let _e1604 = phi_2068_;
+                                                        let _e1606 = phi_2069_;
+                                                        phi_2073_ = _e1604;
+                                                        phi_2074_ = _e1606;
                                                     } else {
-                                                        phi_3055_ = type_25();
-                                                        phi_3056_ = true;
+                                                        phi_2073_ = type_25();
+                                                        phi_2074_ = true;
                                                     }
-                                                    let _e1575 = phi_3055_;
-                                                    let _e1577 = phi_3056_;
-                                                    if _e1577 {
-                                                        phi_3060_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1608 = phi_2073_;
+                                                    let _e1610 = phi_2074_;
+                                                    if _e1610 {
+                                                        phi_2078_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_3060_ = _e1575;
+                                                        phi_2078_ = _e1608;
                                                     }
-                                                    let _e1579 = phi_3060_;
-                                                    if (_e1579.member_3 != 4294967295u) {
-                                                        if (_e1157 == _e168) {
-                                                            phi_3389_ = false;
+                                                    let _e1612 = phi_2078_;
+                                                    if (_e1612.member_3 != 4294967295u) {
+                                                        if (_e1190 == _e172) {
+                                                            phi_2407_ = false;
                                                         } else {
-                                                            let _e1583 = (_e1157 < arrayLength((&global_6.member)));
-                                                            if _e1583 {
-                                                                if _e1583 {
+                                                            let _e1616 = (_e1190 < arrayLength((&global_6.member)));
+                                                            if _e1616 {
+                                                                if _e1616 {
                                                                 } else {
-                                                                    phi_5069_ = true;
+                                                                    phi_4145_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1585 = global_6.member[_e1157];
-                                                                phi_3083_ = _e1585;
+                                                                let _e1618 = global_6.member[_e1190];
+                                                                phi_2101_ = _e1618;
                                                             } else {
-                                                                phi_3083_ = 4294967295u;
+                                                                phi_2101_ = 4294967295u;
                                                             }
-                                                            let _e1587 = phi_3083_;
-                                                            let _e1588 = (_e1587 < arrayLength((&global_7.member)));
-                                                            if _e1588 {
-                                                                if _e1588 {
+                                                            let _e1620 = phi_2101_;
+                                                            let _e1621 = (_e1620 < arrayLength((&global_7.member)));
+                                                            if _e1621 {
+                                                                if _e1621 {
                                                                 } else {
-                                                                    phi_5069_ = true;
+                                                                    phi_4145_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1590 = global_7.member[_e1587];
-                                                                phi_3097_ = _e1590;
+                                                                let _e1623 = global_7.member[_e1620];
+                                                                phi_2115_ = _e1623;
                                                             } else {
-                                                                phi_3097_ = 0i;
+                                                                phi_2115_ = 0i;
                                                             }
-                                                            let _e1592 = phi_3097_;
-                                                            let _e1593 = (_e1592 == 0i);
-                                                            if _e1593 {
-                                                                phi_3388_ = true;
+                                                            let _e1625 = phi_2115_;
+                                                            let _e1626 = (_e1625 == 0i);
+                                                            if _e1626 {
+                                                                phi_2406_ = true;
                                                             } else {
-                                                                if _e397 {
-                                                                    phi_3118_ = vec3<f32>(_e1297[0][0], _e1297[0][1], _e1297[0][2]);
+                                                                if _e401 {
+                                                                    phi_2136_ = vec3<f32>(_e1330[0][0], _e1330[0][1], _e1330[0][2]);
                                                                 } else {
-                                                                    if (_e373 == 1u) {
-                                                                        phi_3117_ = vec3<f32>(_e1297[0][2], _e1297[0][0], _e1297[0][1]);
+                                                                    if (_e377 == 1u) {
+                                                                        phi_2135_ = vec3<f32>(_e1330[0][2], _e1330[0][0], _e1330[0][1]);
                                                                     } else {
-                                                                        phi_3117_ = vec3<f32>(_e1297[0][1], _e1297[0][2], _e1297[0][0]);
+                                                                        phi_2135_ = vec3<f32>(_e1330[0][1], _e1330[0][2], _e1330[0][0]);
                                                                     }
-                                                                    let _e1598 = phi_3117_;
-                                                                    phi_3118_ = _e1598;
+                                                                    let _e1631 = phi_2135_;
+                                                                    phi_2136_ = _e1631;
                                                                 }
-                                                                let _e1601 = phi_3118_;
-                                                                if _e397 {
-                                                                    phi_3135_ = vec3<f32>(_e1297[1][0], _e1297[1][1], _e1297[1][2]);
+                                                                let _e1634 = phi_2136_;
+                                                                if _e401 {
+                                                                    phi_2153_ = vec3<f32>(_e1330[1][0], _e1330[1][1], _e1330[1][2]);
                                                                 } else {
-                                                                    if (_e373 == 1u) {
-                                                                        phi_3134_ = vec3<f32>(_e1297[1][2], _e1297[1][0], _e1297[1][1]);
+                                                                    if (_e377 == 1u) {
+                                                                        phi_2152_ = vec3<f32>(_e1330[1][2], _e1330[1][0], _e1330[1][1]);
                                                                     } else {
-                                                                        phi_3134_ = vec3<f32>(_e1297[1][1], _e1297[1][2], _e1297[1][0]);
+                                                                        phi_2152_ = vec3<f32>(_e1330[1][1], _e1330[1][2], _e1330[1][0]);
                                                                     }
-                                                                    let _e1606 = phi_3134_;
-                                                                    phi_3135_ = _e1606;
+                                                                    let _e1639 = phi_2152_;
+                                                                    phi_2153_ = _e1639;
                                                                 }
-                                                                let _e1609 = phi_3135_;
-                                                                if _e397 {
-                                                                    phi_3152_ = vec3<f32>(_e1297[2][0], _e1297[2][1], _e1297[2][2]);
+                                                                let _e1642 = phi_2153_;
+                                                                if _e401 {
+                                                                    phi_2170_ = vec3<f32>(_e1330[2][0], _e1330[2][1], _e1330[2][2]);
                                                                 } else {
-                                                                    if (_e373 == 1u) {
-                                                                        phi_3151_ = vec3<f32>(_e1297[2][2], _e1297[2][0], _e1297[2][1]);
+                                                                    if (_e377 == 1u) {
+                                                                        phi_2169_ = vec3<f32>(_e1330[2][2], _e1330[2][0], _e1330[2][1]);
                                                                     } else {
-                                                                        phi_3151_ = vec3<f32>(_e1297[2][1], _e1297[2][2], _e1297[2][0]);
+                                                                        phi_2169_ = vec3<f32>(_e1330[2][1], _e1330[2][2], _e1330[2][0]);
                                                                     }
-                                                                    let _e1614 = phi_3151_;
-                                                                    phi_3152_ = _e1614;
+                                                                    let _e1647 = phi_2169_;
+                                                                    phi_2170_ = _e1647;
                                                                 }
-                                                                let _e1617 = phi_3152_;
-                                                                let _e1620 = (_e1609.x - _e1601.x);
-                                                                let _e1623 = (_e1609.y - _e1601.y);
-                                                                let _e1626 = (_e1609.z - _e1601.z);
-                                                                let _e1628 = (_e1617.x - _e1601.x);
-                                                                let _e1630 = (_e1617.y - _e1601.y);
-                                                                let _e1632 = (_e1617.z - _e1601.z);
-                                                                if (_e240.member_1 == 1u) {
-                                                                    phi_3188_ = (vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]) - _e1601);
+                                                                let _e1650 = phi_2170_;
+                                                                let _e1653 = (_e1642.x - _e1634.x);
+                                                                let _e1656 = (_e1642.y - _e1634.y);
+                                                                let _e1659 = (_e1642.z - _e1634.z);
+                                                                let _e1661 = (_e1650.x - _e1634.x);
+                                                                let _e1663 = (_e1650.y - _e1634.y);
+                                                                let _e1665 = (_e1650.z - _e1634.z);
+                                                                if (_e244.member_1 == 1u) {
+                                                                    phi_2206_ = (vec3<f32>(_e244.member[0], _e244.member[1], _e244.member[2]) - _e1634);
                                                                 } else {
-                                                                    phi_3188_ = vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]);
+                                                                    phi_2206_ = vec3<f32>(_e244.member[0], _e244.member[1], _e244.member[2]);
                                                                 }
-                                                                let _e1647 = phi_3188_;
-                                                                let _e1653 = bitcast<f32>((bitcast<u32>((_e1620 * _e1630)) ^ _e240.member_3[0]));
-                                                                let _e1657 = bitcast<f32>((bitcast<u32>((_e1623 * _e1628)) ^ _e240.member_3[0]));
-                                                                let _e1661 = bitcast<f32>((bitcast<u32>((_e1623 * _e1632)) ^ _e240.member_3[0]));
-                                                                let _e1665 = bitcast<f32>((bitcast<u32>((_e1626 * _e1630)) ^ _e240.member_3[0]));
-                                                                let _e1669 = bitcast<f32>((bitcast<u32>((_e1626 * _e1628)) ^ _e240.member_3[0]));
-                                                                let _e1673 = bitcast<f32>((bitcast<u32>((_e1620 * _e1632)) ^ _e240.member_3[0]));
-                                                                let _e1674 = (_e1661 - _e1665);
-                                                                let _e1675 = (_e1669 - _e1673);
-                                                                let _e1676 = (_e1653 - _e1657);
-                                                                let _e1700 = (bitcast<f32>((bitcast<u32>(_e1661) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1665) & 2147483647u)));
-                                                                let _e1707 = (bitcast<f32>((bitcast<u32>(_e1669) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1673) & 2147483647u)));
-                                                                let _e1714 = (bitcast<f32>((bitcast<u32>(_e1653) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1657) & 2147483647u)));
-                                                                if (_e240.member_2 == 0f) {
-                                                                    phi_3370_ = 0f;
+                                                                let _e1680 = phi_2206_;
+                                                                let _e1686 = bitcast<f32>((bitcast<u32>((_e1653 * _e1663)) ^ _e244.member_3[0]));
+                                                                let _e1690 = bitcast<f32>((bitcast<u32>((_e1656 * _e1661)) ^ _e244.member_3[0]));
+                                                                let _e1694 = bitcast<f32>((bitcast<u32>((_e1656 * _e1665)) ^ _e244.member_3[0]));
+                                                                let _e1698 = bitcast<f32>((bitcast<u32>((_e1659 * _e1663)) ^ _e244.member_3[0]));
+                                                                let _e1702 = bitcast<f32>((bitcast<u32>((_e1659 * _e1661)) ^ _e244.member_3[0]));
+                                                                let _e1706 = bitcast<f32>((bitcast<u32>((_e1653 * _e1665)) ^ _e244.member_3[0]));
+                                                                let _e1707 = (_e1694 - _e1698);
+                                                                let _e1708 = (_e1702 - _e1706);
+                                                                let _e1709 = (_e1686 - _e1690);
+                                                                let _e1733 = (bitcast<f32>((bitcast<u32>(_e1694) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1698) & 2147483647u)));
+                                                                let _e1740 = (bitcast<f32>((bitcast<u32>(_e1702) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1706) & 2147483647u)));
+                                                                let _e1747 = (bitcast<f32>((bitcast<u32>(_e1686) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1690) & 2147483647u)));
+                                                                if (_e244.member_2 == 0f) {
+                                                                    phi_2388_ = 0f;
                                                                 } else {
-                                                                    let _e1744 = bitcast<f32>((bitcast<u32>(_e1674) & 2147483647u));
-                                                                    let _e1747 = bitcast<f32>((bitcast<u32>(_e1675) & 2147483647u));
-                                                                    let _e1750 = bitcast<f32>((bitcast<u32>(_e1676) & 2147483647u));
-                                                                    let _e1752 = select(_e1750, _e1747, (_e1747 > _e1750));
-                                                                    let _e1756 = select(_e1750, _e1747, (_e1747 < _e1750));
-                                                                    let _e1760 = select(_e1747, _e1744, (_e1744 < _e1747));
-                                                                    let _e1762 = select(_e1747, _e1744, (_e1744 > _e1747));
-                                                                    let _e1764 = select(_e1750, _e1762, (_e1762 < _e1750));
-                                                                    phi_3370_ = bitcast<f32>((bitcast<u32>((_e240.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1752, _e1744, (_e1744 > _e1752)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1764, _e1760, (_e1760 > _e1764)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1756, _e1744, (_e1744 < _e1756)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1700 + _e1707) + _e1714))) ^ _e240.member_3[0]))) * 1.0000005f)) ^ _e240.member_3[0])))) ^ _e240.member_3[0]));
+                                                                    let _e1777 = bitcast<f32>((bitcast<u32>(_e1707) & 2147483647u));
+                                                                    let _e1780 = bitcast<f32>((bitcast<u32>(_e1708) & 2147483647u));
+                                                                    let _e1783 = bitcast<f32>((bitcast<u32>(_e1709) & 2147483647u));
+                                                                    let _e1785 = select(_e1783, _e1780, (_e1780 > _e1783));
+                                                                    let _e1789 = select(_e1783, _e1780, (_e1780 < _e1783));
+                                                                    let _e1793 = select(_e1780, _e1777, (_e1777 < _e1780));
+                                                                    let _e1795 = select(_e1780, _e1777, (_e1777 > _e1780));
+                                                                    let _e1797 = select(_e1783, _e1795, (_e1795 < _e1783));
+                                                                    phi_2388_ = bitcast<f32>((bitcast<u32>((_e244.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1785, _e1777, (_e1777 > _e1785)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1797, _e1793, (_e1793 > _e1797)))) ^ _e244.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1789, _e1777, (_e1777 < _e1789)))) ^ _e244.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1733 + _e1740) + _e1747))) ^ _e244.member_3[0]))) * 1.0000005f)) ^ _e244.member_3[0])))) ^ _e244.member_3[0]));
                                                                 }
-                                                                let _e1791 = phi_3370_;
-                                                                phi_3388_ = (_e1593 || !(((((bitcast<f32>((bitcast<u32>((_e1647.x * _e1674)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1647.y * _e1675)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1647.z * _e1676)) ^ _e240.member_3[0]))) * f32(-(_e1592))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1647.x) & 2147483647u)) * _e1700)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1647.y) & 2147483647u)) * _e1707)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1647.z) & 2147483647u)) * _e1714)) ^ _e240.member_3[0]))))) ^ _e240.member_3[0])) + _e1791) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1824 = phi_2388_;
+                                                                phi_2406_ = (_e1626 || !(((((bitcast<f32>((bitcast<u32>((_e1680.x * _e1707)) ^ _e244.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1680.y * _e1708)) ^ _e244.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1680.z * _e1709)) ^ _e244.member_3[0]))) * f32(-(_e1625))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1680.x) & 2147483647u)) * _e1733)) ^ _e244.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1680.y) & 2147483647u)) * _e1740)) ^ _e244.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1680.z) & 2147483647u)) * _e1747)) ^ _e244.member_3[0]))))) ^ _e244.member_3[0])) + _e1824) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1805 = phi_3388_;
-                                                            phi_3389_ = _e1805;
+                                                            let _e1838 = phi_2406_;
+                                                            phi_2407_ = _e1838;
                                                         }
-                                                        let _e1807 = phi_3389_;
-                                                        if _e1807 {
-                                                            phi_3394_ = type_45(_e1097.member, true);
+                                                        let _e1840 = phi_2407_;
+                                                        if _e1840 {
+                                                            phi_2412_ = type_46(_e1130.member, true);
                                                         } else {
-                                                            phi_3394_ = _e1097;
+                                                            phi_2412_ = _e1130;
                                                         }
-                                                        let _e1812 = phi_3394_;
-                                                        phi_3395_ = _e1812;
+                                                        let _e1845 = phi_2412_;
+                                                        phi_2413_ = _e1845;
                                                     } else {
-                                                        phi_3395_ = _e1097;
+                                                        phi_2413_ = _e1130;
                                                     }
-                                                    let _e1814 = phi_3395_;
-                                                    phi_5070_ = _e1296;
-                                                    phi_2129_ = _e1814;
+                                                    let _e1847 = phi_2413_;
+                                                    phi_4146_ = _e1329;
+                                                    phi_1147_ = _e1847;
                                                 } else {
-                                                    phi_5070_ = _e1095;
-                                                    phi_2129_ = type_45();
+                                                    phi_4146_ = _e1128;
+                                                    phi_1147_ = type_46();
                                                 }
-                                                let _e1816 = phi_5070_;
-                                                let _e1818 = phi_2129_;
+                                                let _e1849 = phi_4146_;
+                                                let _e1851 = phi_1147_;
                                                 continue;
                                                 continuing {
-                                                    phi_5004_ = _e1816;
-                                                    phi_2128_ = _e1818;
-                                                    phi_2131_ = _e1112;
-                                                    phi_5069_ = _e1816;
-                                                    break if !(_e1118);
+                                                    phi_4080_ = _e1849;
+                                                    phi_1146_ = _e1851;
+                                                    phi_1149_ = _e1145;
+                                                    phi_4145_ = _e1849;
+                                                    break if !(_e1151);
                                                 }
                                             }
-                                            let _e1821 = phi_5069_;
-                                            phi_5145_ = _e1821;
-                                            if _e1821 {
+                                            let _e1854 = phi_4145_;
+                                            phi_4221_ = _e1854;
+                                            if _e1854 {
                                                 break;
                                             }
-                                            let _e1823 = local_7;
-                                            phi_5149_ = _e1821;
-                                            let _e2035 = local_9;
-                                            phi_4734_ = _e2035;
-                                            phi_4735_ = _e624;
-                                            phi_4736_ = false;
-                                            phi_4737_ = select(_e628, 0u, _e1823.member_1);
+                                            let _e1856 = local_13;
+                                            phi_4225_ = _e1854;
+                                            let _e2068 = local_15;
+                                            phi_3796_ = _e2068;
+                                            phi_3797_ = _e638;
+                                            phi_3798_ = false;
+                                            phi_3799_ = select(_e642, 0u, _e1856.member_1);
                                         } else {
-                                            if (_e624.member_1 >= _e100) {
-                                                phi_4334_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_60(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e638.member_1 >= _e104) {
+                                                phi_3352_ = type_62(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_61(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_61(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e624.member_1 < _e100) {
+                                                if (_e638.member_1 < _e104) {
                                                 } else {
-                                                    phi_5145_ = true;
+                                                    phi_4221_ = true;
                                                     break;
                                                 }
-                                                let _e641 = ((1u + _e373) % 4u);
-                                                if (_e641 < 4u) {
-                                                } else {
-                                                    phi_5145_ = true;
-                                                    break;
-                                                }
-                                                let _e646 = global_5.member[_e624.member_1][_e641];
-                                                let _e648 = ((1u + _e372) % 4u);
-                                                if (_e648 < 4u) {
-                                                } else {
-                                                    phi_5145_ = true;
-                                                    break;
-                                                }
-                                                let _e653 = global_5.member[_e624.member_1][_e648];
-                                                let _e655 = ((1u + _e374) % 4u);
+                                                let _e655 = ((1u + _e377) % 4u);
                                                 if (_e655 < 4u) {
                                                 } else {
-                                                    phi_5145_ = true;
+                                                    phi_4221_ = true;
                                                     break;
                                                 }
-                                                let _e660 = global_5.member[_e624.member_1][_e655];
-                                                let _e662 = ((_e373 + 1u) % 4u);
+                                                let _e660 = global_5.member[_e638.member_1][_e655];
+                                                let _e662 = ((1u + _e376) % 4u);
                                                 if (_e662 < 4u) {
                                                 } else {
-                                                    phi_5145_ = true;
+                                                    phi_4221_ = true;
                                                     break;
                                                 }
-                                                let _e667 = global_5.member[_e624.member_1][_e662];
-                                                let _e669 = (_e667 >> bitcast<u32>(11u));
-                                                let _e671 = ((_e372 + 1u) % 4u);
-                                                if (_e671 < 4u) {
+                                                let _e667 = global_5.member[_e638.member_1][_e662];
+                                                let _e669 = ((1u + _e378) % 4u);
+                                                if (_e669 < 4u) {
                                                 } else {
-                                                    phi_5145_ = true;
+                                                    phi_4221_ = true;
                                                     break;
                                                 }
-                                                let _e676 = global_5.member[_e624.member_1][_e671];
-                                                let _e678 = (_e676 >> bitcast<u32>(11u));
-                                                let _e680 = ((_e374 + 1u) % 4u);
-                                                if (_e680 < 4u) {
+                                                let _e674 = global_5.member[_e638.member_1][_e669];
+                                                let _e676 = ((_e377 + 1u) % 4u);
+                                                if (_e676 < 4u) {
                                                 } else {
-                                                    phi_5145_ = true;
+                                                    phi_4221_ = true;
                                                     break;
                                                 }
-                                                let _e685 = global_5.member[_e624.member_1][_e680];
-                                                let _e687 = (_e685 >> bitcast<u32>(11u));
-                                                let _e710 = (bitcast<f32>((bitcast<u32>((_e624.member.member_1.x - _e624.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e711 = (bitcast<f32>((bitcast<u32>((_e624.member.member_1.y - _e624.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e712 = (bitcast<f32>((bitcast<u32>((_e624.member.member_1.z - _e624.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e714 = select(_e159, _e710, (_e710 > _e159));
-                                                let _e716 = select(_e159, _e711, (_e711 > _e159));
-                                                let _e718 = select(_e159, _e712, (_e712 > _e159));
-                                                let _e743 = bitcast<u32>((f32(bitcast<i32>((_e646 & 1023u))) * _e714));
-                                                let _e748 = (bitcast<i32>((_e646 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e751 = bitcast<f32>((_e743 & bitcast<u32>(_e748)));
-                                                let _e752 = bitcast<u32>((f32(bitcast<i32>((_e653 & 1023u))) * _e716));
-                                                let _e757 = (bitcast<i32>((_e653 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e760 = bitcast<f32>((_e752 & bitcast<u32>(_e757)));
-                                                let _e761 = bitcast<u32>((f32(bitcast<i32>((_e660 & 1023u))) * _e718));
-                                                let _e766 = (bitcast<i32>((_e660 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e769 = bitcast<f32>((_e761 & bitcast<u32>(_e766)));
-                                                let _e773 = bitcast<f32>((_e743 & bitcast<u32>(~(_e748))));
-                                                let _e777 = bitcast<f32>((_e752 & bitcast<u32>(~(_e757))));
-                                                let _e781 = bitcast<f32>((_e761 & bitcast<u32>(~(_e766))));
-                                                let _e782 = bitcast<u32>((f32(bitcast<i32>((_e669 & 1023u))) * _e714));
-                                                let _e787 = (bitcast<i32>((_e669 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e790 = bitcast<f32>((_e782 & bitcast<u32>(_e787)));
-                                                let _e791 = bitcast<u32>((f32(bitcast<i32>((_e678 & 1023u))) * _e716));
-                                                let _e796 = (bitcast<i32>((_e678 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e799 = bitcast<f32>((_e791 & bitcast<u32>(_e796)));
-                                                let _e800 = bitcast<u32>((f32(bitcast<i32>((_e687 & 1023u))) * _e718));
-                                                let _e805 = (bitcast<i32>((_e687 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e808 = bitcast<f32>((_e800 & bitcast<u32>(_e805)));
-                                                let _e812 = bitcast<f32>((_e782 & bitcast<u32>(~(_e787))));
-                                                let _e816 = bitcast<f32>((_e791 & bitcast<u32>(~(_e796))));
-                                                let _e820 = bitcast<f32>((_e800 & bitcast<u32>(~(_e805))));
-                                                let _e821 = (_e624.member.member.x + _e751);
-                                                let _e822 = (_e624.member.member.y + _e760);
-                                                let _e823 = (_e624.member.member.z + _e769);
-                                                let _e826 = (_e624.member.member_1.x - _e790);
-                                                let _e827 = (_e624.member.member_1.y - _e799);
-                                                let _e828 = (_e624.member.member_1.z - _e808);
-                                                let _e847 = (_e826 - _e821);
-                                                let _e848 = (_e827 - _e822);
-                                                let _e849 = (_e828 - _e823);
-                                                let _e851 = select(_e848, _e847, (_e847 > _e848));
-                                                let _e853 = select(_e849, _e851, (_e851 > _e849));
-                                                if (_e853 < (1024f * _e159)) {
-                                                    phi_4035_ = 0u;
+                                                let _e681 = global_5.member[_e638.member_1][_e676];
+                                                let _e683 = (_e681 >> bitcast<u32>(11u));
+                                                let _e685 = ((_e376 + 1u) % 4u);
+                                                if (_e685 < 4u) {
                                                 } else {
-                                                    phi_4035_ = select(2u, 1u, (_e853 < (2097152f * _e159)));
+                                                    phi_4221_ = true;
+                                                    break;
                                                 }
-                                                let _e860 = phi_4035_;
-                                                switch bitcast<i32>(_e860) {
+                                                let _e690 = global_5.member[_e638.member_1][_e685];
+                                                let _e692 = (_e690 >> bitcast<u32>(11u));
+                                                let _e694 = ((_e378 + 1u) % 4u);
+                                                if (_e694 < 4u) {
+                                                } else {
+                                                    phi_4221_ = true;
+                                                    break;
+                                                }
+                                                let _e699 = global_5.member[_e638.member_1][_e694];
+                                                let _e701 = (_e699 >> bitcast<u32>(11u));
+                                                let _e724 = (bitcast<f32>((bitcast<u32>((_e638.member.member_1.x - _e638.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e725 = (bitcast<f32>((bitcast<u32>((_e638.member.member_1.y - _e638.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e726 = (bitcast<f32>((bitcast<u32>((_e638.member.member_1.z - _e638.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e728 = select(_e163, _e724, (_e724 > _e163));
+                                                let _e730 = select(_e163, _e725, (_e725 > _e163));
+                                                let _e732 = select(_e163, _e726, (_e726 > _e163));
+                                                let _e757 = bitcast<u32>((f32(bitcast<i32>((_e660 & 1023u))) * _e728));
+                                                let _e762 = (bitcast<i32>((_e660 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e765 = bitcast<f32>((_e757 & bitcast<u32>(_e762)));
+                                                let _e766 = bitcast<u32>((f32(bitcast<i32>((_e667 & 1023u))) * _e730));
+                                                let _e771 = (bitcast<i32>((_e667 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e774 = bitcast<f32>((_e766 & bitcast<u32>(_e771)));
+                                                let _e775 = bitcast<u32>((f32(bitcast<i32>((_e674 & 1023u))) * _e732));
+                                                let _e780 = (bitcast<i32>((_e674 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e783 = bitcast<f32>((_e775 & bitcast<u32>(_e780)));
+                                                let _e787 = bitcast<f32>((_e757 & bitcast<u32>(~(_e762))));
+                                                let _e791 = bitcast<f32>((_e766 & bitcast<u32>(~(_e771))));
+                                                let _e795 = bitcast<f32>((_e775 & bitcast<u32>(~(_e780))));
+                                                let _e796 = bitcast<u32>((f32(bitcast<i32>((_e683 & 1023u))) * _e728));
+                                                let _e801 = (bitcast<i32>((_e683 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e804 = bitcast<f32>((_e796 & bitcast<u32>(_e801)));
+                                                let _e805 = bitcast<u32>((f32(bitcast<i32>((_e692 & 1023u))) * _e730));
+                                                let _e810 = (bitcast<i32>((_e692 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e813 = bitcast<f32>((_e805 & bitcast<u32>(_e810)));
+                                                let _e814 = bitcast<u32>((f32(bitcast<i32>((_e701 & 1023u))) * _e732));
+                                                let _e819 = (bitcast<i32>((_e701 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e822 = bitcast<f32>((_e814 & bitcast<u32>(_e819)));
+                                                let _e826 = bitcast<f32>((_e796 & bitcast<u32>(~(_e801))));
+                                                let _e830 = bitcast<f32>((_e805 & bitcast<u32>(~(_e810))));
+                                                let _e834 = bitcast<f32>((_e814 & bitcast<u32>(~(_e819))));
+                                                let _e835 = (_e638.member.member.x + _e765);
+                                                let _e836 = (_e638.member.member.y + _e774);
+                                                let _e837 = (_e638.member.member.z + _e783);
+                                                let _e840 = (_e638.member.member_1.x - _e804);
+                                                let _e841 = (_e638.member.member_1.y - _e813);
+                                                let _e842 = (_e638.member.member_1.z - _e822);
+                                                let _e861 = (_e840 - _e835);
+                                                let _e862 = (_e841 - _e836);
+                                                let _e863 = (_e842 - _e837);
+                                                let _e865 = select(_e862, _e861, (_e861 > _e862));
+                                                let _e867 = select(_e863, _e865, (_e865 > _e863));
+                                                if (_e867 < (1024f * _e163)) {
+                                                    phi_3053_ = 0u;
+                                                } else {
+                                                    phi_3053_ = select(2u, 1u, (_e867 < (2097152f * _e163)));
+                                                }
+                                                let _e874 = phi_3053_;
+                                                switch bitcast<i32>(_e874) {
                                                     case 0: {
-                                                        phi_4041_ = 1u;
+                                                        phi_3059_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_4041_ = 2u;
+                                                        phi_3059_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_4041_ = 3u;
+                                                        phi_3059_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_4041_ = u32();
+                                                        phi_3059_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e863 = phi_4041_;
-                                                let _e869 = global_5.member[_e624.member_1][0u];
-                                                let _e873 = global_5.member[_e624.member_1][1u];
-                                                let _e877 = global_5.member[_e624.member_1][2u];
-                                                let _e881 = global_5.member[_e624.member_1][3u];
-                                                let _e893 = (((_e873 >> bitcast<u32>(22i)) | ((_e877 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e881 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e894 = (_e869 & 268435455u);
-                                                let _e895 = (_e893 & 268435455u);
-                                                let _e898 = ((_e869 >> bitcast<u32>(28u)) & 7u);
-                                                let _e906 = ((_e869 >> bitcast<u32>(31i)) | (((_e893 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e907 = (_e898 != 0u);
-                                                if (_e898 == 0u) {
-                                                    phi_4296_ = _e894;
+                                                let _e877 = phi_3059_;
+                                                let _e883 = global_5.member[_e638.member_1][0u];
+                                                let _e887 = global_5.member[_e638.member_1][1u];
+                                                let _e891 = global_5.member[_e638.member_1][2u];
+                                                let _e895 = global_5.member[_e638.member_1][3u];
+                                                let _e907 = (((_e887 >> bitcast<u32>(22i)) | ((_e891 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e895 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e908 = (_e883 & 268435455u);
+                                                let _e909 = (_e907 & 268435455u);
+                                                let _e912 = ((_e883 >> bitcast<u32>(28u)) & 7u);
+                                                let _e920 = ((_e883 >> bitcast<u32>(31i)) | (((_e907 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e921 = (_e912 != 0u);
+                                                if (_e912 == 0u) {
+                                                    phi_3314_ = _e908;
                                                 } else {
-                                                    if (_e898 == 7u) {
-                                                        phi_4295_ = 2147483648u;
+                                                    if (_e912 == 7u) {
+                                                        phi_3313_ = 2147483648u;
                                                     } else {
-                                                        phi_4295_ = ((2147483648u | (_e898 << bitcast<u32>(28u))) | (_e895 & 268435455u));
+                                                        phi_3313_ = ((2147483648u | (_e912 << bitcast<u32>(28u))) | (_e909 & 268435455u));
                                                     }
-                                                    let _e916 = phi_4295_;
-                                                    phi_4296_ = _e916;
+                                                    let _e930 = phi_3313_;
+                                                    phi_3314_ = _e930;
                                                 }
-                                                let _e918 = phi_4296_;
-                                                if _e907 {
-                                                    let _e919 = (_e898 != 7u);
-                                                    if _e919 {
-                                                        phi_4306_ = (_e895 + (_e898 * ((3u * _e863) + 1u)));
+                                                let _e932 = phi_3314_;
+                                                if _e921 {
+                                                    let _e933 = (_e912 != 7u);
+                                                    if _e933 {
+                                                        phi_3324_ = (_e909 + (_e912 * ((3u * _e877) + 1u)));
                                                     } else {
-                                                        phi_4306_ = u32();
+                                                        phi_3324_ = u32();
                                                     }
-                                                    let _e923 = phi_4306_;
-                                                    phi_4308_ = _e923;
-                                                    phi_4309_ = select(true, false, _e919);
+                                                    let _e937 = phi_3324_;
+                                                    phi_3326_ = _e937;
+                                                    phi_3327_ = select(true, false, _e933);
                                                 } else {
-                                                    phi_4308_ = u32();
-                                                    phi_4309_ = true;
+                                                    phi_3326_ = u32();
+                                                    phi_3327_ = true;
                                                 }
-                                                let _e926 = phi_4308_;
-                                                let _e928 = phi_4309_;
-                                                if (_e906 == 0u) {
-                                                    phi_4330_ = (_e894 + select(0u, 1u, !(_e907)));
+                                                let _e940 = phi_3326_;
+                                                let _e942 = phi_3327_;
+                                                if (_e920 == 0u) {
+                                                    phi_3348_ = (_e908 + select(0u, 1u, !(_e921)));
                                                 } else {
-                                                    if (_e906 == 7u) {
-                                                        phi_4329_ = 2147483648u;
+                                                    if (_e920 == 7u) {
+                                                        phi_3347_ = 2147483648u;
                                                     } else {
-                                                        phi_4329_ = ((2147483648u | (_e906 << bitcast<u32>(28u))) | (select(_e926, _e895, _e928) & 268435455u));
+                                                        phi_3347_ = ((2147483648u | (_e920 << bitcast<u32>(28u))) | (select(_e940, _e909, _e942) & 268435455u));
                                                     }
-                                                    let _e941 = phi_4329_;
-                                                    phi_4330_ = _e941;
+                                                    let _e955 = phi_3347_;
+                                                    phi_3348_ = _e955;
                                                 }
-                                                let _e943 = phi_4330_;
-                                                phi_4334_ = type_63(array<vec4<f32>, 3>(vec4<f32>(_e821, (_e624.member.member.x + _e773), _e826, (_e624.member.member_1.x - _e812)), vec4<f32>(_e822, (_e624.member.member.y + _e777), _e827, (_e624.member.member_1.y - _e816)), vec4<f32>(_e823, (_e624.member.member.z + _e781), _e828, (_e624.member.member_1.z - _e820))), type_60(type_34((_e624.member.member + vec4<f32>(_e751, _e760, _e769, 0f)), (_e624.member.member_1 - vec4<f32>(_e790, _e799, _e808, 0f))), _e918), type_60(type_34((_e624.member.member + vec4<f32>(_e773, _e777, _e781, 0f)), (_e624.member.member_1 - vec4<f32>(_e812, _e816, _e820, 0f))), _e943));
+                                                let _e957 = phi_3348_;
+                                                phi_3352_ = type_62(array<vec4<f32>, 3>(vec4<f32>(_e835, (_e638.member.member.x + _e787), _e840, (_e638.member.member_1.x - _e826)), vec4<f32>(_e836, (_e638.member.member.y + _e791), _e841, (_e638.member.member_1.y - _e830)), vec4<f32>(_e837, (_e638.member.member.z + _e795), _e842, (_e638.member.member_1.z - _e834))), type_61(type_34((_e638.member.member + vec4<f32>(_e765, _e774, _e783, 0f)), (_e638.member.member_1 - vec4<f32>(_e804, _e813, _e822, 0f))), _e932), type_61(type_34((_e638.member.member + vec4<f32>(_e787, _e791, _e795, 0f)), (_e638.member.member_1 - vec4<f32>(_e826, _e830, _e834, 0f))), _e957));
                                             }
-                                            let _e948 = phi_4334_;
-                                            let _e960 = ((_e948.member[0].x - _e428) * _e433);
-                                            let _e961 = ((_e948.member[0].y - _e428) * _e433);
-                                            let _e962 = ((_e948.member[0].z - _e429) * _e433);
-                                            let _e963 = ((_e948.member[0].w - _e429) * _e433);
-                                            let _e973 = ((_e948.member[1].x - _e464) * _e469);
-                                            let _e974 = ((_e948.member[1].y - _e464) * _e469);
-                                            let _e975 = ((_e948.member[1].z - _e465) * _e469);
-                                            let _e976 = ((_e948.member[1].w - _e465) * _e469);
-                                            let _e986 = ((_e948.member[2].x - _e500) * _e505);
-                                            let _e987 = ((_e948.member[2].y - _e500) * _e505);
-                                            let _e988 = ((_e948.member[2].z - _e501) * _e505);
-                                            let _e989 = ((_e948.member[2].w - _e501) * _e505);
-                                            let _e991 = select(_e988, _e986, (_e986 < _e988));
-                                            let _e993 = select(_e989, _e987, (_e987 < _e989));
-                                            let _e995 = select(_e988, _e986, (_e986 > _e988));
-                                            let _e997 = select(_e989, _e987, (_e987 > _e989));
-                                            let _e999 = select(_e962, _e960, (_e960 < _e962));
-                                            let _e1001 = select(_e963, _e961, (_e961 < _e963));
-                                            let _e1003 = select(_e975, _e973, (_e973 < _e975));
-                                            let _e1005 = select(_e976, _e974, (_e974 < _e976));
-                                            let _e1007 = select(_e1003, _e999, (_e999 > _e1003));
-                                            let _e1009 = select(_e1005, _e1001, (_e1001 > _e1005));
-                                            let _e1011 = select(_e991, _e1007, (_e1007 > _e991));
-                                            let _e1013 = select(_e993, _e1009, (_e1009 > _e993));
-                                            let _e1015 = select(_e962, _e960, (_e960 > _e962));
-                                            let _e1017 = select(_e963, _e961, (_e961 > _e963));
-                                            let _e1019 = select(_e975, _e973, (_e973 > _e975));
-                                            let _e1021 = select(_e976, _e974, (_e974 > _e976));
-                                            let _e1023 = select(_e1019, _e1015, (_e1015 < _e1019));
-                                            let _e1025 = select(_e1021, _e1017, (_e1017 < _e1021));
-                                            let _e1030 = -(_e991);
-                                            let _e1031 = -(_e993);
-                                            let _e1038 = (select(_e995, _e1023, (_e1023 < _e995)) + (select(_e1030, _e995, (_e995 > _e1030)) * 0.0000019073523f));
-                                            let _e1039 = (select(_e997, _e1025, (_e1025 < _e997)) + (select(_e1031, _e997, (_e997 > _e1031)) * 0.0000019073523f));
-                                            let _e1041 = select(_e551, _e1011, (_e1011 > _e551));
-                                            let _e1043 = select(_e551, _e1013, (_e1013 > _e551));
-                                            let _e1048 = (_e1041 <= select(_e595.member, _e1038, (_e1038 < _e595.member)));
-                                            let _e1049 = (_e1043 <= select(_e595.member, _e1039, (_e1039 < _e595.member)));
-                                            let _e1050 = (_e1041 <= _e1043);
-                                            if _e1048 {
-                                                if _e1049 {
-                                                    if _e1050 {
-                                                        phi_4678_ = _e948.member_2;
+                                            let _e962 = phi_3352_;
+                                            let _e974 = ((_e962.member[0].x - _e432) * _e437);
+                                            let _e975 = ((_e962.member[0].y - _e432) * _e437);
+                                            let _e976 = ((_e962.member[0].z - _e433) * _e437);
+                                            let _e977 = ((_e962.member[0].w - _e433) * _e437);
+                                            let _e987 = ((_e962.member[1].x - _e468) * _e473);
+                                            let _e988 = ((_e962.member[1].y - _e468) * _e473);
+                                            let _e989 = ((_e962.member[1].z - _e469) * _e473);
+                                            let _e990 = ((_e962.member[1].w - _e469) * _e473);
+                                            let _e1000 = ((_e962.member[2].x - _e504) * _e509);
+                                            let _e1001 = ((_e962.member[2].y - _e504) * _e509);
+                                            let _e1002 = ((_e962.member[2].z - _e505) * _e509);
+                                            let _e1003 = ((_e962.member[2].w - _e505) * _e509);
+                                            let _e1005 = select(_e1002, _e1000, (_e1000 < _e1002));
+                                            let _e1007 = select(_e1003, _e1001, (_e1001 < _e1003));
+                                            let _e1009 = select(_e1002, _e1000, (_e1000 > _e1002));
+                                            let _e1011 = select(_e1003, _e1001, (_e1001 > _e1003));
+                                            let _e1013 = select(_e976, _e974, (_e974 < _e976));
+                                            let _e1015 = select(_e977, _e975, (_e975 < _e977));
+                                            let _e1017 = select(_e989, _e987, (_e987 < _e989));
+                                            let _e1019 = select(_e990, _e988, (_e988 < _e990));
+                                            let _e1021 = select(_e1017, _e1013, (_e1013 > _e1017));
+                                            let _e1023 = select(_e1019, _e1015, (_e1015 > _e1019));
+                                            let _e1025 = select(_e1005, _e1021, (_e1021 > _e1005));
+                                            let _e1027 = select(_e1007, _e1023, (_e1023 > _e1007));
+                                            let _e1029 = select(_e976, _e974, (_e974 > _e976));
+                                            let _e1031 = select(_e977, _e975, (_e975 > _e977));
+                                            let _e1033 = select(_e989, _e987, (_e987 > _e989));
+                                            let _e1035 = select(_e990, _e988, (_e988 > _e990));
+                                            let _e1037 = select(_e1033, _e1029, (_e1029 < _e1033));
+                                            let _e1039 = select(_e1035, _e1031, (_e1031 < _e1035));
+                                            let _e1044 = -(_e1005);
+                                            let _e1045 = -(_e1007);
+                                            let _e1052 = (select(_e1009, _e1037, (_e1037 < _e1009)) + (select(_e1044, _e1009, (_e1009 > _e1044)) * 0.0000019073523f));
+                                            let _e1053 = (select(_e1011, _e1039, (_e1039 < _e1011)) + (select(_e1045, _e1011, (_e1011 > _e1045)) * 0.0000019073523f));
+                                            let _e1055 = select(_e555, _e1025, (_e1025 > _e555));
+                                            let _e1057 = select(_e555, _e1027, (_e1027 > _e555));
+                                            let _e1062 = (_e1055 <= select(_e599.member, _e1052, (_e1052 < _e599.member)));
+                                            let _e1063 = (_e1057 <= select(_e599.member, _e1053, (_e1053 < _e599.member)));
+                                            let _e1064 = (_e1055 <= _e1057);
+                                            if _e1062 {
+                                                if _e1063 {
+                                                    if _e1064 {
+                                                        phi_3696_ = _e962.member_2;
                                                     } else {
-                                                        phi_4678_ = _e948.member_1;
+                                                        phi_3696_ = _e962.member_1;
                                                     }
-                                                    let _e1054 = phi_4678_;
-                                                    let _e1055 = (_e628 % 128u);
-                                                    let _e1056 = (_e1055 < 128u);
-                                                    if _e1056 {
+                                                    let _e1068 = phi_3696_;
+                                                    let _e1090 = (_e642 % 128u);
+                                                    let _e1091 = (_e1090 < 128u);
+                                                    if _e1091 {
                                                     } else {
-                                                        phi_5145_ = true;
+                                                        phi_4221_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1055] = type_60(type_34(_e1054.member.member, _e1054.member.member_1), _e1054.member_1);
-                                                    if _e1056 {
+                                                    local_8[_e1090] = _e1068.member_1;
+                                                    if _e1091 {
                                                     } else {
-                                                        phi_5145_ = true;
+                                                        phi_4221_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1055] = select(_e1043, _e1041, (_e1041 > _e1043));
-                                                    if _e1050 {
-                                                        phi_4711_ = _e948.member_1;
+                                                    local_7[_e1090] = _e1068.member.member.x;
+                                                    if _e1091 {
                                                     } else {
-                                                        phi_4711_ = _e948.member_2;
+                                                        phi_4221_ = true;
+                                                        break;
                                                     }
-                                                    let _e1071 = phi_4711_;
-                                                    phi_4712_ = _e1071;
-                                                    phi_4713_ = (_e628 + 1u);
+                                                    local_6[_e1090] = _e1068.member.member.y;
+                                                    if _e1091 {
+                                                    } else {
+                                                        phi_4221_ = true;
+                                                        break;
+                                                    }
+                                                    local_5[_e1090] = _e1068.member.member.z;
+                                                    if _e1091 {
+                                                    } else {
+                                                        phi_4221_ = true;
+                                                        break;
+                                                    }
+                                                    local_4[_e1090] = _e1068.member.member_1.x;
+                                                    if _e1091 {
+                                                    } else {
+                                                        phi_4221_ = true;
+                                                        break;
+                                                    }
+                                                    local_3[_e1090] = _e1068.member.member_1.y;
+                                                    if _e1091 {
+                                                    } else {
+                                                        phi_4221_ = true;
+                                                        break;
+                                                    }
+                                                    local_2[_e1090] = _e1068.member.member_1.z;
+                                                    if _e1091 {
+                                                    } else {
+                                                        phi_4221_ = true;
+                                                        break;
+                                                    }
+                                                    local_9[_e1090] = select(_e1057, _e1055, (_e1055 > _e1057));
+                                                    if _e1064 {
+                                                        phi_3773_ = _e962.member_1;
+                                                    } else {
+                                                        phi_3773_ = _e962.member_2;
+                                                    }
+                                                    let _e1104 = phi_3773_;
+                                                    phi_3774_ = _e1104;
+                                                    phi_3775_ = (_e642 + 1u);
                                                 } else {
-                                                    phi_4712_ = type_60();
-                                                    phi_4713_ = u32();
+                                                    phi_3774_ = type_61();
+                                                    phi_3775_ = u32();
                                                 }
-                                                let _e1073 = phi_4712_;
-                                                let _e1075 = phi_4713_;
-                                                phi_4715_ = _e1073;
-                                                phi_4716_ = _e1075;
-                                                phi_4717_ = select(true, false, _e1049);
+                                                let _e1106 = phi_3774_;
+                                                let _e1108 = phi_3775_;
+                                                phi_3777_ = _e1106;
+                                                phi_3778_ = _e1108;
+                                                phi_3779_ = select(true, false, _e1063);
                                             } else {
-                                                phi_4715_ = type_60();
-                                                phi_4716_ = u32();
-                                                phi_4717_ = true;
+                                                phi_3777_ = type_61();
+                                                phi_3778_ = u32();
+                                                phi_3779_ = true;
                                             }
-                                            let _e1078 = phi_4715_;
-                                            let _e1080 = phi_4716_;
-                                            let _e1082 = phi_4717_;
-                                            if _e1082 {
-                                                if _e1048 {
-                                                    phi_4726_ = _e948.member_1;
+                                            let _e1111 = phi_3777_;
+                                            let _e1113 = phi_3778_;
+                                            let _e1115 = phi_3779_;
+                                            if _e1115 {
+                                                if _e1062 {
+                                                    phi_3788_ = _e962.member_1;
                                                 } else {
-                                                    phi_4726_ = _e948.member_2;
+                                                    phi_3788_ = _e962.member_2;
                                                 }
-                                                let _e1086 = phi_4726_;
-                                                phi_4731_ = _e1086;
-                                                phi_4732_ = select(_e1049, true, _e1048);
+                                                let _e1119 = phi_3788_;
+                                                phi_3793_ = _e1119;
+                                                phi_3794_ = select(_e1063, true, _e1062);
                                             } else {
-                                                phi_4731_ = _e1078;
-                                                phi_4732_ = _e626;
+                                                phi_3793_ = _e1111;
+                                                phi_3794_ = _e640;
                                             }
-                                            let _e1089 = phi_4731_;
-                                            let _e1091 = phi_4732_;
-                                            phi_5149_ = _e593;
-                                            phi_4734_ = _e595;
-                                            phi_4735_ = _e1089;
-                                            phi_4736_ = _e1091;
-                                            phi_4737_ = select(_e1080, _e628, _e1082);
+                                            let _e1122 = phi_3793_;
+                                            let _e1124 = phi_3794_;
+                                            phi_4225_ = _e597;
+                                            phi_3796_ = _e599;
+                                            phi_3797_ = _e1122;
+                                            phi_3798_ = _e1124;
+                                            phi_3799_ = select(_e1113, _e642, _e1115);
                                         }
-                                        let _e1827 = phi_5149_;
-                                        let _e1829 = phi_4734_;
-                                        let _e1831 = phi_4735_;
-                                        let _e1833 = phi_4736_;
-                                        let _e1835 = phi_4737_;
-                                        phi_5148_ = _e1827;
-                                        phi_4738_ = _e1829;
-                                        phi_4739_ = _e1831;
-                                        phi_4740_ = (_e599 - 1u);
-                                        phi_4741_ = _e1833;
-                                        phi_4742_ = _e1835;
+                                        let _e1860 = phi_4225_;
+                                        let _e1862 = phi_3796_;
+                                        let _e1864 = phi_3797_;
+                                        let _e1866 = phi_3798_;
+                                        let _e1868 = phi_3799_;
+                                        phi_4224_ = _e1860;
+                                        phi_3800_ = _e1862;
+                                        phi_3801_ = _e1864;
+                                        phi_3802_ = (_e603 - 1u);
+                                        phi_3803_ = _e1866;
+                                        phi_3804_ = _e1868;
                                     } else {
-                                        phi_5148_ = _e593;
-                                        phi_4738_ = _e595;
-                                        phi_4739_ = _e624;
-                                        phi_4740_ = _e599;
-                                        phi_4741_ = _e626;
-                                        phi_4742_ = _e628;
+                                        phi_4224_ = _e597;
+                                        phi_3800_ = _e599;
+                                        phi_3801_ = _e638;
+                                        phi_3802_ = _e603;
+                                        phi_3803_ = _e640;
+                                        phi_3804_ = _e642;
                                     }
-                                    let _e1837 = phi_5148_;
-                                    let _e1839 = phi_4738_;
-                                    let _e1841 = phi_4739_;
-                                    let _e1843 = phi_4740_;
-                                    let _e1845 = phi_4741_;
-                                    let _e1847 = phi_4742_;
-                                    phi_5147_ = _e1837;
-                                    phi_4743_ = _e1839;
-                                    phi_4744_ = _e1841;
-                                    phi_4745_ = _e1843;
-                                    phi_4746_ = _e1845;
-                                    phi_4747_ = _e1847;
+                                    let _e1870 = phi_4224_;
+                                    let _e1872 = phi_3800_;
+                                    let _e1874 = phi_3801_;
+                                    let _e1876 = phi_3802_;
+                                    let _e1878 = phi_3803_;
+                                    let _e1880 = phi_3804_;
+                                    phi_4223_ = _e1870;
+                                    phi_3805_ = _e1872;
+                                    phi_3806_ = _e1874;
+                                    phi_3807_ = _e1876;
+                                    phi_3808_ = _e1878;
+                                    phi_3809_ = _e1880;
                                 } else {
-                                    phi_5147_ = _e593;
-                                    phi_4743_ = type_45();
-                                    phi_4744_ = type_60();
-                                    phi_4745_ = u32();
-                                    phi_4746_ = bool();
-                                    phi_4747_ = u32();
+                                    phi_4223_ = _e597;
+                                    phi_3805_ = type_46();
+                                    phi_3806_ = type_61();
+                                    phi_3807_ = u32();
+                                    phi_3808_ = bool();
+                                    phi_3809_ = u32();
                                 }
-                                let _e1849 = phi_5147_;
-                                let _e1851 = phi_4743_;
-                                let _e1853 = phi_4744_;
-                                let _e1855 = phi_4745_;
-                                let _e1857 = phi_4746_;
-                                let _e1859 = phi_4747_;
-                                phi_5146_ = _e1849;
-                                phi_2051_ = _e1851;
-                                phi_2054_ = _e1853;
-                                phi_2056_ = _e1855;
-                                phi_2058_ = _e1857;
-                                phi_2060_ = _e1859;
-                                phi_4748_ = _e607;
+                                let _e1882 = phi_4223_;
+                                let _e1884 = phi_3805_;
+                                let _e1886 = phi_3806_;
+                                let _e1888 = phi_3807_;
+                                let _e1890 = phi_3808_;
+                                let _e1892 = phi_3809_;
+                                phi_4222_ = _e1882;
+                                phi_1020_ = _e1884;
+                                phi_1023_ = _e1886;
+                                phi_1025_ = _e1888;
+                                phi_1027_ = _e1890;
+                                phi_1029_ = _e1892;
+                                phi_3810_ = _e611;
                             } else {
-                                phi_5146_ = _e593;
-                                phi_2051_ = type_45();
-                                phi_2054_ = type_60();
-                                phi_2056_ = u32();
-                                phi_2058_ = bool();
-                                phi_2060_ = u32();
-                                phi_4748_ = false;
+                                phi_4222_ = _e597;
+                                phi_1020_ = type_46();
+                                phi_1023_ = type_61();
+                                phi_1025_ = u32();
+                                phi_1027_ = bool();
+                                phi_1029_ = u32();
+                                phi_3810_ = false;
                             }
-                            let _e1861 = phi_5146_;
-                            let _e1863 = phi_2051_;
-                            let _e1865 = phi_2054_;
-                            let _e1867 = phi_2056_;
-                            let _e1869 = phi_2058_;
-                            let _e1871 = phi_2060_;
-                            let _e1873 = phi_4748_;
+                            let _e1894 = phi_4222_;
+                            let _e1896 = phi_1020_;
+                            let _e1898 = phi_1023_;
+                            let _e1900 = phi_1025_;
+                            let _e1902 = phi_1027_;
+                            let _e1904 = phi_1029_;
+                            let _e1906 = phi_3810_;
                             continue;
                             continuing {
-                                phi_5007_ = _e1861;
-                                phi_2050_ = _e1863;
-                                phi_2053_ = _e1865;
-                                phi_2055_ = _e1867;
-                                phi_2057_ = _e1869;
-                                phi_2059_ = _e1871;
-                                phi_5145_ = _e1861;
-                                break if !(_e1873);
+                                phi_4083_ = _e1894;
+                                phi_1019_ = _e1896;
+                                phi_1022_ = _e1898;
+                                phi_1024_ = _e1900;
+                                phi_1026_ = _e1902;
+                                phi_1028_ = _e1904;
+                                phi_4221_ = _e1894;
+                                break if !(_e1906);
                             }
                         }
-                        let _e1876 = phi_5145_;
-                        if _e1876 {
+                        let _e1909 = phi_4221_;
+                        if _e1909 {
                             break;
                         }
-                        let _e1878 = local_8;
-                        if _e1878.member_1 {
+                        let _e1911 = local_14;
+                        if _e1911.member_1 {
                         } else {
-                            if _e241 {
+                            if _e245 {
                             } else {
                                 break;
                             }
-                            let _e1882 = global_2.member[_e147];
-                            if _e162 {
+                            let _e1915 = global_2.member[_e151];
+                            if _e166 {
                             } else {
                                 break;
                             }
-                            let _e1886 = global_9.member[_e147].member_1;
-                            if _e241 {
+                            let _e1919 = global_9.member[_e151].member_1;
+                            if _e245 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e147] = type_27(_e1882.member, _e1882.member_1, _e1882.member_2, array<f32, 3>((_e1882.member_3[0] + (_e1886[0] * _e1882.member_1[0])), (_e1882.member_3[1] + (_e1886[1] * _e1882.member_1[1])), (_e1882.member_3[2] + (_e1886[2] * _e1882.member_1[2]))), _e1882.member_4);
+                            global_2.member[_e151] = type_27(_e1915.member, _e1915.member_1, _e1915.member_2, array<f32, 3>((_e1915.member_3[0] + (_e1919[0] * _e1915.member_1[0])), (_e1915.member_3[1] + (_e1919[1] * _e1915.member_1[1])), (_e1915.member_3[2] + (_e1919[2] * _e1915.member_1[2]))), _e1915.member_4);
                         }
                     }
                 }

@@ -59,35 +59,35 @@ struct type_37 {
     member_3: array<u32, 3>,
 }
 
-struct type_41 {
+struct type_42 {
     member: f32,
     member_1: bool,
 }
 
-struct type_43 {
+struct type_44 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_46 {
+struct type_47 {
     member: array<i32>,
 }
 
-struct type_55 {
+struct type_56 {
     member: array<array<u32, 7>>,
 }
 
-struct type_60 {
+struct type_61 {
     member: type_30,
     member_1: u32,
 }
 
-struct type_63 {
+struct type_62 {
     member: array<vec4<f32>, 3>,
-    member_1: type_60,
-    member_2: type_60,
+    member_1: type_61,
+    member_2: type_61,
 }
 
-struct type_70 {
+struct type_69 {
     member: array<atomic<u32>>,
 }
 
@@ -97,17 +97,17 @@ var<uniform> global_1: type_12;
 @group(0) @binding(8) 
 var<storage, read_write> global_2: type_25;
 @group(0) @binding(1) 
-var<uniform> global_3: type_43;
+var<uniform> global_3: type_44;
 @group(0) @binding(2) 
-var<uniform> global_4: type_43;
+var<uniform> global_4: type_44;
 @group(0) @binding(5) 
 var<storage> global_5: type_4;
 @group(0) @binding(6) 
-var<storage> global_6: type_46;
+var<storage> global_6: type_47;
 @group(0) @binding(9) 
-var<storage, read_write> global_7: type_70;
+var<storage, read_write> global_7: type_69;
 @group(0) @binding(3) 
-var<storage> global_8: type_55;
+var<storage> global_8: type_56;
 @group(0) @binding(7) 
 var<storage> global_9: type_33;
 @group(0) @binding(4) 
@@ -117,10 +117,16 @@ fn function_() {
     var local: array<i32, 3>;
     var local_1: array<i32, 3>;
     var local_2: array<f32, 128>;
-    var local_3: array<type_60, 128>;
-    var local_4: array<u32, 3>;
-    var local_5: array<array<f32, 3>, 3>;
-    var local_6: array<f32, 4>;
+    var local_3: array<f32, 128>;
+    var local_4: array<f32, 128>;
+    var local_5: array<f32, 128>;
+    var local_6: array<f32, 128>;
+    var local_7: array<f32, 128>;
+    var local_8: array<u32, 128>;
+    var local_9: array<f32, 128>;
+    var local_10: array<u32, 3>;
+    var local_11: array<array<f32, 3>, 3>;
+    var local_12: array<f32, 4>;
     var phi_342_: u32;
     var phi_386_: i32;
     var phi_410_: type_37;
@@ -152,1521 +158,1599 @@ fn function_() {
     var phi_829_: f32;
     var phi_929_: f32;
     var phi_930_: f32;
-    var phi_5007_: bool;
-    var phi_2050_: type_41;
-    var phi_2053_: type_60;
-    var phi_2055_: u32;
+    var phi_4083_: bool;
+    var phi_1019_: type_42;
+    var phi_1022_: type_61;
+    var phi_1024_: u32;
+    var phi_1026_: bool;
+    var phi_1028_: u32;
+    var phi_1039_: bool;
+    var phi_1125_: type_61;
+    var phi_1126_: bool;
+    var phi_1127_: u32;
+    var phi_3053_: u32;
+    var phi_3059_: u32;
+    var phi_3313_: u32;
+    var phi_3314_: u32;
+    var phi_3324_: u32;
+    var phi_3326_: u32;
+    var phi_3327_: bool;
+    var phi_3347_: u32;
+    var phi_3348_: u32;
+    var phi_3352_: type_62;
+    var phi_3696_: type_61;
+    var phi_3773_: type_61;
+    var phi_3774_: type_61;
+    var phi_3775_: u32;
+    var phi_3777_: type_61;
+    var phi_3778_: u32;
+    var phi_3779_: bool;
+    var phi_3788_: type_61;
+    var phi_3793_: type_61;
+    var phi_3794_: bool;
+    var phi_4080_: bool;
+    var phi_1146_: type_42;
+    var phi_1149_: type_8;
+    var phi_1150_: type_8;
+    var phi_1172_: type_8;
+    var phi_1213_: u32;
+    var phi_1219_: u32;
+    var phi_1229_: u32;
+    var phi_1245_: u32;
+    var phi_1282_: u32;
+    var phi_1288_: u32;
+    var phi_1298_: u32;
+    var phi_4065_: bool;
+    var phi_1314_: type_8;
+    var phi_1315_: type_8;
+    var phi_1338_: type_8;
+    var phi_1361_: u32;
+    var phi_1376_: u32;
+    var phi_1379_: type_8;
+    var phi_1380_: type_8;
+    var phi_1403_: type_8;
+    var phi_1469_: u32;
+    var phi_1449_: u32;
+    var phi_1450_: u32;
+    var phi_1473_: f32;
+    var phi_4058_: bool;
+    var phi_4144_: bool;
+    var phi_4143_: bool;
+    var phi_1973_: vec3<f32>;
+    var phi_1974_: vec3<f32>;
+    var phi_2005_: bool;
+    var phi_2014_: vec3<f32>;
+    var phi_2054_: type_21;
+    var phi_2056_: type_21;
     var phi_2057_: bool;
-    var phi_2059_: u32;
-    var phi_2070_: bool;
-    var phi_2107_: type_60;
-    var phi_2108_: bool;
-    var phi_2109_: u32;
-    var phi_4035_: u32;
-    var phi_4041_: u32;
-    var phi_4295_: u32;
-    var phi_4296_: u32;
-    var phi_4306_: u32;
-    var phi_4308_: u32;
-    var phi_4309_: bool;
-    var phi_4329_: u32;
-    var phi_4330_: u32;
-    var phi_4334_: type_63;
-    var phi_4678_: type_60;
-    var phi_4711_: type_60;
-    var phi_4712_: type_60;
-    var phi_4713_: u32;
-    var phi_4715_: type_60;
-    var phi_4716_: u32;
-    var phi_4717_: bool;
-    var phi_4726_: type_60;
-    var phi_4731_: type_60;
-    var phi_4732_: bool;
-    var phi_5004_: bool;
-    var phi_2128_: type_41;
-    var phi_2131_: type_8;
-    var phi_2132_: type_8;
-    var phi_2154_: type_8;
-    var phi_2195_: u32;
-    var phi_2201_: u32;
-    var phi_2211_: u32;
-    var phi_2227_: u32;
-    var phi_2264_: u32;
-    var phi_2270_: u32;
-    var phi_2280_: u32;
-    var phi_4989_: bool;
-    var phi_2296_: type_8;
-    var phi_2297_: type_8;
-    var phi_2320_: type_8;
-    var phi_2343_: u32;
-    var phi_2358_: u32;
-    var phi_2361_: type_8;
-    var phi_2362_: type_8;
-    var phi_2385_: type_8;
-    var phi_2451_: u32;
-    var phi_2431_: u32;
-    var phi_2432_: u32;
-    var phi_2455_: f32;
-    var phi_4982_: bool;
-    var phi_5068_: bool;
-    var phi_5067_: bool;
-    var phi_2955_: vec3<f32>;
-    var phi_2956_: vec3<f32>;
-    var phi_2987_: bool;
-    var phi_2996_: vec3<f32>;
-    var phi_3036_: type_21;
-    var phi_3038_: type_21;
-    var phi_3039_: bool;
-    var phi_3043_: type_21;
-    var phi_3044_: type_21;
-    var phi_3045_: type_21;
-    var phi_3046_: bool;
-    var phi_3050_: type_21;
-    var phi_3051_: bool;
-    var phi_3055_: type_21;
-    var phi_3056_: bool;
-    var phi_3060_: type_21;
-    var phi_3083_: u32;
-    var phi_3097_: i32;
-    var phi_3117_: vec3<f32>;
-    var phi_3118_: vec3<f32>;
-    var phi_3134_: vec3<f32>;
-    var phi_3135_: vec3<f32>;
-    var phi_3151_: vec3<f32>;
-    var phi_3152_: vec3<f32>;
-    var phi_3188_: vec3<f32>;
-    var phi_3370_: f32;
-    var phi_3388_: bool;
-    var phi_3389_: bool;
-    var phi_3394_: type_41;
-    var phi_3395_: type_41;
-    var phi_5070_: bool;
-    var phi_2129_: type_41;
-    var phi_5069_: bool;
-    var local_7: type_41;
-    var phi_5149_: bool;
-    var phi_4734_: type_41;
-    var phi_4735_: type_60;
-    var phi_4736_: bool;
-    var phi_4737_: u32;
-    var phi_5148_: bool;
-    var phi_4738_: type_41;
-    var phi_4739_: type_60;
-    var phi_4740_: u32;
-    var phi_4741_: bool;
-    var phi_4742_: u32;
-    var phi_5147_: bool;
-    var phi_4743_: type_41;
-    var phi_4744_: type_60;
-    var phi_4745_: u32;
-    var phi_4746_: bool;
-    var phi_4747_: u32;
-    var phi_5146_: bool;
-    var phi_2051_: type_41;
-    var phi_2054_: type_60;
-    var phi_2056_: u32;
-    var phi_2058_: bool;
-    var phi_2060_: u32;
-    var phi_4748_: bool;
-    var phi_5145_: bool;
-    var local_8: type_41;
-    var local_9: type_41;
+    var phi_2061_: type_21;
+    var phi_2062_: type_21;
+    var phi_2063_: type_21;
+    var phi_2064_: bool;
+    var phi_2068_: type_21;
+    var phi_2069_: bool;
+    var phi_2073_: type_21;
+    var phi_2074_: bool;
+    var phi_2078_: type_21;
+    var phi_2101_: u32;
+    var phi_2115_: i32;
+    var phi_2135_: vec3<f32>;
+    var phi_2136_: vec3<f32>;
+    var phi_2152_: vec3<f32>;
+    var phi_2153_: vec3<f32>;
+    var phi_2169_: vec3<f32>;
+    var phi_2170_: vec3<f32>;
+    var phi_2206_: vec3<f32>;
+    var phi_2388_: f32;
+    var phi_2406_: bool;
+    var phi_2407_: bool;
+    var phi_2412_: type_42;
+    var phi_2413_: type_42;
+    var phi_4146_: bool;
+    var phi_1147_: type_42;
+    var phi_4145_: bool;
+    var local_13: type_42;
+    var phi_4225_: bool;
+    var phi_3796_: type_42;
+    var phi_3797_: type_61;
+    var phi_3798_: bool;
+    var phi_3799_: u32;
+    var phi_4224_: bool;
+    var phi_3800_: type_42;
+    var phi_3801_: type_61;
+    var phi_3802_: u32;
+    var phi_3803_: bool;
+    var phi_3804_: u32;
+    var phi_4223_: bool;
+    var phi_3805_: type_42;
+    var phi_3806_: type_61;
+    var phi_3807_: u32;
+    var phi_3808_: bool;
+    var phi_3809_: u32;
+    var phi_4222_: bool;
+    var phi_1020_: type_42;
+    var phi_1023_: type_61;
+    var phi_1025_: u32;
+    var phi_1027_: bool;
+    var phi_1029_: u32;
+    var phi_3810_: bool;
+    var phi_4221_: bool;
+    var local_14: type_42;
+    var local_15: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e97 = global;
-            let _e99 = arrayLength((&global_8.member));
-            let _e102 = arrayLength((&global_10.member));
-            let _e114 = arrayLength((&global_7.member));
-            let _e118 = global_4.member[0u][0u];
-            let _e122 = global_4.member[0u][1u];
-            let _e126 = global_4.member[0u][2u];
-            let _e130 = global_4.member[0u][3u];
-            let _e134 = global_4.member[1u][0u];
-            let _e138 = global_4.member[1u][1u];
-            let _e142 = global_4.member[1u][2u];
-            let _e146 = (_e97.x + (_e97.y * 2097152u));
-            let _e158 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e130) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e118), bitcast<i32>(_e122), bitcast<i32>(_e126));
-            local = array<i32, 3>(bitcast<i32>(_e134), bitcast<i32>(_e138), bitcast<i32>(_e142));
-            let _e161 = (_e146 < arrayLength((&global_9.member)));
-            if _e161 {
-                if _e161 {
+            let _e101 = global;
+            let _e103 = arrayLength((&global_8.member));
+            let _e106 = arrayLength((&global_10.member));
+            let _e118 = arrayLength((&global_7.member));
+            let _e122 = global_4.member[0u][0u];
+            let _e126 = global_4.member[0u][1u];
+            let _e130 = global_4.member[0u][2u];
+            let _e134 = global_4.member[0u][3u];
+            let _e138 = global_4.member[1u][0u];
+            let _e142 = global_4.member[1u][1u];
+            let _e146 = global_4.member[1u][2u];
+            let _e150 = (_e101.x + (_e101.y * 2097152u));
+            let _e162 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e134) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e122), bitcast<i32>(_e126), bitcast<i32>(_e130));
+            local = array<i32, 3>(bitcast<i32>(_e138), bitcast<i32>(_e142), bitcast<i32>(_e146));
+            let _e165 = (_e150 < arrayLength((&global_9.member)));
+            if _e165 {
+                if _e165 {
                 } else {
                     break;
                 }
-                let _e165 = global_9.member[_e146].member_2;
-                phi_342_ = _e165;
+                let _e169 = global_9.member[_e150].member_2;
+                phi_342_ = _e169;
             } else {
                 phi_342_ = 4294967295u;
             }
-            let _e167 = phi_342_;
-            let _e170 = global_1.member[0u];
-            let _e174 = global_3.member[0u][0u];
-            let _e178 = global_3.member[0u][1u];
-            let _e182 = global_3.member[0u][2u];
-            let _e186 = global_3.member[0u][3u];
-            let _e190 = global_3.member[1u][0u];
-            let _e194 = global_3.member[1u][1u];
-            let _e198 = global_3.member[1u][2u];
-            let _e202 = global_3.member[1u][3u];
-            let _e203 = bitcast<f32>(_e174);
-            let _e204 = bitcast<f32>(_e178);
-            let _e205 = bitcast<f32>(_e182);
-            let _e207 = bitcast<f32>(_e190);
-            let _e208 = array<u32, 3>(_e194, _e198, _e202);
-            let _e210 = bitcast<i32>(_e170);
-            if (_e210 < -126i) {
+            let _e171 = phi_342_;
+            let _e174 = global_1.member[0u];
+            let _e178 = global_3.member[0u][0u];
+            let _e182 = global_3.member[0u][1u];
+            let _e186 = global_3.member[0u][2u];
+            let _e190 = global_3.member[0u][3u];
+            let _e194 = global_3.member[1u][0u];
+            let _e198 = global_3.member[1u][1u];
+            let _e202 = global_3.member[1u][2u];
+            let _e206 = global_3.member[1u][3u];
+            let _e207 = bitcast<f32>(_e178);
+            let _e208 = bitcast<f32>(_e182);
+            let _e209 = bitcast<f32>(_e186);
+            let _e211 = bitcast<f32>(_e194);
+            let _e212 = array<u32, 3>(_e198, _e202, _e206);
+            let _e214 = bitcast<i32>(_e174);
+            if (_e214 < -126i) {
                 phi_386_ = -126i;
             } else {
-                phi_386_ = select(_e210, 127i, (_e210 > 127i));
+                phi_386_ = select(_e214, 127i, (_e214 > 127i));
             }
-            let _e215 = phi_386_;
-            let _e220 = bitcast<f32>((bitcast<u32>((_e215 + 127i)) << bitcast<u32>(23i)));
-            let _e226 = bitcast<f32>((bitcast<u32>(((_e210 - _e215) + 127i)) << bitcast<u32>(23i)));
-            if (_e186 == 0u) {
-                phi_410_ = type_37(array<f32, 3>(_e203, _e204, _e205), _e186, _e207, _e208);
+            let _e219 = phi_386_;
+            let _e224 = bitcast<f32>((bitcast<u32>((_e219 + 127i)) << bitcast<u32>(23i)));
+            let _e230 = bitcast<f32>((bitcast<u32>(((_e214 - _e219) + 127i)) << bitcast<u32>(23i)));
+            if (_e190 == 0u) {
+                phi_410_ = type_37(array<f32, 3>(_e207, _e208, _e209), _e190, _e211, _e212);
             } else {
-                phi_410_ = type_37(array<f32, 3>(((_e203 * _e220) * _e226), ((_e204 * _e220) * _e226), ((_e205 * _e220) * _e226)), _e186, ((_e207 * _e220) * _e226), _e208);
+                phi_410_ = type_37(array<f32, 3>(((_e207 * _e224) * _e230), ((_e208 * _e224) * _e230), ((_e209 * _e224) * _e230)), _e190, ((_e211 * _e224) * _e230), _e212);
             }
-            let _e239 = phi_410_;
-            if _e161 {
-                let _e240 = (_e146 < arrayLength((&global_2.member)));
-                if _e240 {
-                    if _e161 {
+            let _e243 = phi_410_;
+            if _e165 {
+                let _e244 = (_e150 < arrayLength((&global_2.member)));
+                if _e244 {
+                    if _e165 {
                     } else {
                         break;
                     }
-                    let _e245 = global_9.member[_e146].member.member_1;
-                    let _e250 = global_9.member[_e146].member.member_3;
-                    if (_e245 <= _e250) {
-                        let _e252 = (1u < _e114);
-                        if _e252 {
-                            if (0u < _e114) {
+                    let _e249 = global_9.member[_e150].member.member_1;
+                    let _e254 = global_9.member[_e150].member.member_3;
+                    if (_e249 <= _e254) {
+                        let _e256 = (1u < _e118);
+                        if _e256 {
+                            if (0u < _e118) {
                             } else {
                                 break;
                             }
-                            let _e256 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e256 + 1u) < _e256) {
-                                if _e252 {
+                            let _e260 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e260 + 1u) < _e260) {
+                                if _e256 {
                                 } else {
                                     break;
                                 }
-                                let _e261 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e265 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        if _e161 {
+                        if _e165 {
                         } else {
                             break;
                         }
-                        let _e271 = global_9.member[_e146].member.member_2[0u];
-                        let _e273 = (bitcast<u32>(_e271) & 2147483647u);
-                        let _e279 = global_9.member[_e146].member.member_2[1u];
-                        let _e281 = (bitcast<u32>(_e279) & 2147483647u);
-                        let _e287 = global_9.member[_e146].member.member_2[2u];
-                        let _e289 = (bitcast<u32>(_e287) & 2147483647u);
-                        let _e295 = global_9.member[_e146].member.member[0u];
-                        let _e297 = (bitcast<u32>(_e295) & 2147483647u);
-                        let _e303 = global_9.member[_e146].member.member[1u];
-                        let _e305 = (bitcast<u32>(_e303) & 2147483647u);
-                        let _e311 = global_9.member[_e146].member.member[2u];
-                        let _e313 = (bitcast<u32>(_e311) & 2147483647u);
-                        let _e315 = select(_e281, _e273, (_e281 < _e273));
-                        let _e317 = select(_e289, _e315, (_e289 < _e315));
-                        let _e319 = select(_e297, _e317, (_e297 < _e317));
-                        let _e321 = select(_e305, _e319, (_e305 < _e319));
-                        let _e323 = select(_e313, _e321, (_e313 < _e321));
-                        let _e325 = (bitcast<u32>(_e245) & 2147483647u);
-                        let _e334 = (((select(_e325, _e323, (_e325 < _e323)) < 2139095040u) && ((bitcast<u32>(_e250) & 2147483647u) <= 2139095040u)) && (_e317 > 0u));
-                        if _e334 {
-                            let _e337 = (bitcast<u32>(bitcast<f32>(_e317)) & 2147483647u);
-                            if (_e337 >= 8388608u) {
-                                phi_560_ = (bitcast<i32>((_e337 >> bitcast<u32>(23i))) - 127i);
+                        let _e275 = global_9.member[_e150].member.member_2[0u];
+                        let _e277 = (bitcast<u32>(_e275) & 2147483647u);
+                        let _e283 = global_9.member[_e150].member.member_2[1u];
+                        let _e285 = (bitcast<u32>(_e283) & 2147483647u);
+                        let _e291 = global_9.member[_e150].member.member_2[2u];
+                        let _e293 = (bitcast<u32>(_e291) & 2147483647u);
+                        let _e299 = global_9.member[_e150].member.member[0u];
+                        let _e301 = (bitcast<u32>(_e299) & 2147483647u);
+                        let _e307 = global_9.member[_e150].member.member[1u];
+                        let _e309 = (bitcast<u32>(_e307) & 2147483647u);
+                        let _e315 = global_9.member[_e150].member.member[2u];
+                        let _e317 = (bitcast<u32>(_e315) & 2147483647u);
+                        let _e319 = select(_e285, _e277, (_e285 < _e277));
+                        let _e321 = select(_e293, _e319, (_e293 < _e319));
+                        let _e323 = select(_e301, _e321, (_e301 < _e321));
+                        let _e325 = select(_e309, _e323, (_e309 < _e323));
+                        let _e327 = select(_e317, _e325, (_e317 < _e325));
+                        let _e329 = (bitcast<u32>(_e249) & 2147483647u);
+                        let _e338 = (((select(_e329, _e327, (_e329 < _e327)) < 2139095040u) && ((bitcast<u32>(_e254) & 2147483647u) <= 2139095040u)) && (_e321 > 0u));
+                        if _e338 {
+                            let _e341 = (bitcast<u32>(bitcast<f32>(_e321)) & 2147483647u);
+                            if (_e341 >= 8388608u) {
+                                phi_560_ = (bitcast<i32>((_e341 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_560_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e337)), 32u, (_e337 == 0u))));
+                                phi_560_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e341)), 32u, (_e341 == 0u))));
                             }
-                            let _e351 = phi_560_;
-                            phi_561_ = _e351;
+                            let _e355 = phi_560_;
+                            phi_561_ = _e355;
                         } else {
                             phi_561_ = 0i;
                         }
-                        let _e353 = phi_561_;
-                        let _e354 = (_e273 == _e317);
-                        if _e354 {
+                        let _e357 = phi_561_;
+                        let _e358 = (_e277 == _e321);
+                        if _e358 {
                             phi_571_ = true;
                         } else {
-                            phi_571_ = (_e281 == _e317);
+                            phi_571_ = (_e285 == _e321);
                         }
-                        let _e357 = phi_571_;
-                        let _e358 = select(1u, 0u, _e354);
-                        if _e357 {
-                            let _e359 = (_e358 + 1u);
-                            phi_581_ = _e359;
-                            phi_582_ = _e359;
-                            phi_584_ = select(true, false, (_e359 == 2u));
+                        let _e361 = phi_571_;
+                        let _e362 = select(1u, 0u, _e358);
+                        if _e361 {
+                            let _e363 = (_e362 + 1u);
+                            phi_581_ = _e363;
+                            phi_582_ = _e363;
+                            phi_584_ = select(true, false, (_e363 == 2u));
                         } else {
                             phi_581_ = u32();
                             phi_582_ = 0u;
                             phi_584_ = true;
                         }
-                        let _e363 = phi_581_;
-                        let _e365 = phi_582_;
-                        let _e367 = phi_584_;
-                        if _e367 {
-                            phi_589_ = (_e365 + 1u);
+                        let _e367 = phi_581_;
+                        let _e369 = phi_582_;
+                        let _e371 = phi_584_;
+                        if _e371 {
+                            phi_589_ = (_e369 + 1u);
                         } else {
                             phi_589_ = 0u;
                         }
-                        let _e371 = phi_589_;
-                        let _e372 = select(_e363, _e365, _e367);
-                        let _e373 = select(_e358, select(2u, _e358, _e357), _e367);
-                        let _e374 = -(_e353);
-                        if (_e374 < -126i) {
+                        let _e375 = phi_589_;
+                        let _e376 = select(_e367, _e369, _e371);
+                        let _e377 = select(_e362, select(2u, _e362, _e361), _e371);
+                        let _e378 = -(_e357);
+                        if (_e378 < -126i) {
                             phi_622_ = -126i;
                         } else {
-                            phi_622_ = select(_e374, 127i, (_e374 > 127i));
+                            phi_622_ = select(_e378, 127i, (_e378 > 127i));
                         }
-                        let _e379 = phi_622_;
-                        let _e384 = bitcast<f32>((bitcast<u32>((_e379 + 127i)) << bitcast<u32>(23i)));
-                        let _e390 = bitcast<f32>((bitcast<u32>(((_e374 - _e379) + 127i)) << bitcast<u32>(23i)));
-                        let _e395 = global_9.member[_e146].member.member;
-                        let _e396 = (_e372 == 0u);
-                        if _e396 {
-                            phi_640_ = _e395[0];
+                        let _e383 = phi_622_;
+                        let _e388 = bitcast<f32>((bitcast<u32>((_e383 + 127i)) << bitcast<u32>(23i)));
+                        let _e394 = bitcast<f32>((bitcast<u32>(((_e378 - _e383) + 127i)) << bitcast<u32>(23i)));
+                        let _e399 = global_9.member[_e150].member.member;
+                        let _e400 = (_e376 == 0u);
+                        if _e400 {
+                            phi_640_ = _e399[0];
                         } else {
-                            phi_640_ = _e395[1];
+                            phi_640_ = _e399[1];
                         }
-                        let _e400 = phi_640_;
-                        let _e401 = (_e372 == 2u);
-                        if _e401 {
-                            phi_646_ = _e395[2];
+                        let _e404 = phi_640_;
+                        let _e405 = (_e376 == 2u);
+                        if _e405 {
+                            phi_646_ = _e399[2];
                         } else {
-                            phi_646_ = _e400;
+                            phi_646_ = _e404;
                         }
-                        let _e404 = phi_646_;
-                        let _e405 = global_9.member[_e146].member.member_2;
-                        if _e396 {
-                            phi_657_ = _e405[0];
+                        let _e408 = phi_646_;
+                        let _e409 = global_9.member[_e150].member.member_2;
+                        if _e400 {
+                            phi_657_ = _e409[0];
                         } else {
-                            phi_657_ = _e405[1];
+                            phi_657_ = _e409[1];
                         }
-                        let _e409 = phi_657_;
-                        if _e401 {
-                            phi_663_ = _e405[2];
+                        let _e413 = phi_657_;
+                        if _e405 {
+                            phi_663_ = _e409[2];
                         } else {
-                            phi_663_ = _e409;
+                            phi_663_ = _e413;
                         }
-                        let _e412 = phi_663_;
-                        let _e414 = ((_e412 * _e384) * _e390);
-                        let _e418 = (bitcast<f32>((bitcast<u32>(_e414) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e418 {
-                            let _e422 = (bitcast<f32>((bitcast<u32>(_e404) & 2147483647u)) * 0.00000011920929f);
-                            phi_686_ = select(0.00000000000011368684f, _e422, (_e422 > 0.00000000000011368684f));
+                        let _e416 = phi_663_;
+                        let _e418 = ((_e416 * _e388) * _e394);
+                        let _e422 = (bitcast<f32>((bitcast<u32>(_e418) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e422 {
+                            let _e426 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) * 0.00000011920929f);
+                            phi_686_ = select(0.00000000000011368684f, _e426, (_e426 > 0.00000000000011368684f));
                         } else {
                             phi_686_ = 0f;
                         }
-                        let _e426 = phi_686_;
-                        let _e427 = (_e404 + _e426);
-                        let _e428 = (_e404 - _e426);
-                        let _e429 = select(_e414, 0f, _e418);
-                        if _e418 {
+                        let _e430 = phi_686_;
+                        let _e431 = (_e408 + _e430);
+                        let _e432 = (_e408 - _e430);
+                        let _e433 = select(_e418, 0f, _e422);
+                        if _e422 {
                             phi_697_ = 38685626000000000000000000f;
                         } else {
-                            phi_697_ = (1f / _e414);
+                            phi_697_ = (1f / _e418);
                         }
-                        let _e432 = phi_697_;
-                        let _e433 = (_e371 == 0u);
-                        if _e433 {
-                            phi_706_ = _e395[0];
+                        let _e436 = phi_697_;
+                        let _e437 = (_e375 == 0u);
+                        if _e437 {
+                            phi_706_ = _e399[0];
                         } else {
-                            phi_706_ = _e395[1];
+                            phi_706_ = _e399[1];
                         }
-                        let _e437 = phi_706_;
-                        let _e438 = (_e371 == 2u);
-                        if _e438 {
-                            phi_712_ = _e395[2];
+                        let _e441 = phi_706_;
+                        let _e442 = (_e375 == 2u);
+                        if _e442 {
+                            phi_712_ = _e399[2];
                         } else {
-                            phi_712_ = _e437;
+                            phi_712_ = _e441;
                         }
-                        let _e441 = phi_712_;
-                        if _e433 {
-                            phi_723_ = _e405[0];
+                        let _e445 = phi_712_;
+                        if _e437 {
+                            phi_723_ = _e409[0];
                         } else {
-                            phi_723_ = _e405[1];
+                            phi_723_ = _e409[1];
                         }
-                        let _e445 = phi_723_;
-                        if _e438 {
-                            phi_729_ = _e405[2];
+                        let _e449 = phi_723_;
+                        if _e442 {
+                            phi_729_ = _e409[2];
                         } else {
-                            phi_729_ = _e445;
+                            phi_729_ = _e449;
                         }
-                        let _e448 = phi_729_;
-                        let _e450 = ((_e448 * _e384) * _e390);
-                        let _e454 = (bitcast<f32>((bitcast<u32>(_e450) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e454 {
-                            let _e458 = (bitcast<f32>((bitcast<u32>(_e441) & 2147483647u)) * 0.00000011920929f);
-                            phi_752_ = select(0.00000000000011368684f, _e458, (_e458 > 0.00000000000011368684f));
+                        let _e452 = phi_729_;
+                        let _e454 = ((_e452 * _e388) * _e394);
+                        let _e458 = (bitcast<f32>((bitcast<u32>(_e454) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e458 {
+                            let _e462 = (bitcast<f32>((bitcast<u32>(_e445) & 2147483647u)) * 0.00000011920929f);
+                            phi_752_ = select(0.00000000000011368684f, _e462, (_e462 > 0.00000000000011368684f));
                         } else {
                             phi_752_ = 0f;
                         }
-                        let _e462 = phi_752_;
-                        let _e463 = (_e441 + _e462);
-                        let _e464 = (_e441 - _e462);
-                        let _e465 = select(_e450, 0f, _e454);
-                        if _e454 {
+                        let _e466 = phi_752_;
+                        let _e467 = (_e445 + _e466);
+                        let _e468 = (_e445 - _e466);
+                        let _e469 = select(_e454, 0f, _e458);
+                        if _e458 {
                             phi_763_ = 38685626000000000000000000f;
                         } else {
-                            phi_763_ = (1f / _e450);
+                            phi_763_ = (1f / _e454);
                         }
-                        let _e468 = phi_763_;
-                        let _e469 = (_e373 == 0u);
-                        if _e469 {
-                            phi_772_ = _e395[0];
+                        let _e472 = phi_763_;
+                        let _e473 = (_e377 == 0u);
+                        if _e473 {
+                            phi_772_ = _e399[0];
                         } else {
-                            phi_772_ = _e395[1];
+                            phi_772_ = _e399[1];
                         }
-                        let _e473 = phi_772_;
-                        let _e474 = (_e373 == 2u);
-                        if _e474 {
-                            phi_778_ = _e395[2];
+                        let _e477 = phi_772_;
+                        let _e478 = (_e377 == 2u);
+                        if _e478 {
+                            phi_778_ = _e399[2];
                         } else {
-                            phi_778_ = _e473;
+                            phi_778_ = _e477;
                         }
-                        let _e477 = phi_778_;
-                        if _e469 {
-                            phi_789_ = _e405[0];
+                        let _e481 = phi_778_;
+                        if _e473 {
+                            phi_789_ = _e409[0];
                         } else {
-                            phi_789_ = _e405[1];
+                            phi_789_ = _e409[1];
                         }
-                        let _e481 = phi_789_;
-                        if _e474 {
-                            phi_795_ = _e405[2];
+                        let _e485 = phi_789_;
+                        if _e478 {
+                            phi_795_ = _e409[2];
                         } else {
-                            phi_795_ = _e481;
+                            phi_795_ = _e485;
                         }
-                        let _e484 = phi_795_;
-                        let _e486 = ((_e484 * _e384) * _e390);
-                        let _e490 = (bitcast<f32>((bitcast<u32>(_e486) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e490 {
-                            let _e494 = (bitcast<f32>((bitcast<u32>(_e477) & 2147483647u)) * 0.00000011920929f);
-                            phi_818_ = select(0.00000000000011368684f, _e494, (_e494 > 0.00000000000011368684f));
+                        let _e488 = phi_795_;
+                        let _e490 = ((_e488 * _e388) * _e394);
+                        let _e494 = (bitcast<f32>((bitcast<u32>(_e490) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e494 {
+                            let _e498 = (bitcast<f32>((bitcast<u32>(_e481) & 2147483647u)) * 0.00000011920929f);
+                            phi_818_ = select(0.00000000000011368684f, _e498, (_e498 > 0.00000000000011368684f));
                         } else {
                             phi_818_ = 0f;
                         }
-                        let _e498 = phi_818_;
-                        let _e499 = (_e477 + _e498);
-                        let _e500 = (_e477 - _e498);
-                        let _e501 = select(_e486, 0f, _e490);
-                        if _e490 {
+                        let _e502 = phi_818_;
+                        let _e503 = (_e481 + _e502);
+                        let _e504 = (_e481 - _e502);
+                        let _e505 = select(_e490, 0f, _e494);
+                        if _e494 {
                             phi_829_ = 38685626000000000000000000f;
                         } else {
-                            phi_829_ = (1f / _e486);
+                            phi_829_ = (1f / _e490);
                         }
-                        let _e504 = phi_829_;
-                        let _e507 = bitcast<f32>((bitcast<u32>(_e404) & 2147483647u));
-                        let _e510 = bitcast<f32>((bitcast<u32>(_e441) & 2147483647u));
-                        let _e512 = select(_e510, _e507, (_e507 > _e510));
-                        let _e515 = bitcast<f32>((bitcast<u32>(_e477) & 2147483647u));
-                        if (_e334 && (select(_e515, _e512, (_e512 > _e515)) <= 1099511600000f)) {
-                            let _e520 = (_e353 / 3i);
-                            let _e527 = bitcast<f32>((bitcast<u32>((_e520 + 127i)) << bitcast<u32>(23i)));
-                            let _e534 = bitcast<f32>((bitcast<u32>(((_e353 - (2i * _e520)) + 127i)) << bitcast<u32>(23i)));
-                            let _e535 = (((_e245 * _e527) * _e527) * _e534);
-                            let _e537 = select(340282350000000000000000000000000000000f, _e535, (_e535 < 340282350000000000000000000000000000000f));
-                            let _e542 = (((_e250 * _e527) * _e527) * _e534);
-                            let _e544 = select(340282350000000000000000000000000000000f, _e542, (_e542 < 340282350000000000000000000000000000000f));
-                            phi_929_ = select(-340282350000000000000000000000000000000f, _e544, (_e544 > -340282350000000000000000000000000000000f));
-                            phi_930_ = select(-340282350000000000000000000000000000000f, _e537, (_e537 > -340282350000000000000000000000000000000f));
+                        let _e508 = phi_829_;
+                        let _e511 = bitcast<f32>((bitcast<u32>(_e408) & 2147483647u));
+                        let _e514 = bitcast<f32>((bitcast<u32>(_e445) & 2147483647u));
+                        let _e516 = select(_e514, _e511, (_e511 > _e514));
+                        let _e519 = bitcast<f32>((bitcast<u32>(_e481) & 2147483647u));
+                        if (_e338 && (select(_e519, _e516, (_e516 > _e519)) <= 1099511600000f)) {
+                            let _e524 = (_e357 / 3i);
+                            let _e531 = bitcast<f32>((bitcast<u32>((_e524 + 127i)) << bitcast<u32>(23i)));
+                            let _e538 = bitcast<f32>((bitcast<u32>(((_e357 - (2i * _e524)) + 127i)) << bitcast<u32>(23i)));
+                            let _e539 = (((_e249 * _e531) * _e531) * _e538);
+                            let _e541 = select(340282350000000000000000000000000000000f, _e539, (_e539 < 340282350000000000000000000000000000000f));
+                            let _e546 = (((_e254 * _e531) * _e531) * _e538);
+                            let _e548 = select(340282350000000000000000000000000000000f, _e546, (_e546 < 340282350000000000000000000000000000000f));
+                            phi_929_ = select(-340282350000000000000000000000000000000f, _e548, (_e548 > -340282350000000000000000000000000000000f));
+                            phi_930_ = select(-340282350000000000000000000000000000000f, _e541, (_e541 > -340282350000000000000000000000000000000f));
                         } else {
                             phi_929_ = 0f;
                             phi_930_ = 1f;
                         }
-                        let _e548 = phi_929_;
-                        let _e550 = phi_930_;
-                        local_3 = array<type_60, 128>(type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 0u));
+                        let _e552 = phi_929_;
+                        let _e554 = phi_930_;
+                        local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+                        local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e554 = (_e372 % 3u);
-                        let _e555 = (_e554 < 3u);
-                        if _e555 {
+                        local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        let _e558 = (_e376 % 3u);
+                        let _e559 = (_e558 < 3u);
+                        if _e559 {
                         } else {
                             break;
                         }
-                        let _e557 = local_1[_e554];
-                        let _e560 = (_e371 % 3u);
-                        let _e561 = (_e560 < 3u);
-                        if _e561 {
+                        let _e561 = local_1[_e558];
+                        let _e564 = (_e375 % 3u);
+                        let _e565 = (_e564 < 3u);
+                        if _e565 {
                         } else {
                             break;
                         }
-                        let _e563 = local_1[_e560];
-                        let _e566 = (_e373 % 3u);
-                        let _e567 = (_e566 < 3u);
-                        if _e567 {
+                        let _e567 = local_1[_e564];
+                        let _e570 = (_e377 % 3u);
+                        let _e571 = (_e570 < 3u);
+                        if _e571 {
                         } else {
                             break;
                         }
-                        let _e569 = local_1[_e566];
-                        if _e555 {
+                        let _e573 = local_1[_e570];
+                        if _e559 {
                         } else {
                             break;
                         }
-                        let _e574 = local[_e554];
-                        if _e561 {
+                        let _e578 = local[_e558];
+                        if _e565 {
                         } else {
                             break;
                         }
-                        let _e578 = local[_e560];
-                        if _e567 {
+                        let _e582 = local[_e564];
+                        if _e571 {
                         } else {
                             break;
                         }
-                        let _e582 = local[_e566];
-                        phi_5007_ = false;
-                        phi_2050_ = type_41(_e548, false);
-                        phi_2053_ = type_60(type_30(vec4<f32>((f32(_e557) * _e158), (f32(_e563) * _e158), (f32(_e569) * _e158), 0f), vec4<f32>((f32(_e574) * _e158), (f32(_e578) * _e158), (f32(_e582) * _e158), 0f)), select(0u, 2147483648u, (_e99 == 0u)));
-                        phi_2055_ = ((3u * _e99) + 1u);
-                        phi_2057_ = (_e550 <= _e548);
-                        phi_2059_ = 0u;
+                        let _e586 = local[_e570];
+                        phi_4083_ = false;
+                        phi_1019_ = type_42(_e552, false);
+                        phi_1022_ = type_61(type_30(vec4<f32>((f32(_e561) * _e162), (f32(_e567) * _e162), (f32(_e573) * _e162), 0f), vec4<f32>((f32(_e578) * _e162), (f32(_e582) * _e162), (f32(_e586) * _e162), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
+                        phi_1024_ = ((3u * _e103) + 1u);
+                        phi_1026_ = (_e554 <= _e552);
+                        phi_1028_ = 0u;
                         loop {
-                            let _e592 = phi_5007_;
-                            let _e594 = phi_2050_;
-                            let _e596 = phi_2053_;
-                            let _e598 = phi_2055_;
-                            let _e600 = phi_2057_;
-                            let _e602 = phi_2059_;
-                            local_8 = _e594;
-                            if _e600 {
-                                phi_2070_ = true;
+                            let _e596 = phi_4083_;
+                            let _e598 = phi_1019_;
+                            let _e600 = phi_1022_;
+                            let _e602 = phi_1024_;
+                            let _e604 = phi_1026_;
+                            let _e606 = phi_1028_;
+                            local_14 = _e598;
+                            if _e604 {
+                                phi_1039_ = true;
                             } else {
-                                phi_2070_ = (_e602 > 0u);
+                                phi_1039_ = (_e606 > 0u);
                             }
-                            let _e605 = phi_2070_;
-                            if _e605 {
-                                let _e606 = (_e598 > 0u);
-                                if _e606 {
-                                    if _e600 {
-                                        phi_2107_ = _e596;
-                                        phi_2108_ = _e600;
-                                        phi_2109_ = _e602;
+                            let _e609 = phi_1039_;
+                            if _e609 {
+                                let _e610 = (_e602 > 0u);
+                                if _e610 {
+                                    if _e604 {
+                                        phi_1125_ = _e600;
+                                        phi_1126_ = _e604;
+                                        phi_1127_ = _e606;
                                     } else {
-                                        let _e607 = (_e602 - 1u);
-                                        let _e608 = (_e607 % 128u);
-                                        let _e609 = (_e608 < 128u);
-                                        if _e609 {
+                                        let _e611 = (_e606 - 1u);
+                                        let _e612 = (_e611 % 128u);
+                                        let _e613 = (_e612 < 128u);
+                                        if _e613 {
                                         } else {
-                                            phi_5145_ = true;
+                                            phi_4221_ = true;
                                             break;
                                         }
-                                        let _e611 = local_3[_e608];
-                                        if _e609 {
+                                        let _e615 = local_7[_e612];
+                                        if _e613 {
                                         } else {
-                                            phi_5145_ = true;
+                                            phi_4221_ = true;
                                             break;
                                         }
-                                        let _e619 = local_2[_e608];
-                                        phi_2107_ = type_60(type_30(_e611.member.member, _e611.member.member_1), _e611.member_1);
-                                        phi_2108_ = (_e619 <= _e594.member);
-                                        phi_2109_ = _e607;
+                                        let _e617 = local_6[_e612];
+                                        if _e613 {
+                                        } else {
+                                            phi_4221_ = true;
+                                            break;
+                                        }
+                                        let _e619 = local_5[_e612];
+                                        if _e613 {
+                                        } else {
+                                            phi_4221_ = true;
+                                            break;
+                                        }
+                                        let _e621 = local_4[_e612];
+                                        if _e613 {
+                                        } else {
+                                            phi_4221_ = true;
+                                            break;
+                                        }
+                                        let _e623 = local_3[_e612];
+                                        if _e613 {
+                                        } else {
+                                            phi_4221_ = true;
+                                            break;
+                                        }
+                                        let _e625 = local_2[_e612];
+                                        if _e613 {
+                                        } else {
+                                            phi_4221_ = true;
+                                            break;
+                                        }
+                                        let _e630 = local_8[_e612];
+                                        if _e613 {
+                                        } else {
+                                            phi_4221_ = true;
+                                            break;
+                                        }
+                                        let _e633 = local_9[_e612];
+                                        phi_1125_ = type_61(type_30(vec4<f32>(_e615, _e617, _e619, 0f), vec4<f32>(_e621, _e623, _e625, 0f)), _e630);
+                                        phi_1126_ = (_e633 <= _e598.member);
+                                        phi_1127_ = _e611;
                                     }
-                                    let _e623 = phi_2107_;
-                                    let _e625 = phi_2108_;
-                                    let _e627 = phi_2109_;
-                                    if _e625 {
-                                        let _e632 = (_e623.member_1 & 268435455u);
-                                        if ((_e623.member_1 & 2147483648u) != 0u) {
-                                            phi_5004_ = _e592;
-                                            phi_2128_ = _e594;
-                                            phi_2131_ = type_8(0u, ((_e623.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e637 = phi_1125_;
+                                    let _e639 = phi_1126_;
+                                    let _e641 = phi_1127_;
+                                    if _e639 {
+                                        let _e646 = (_e637.member_1 & 268435455u);
+                                        if ((_e637.member_1 & 2147483648u) != 0u) {
+                                            phi_4080_ = _e596;
+                                            phi_1146_ = _e598;
+                                            phi_1149_ = type_8(0u, ((_e637.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1094 = phi_5004_;
-                                                let _e1096 = phi_2128_;
-                                                let _e1098 = phi_2131_;
-                                                local_7 = _e1096;
-                                                local_9 = _e1096;
-                                                if (_e1098.member < _e1098.member_1) {
-                                                    phi_2132_ = type_8((_e1098.member + 1u), _e1098.member_1);
-                                                    phi_2154_ = type_8(1u, _e1098.member);
+                                                let _e1127 = phi_4080_;
+                                                let _e1129 = phi_1146_;
+                                                let _e1131 = phi_1149_;
+                                                local_13 = _e1129;
+                                                local_15 = _e1129;
+                                                if (_e1131.member < _e1131.member_1) {
+                                                    phi_1150_ = type_8((_e1131.member + 1u), _e1131.member_1);
+                                                    phi_1172_ = type_8(1u, _e1131.member);
                                                 } else {
-                                                    phi_2132_ = _e1098;
-                                                    phi_2154_ = type_8(0u, type_8().member_1);
+                                                    phi_1150_ = _e1131;
+                                                    phi_1172_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1111 = phi_2132_;
-                                                let _e1113 = phi_2154_;
-                                                let _e1117 = (bitcast<i32>(_e1113.member) != 0i);
-                                                if _e1117 {
-                                                    let _e1122 = (_e623.member.member_1.x - _e623.member.member.x);
-                                                    let _e1125 = (_e623.member.member_1.y - _e623.member.member.y);
-                                                    let _e1128 = (_e623.member.member_1.z - _e623.member.member.z);
-                                                    let _e1130 = select(_e1125, _e1122, (_e1122 > _e1125));
-                                                    let _e1132 = select(_e1128, _e1130, (_e1130 > _e1128));
-                                                    let _e1134 = (_e1132 < (1024f * _e158));
-                                                    if _e1134 {
-                                                        phi_2195_ = 0u;
+                                                let _e1144 = phi_1150_;
+                                                let _e1146 = phi_1172_;
+                                                let _e1150 = (bitcast<i32>(_e1146.member) != 0i);
+                                                if _e1150 {
+                                                    let _e1155 = (_e637.member.member_1.x - _e637.member.member.x);
+                                                    let _e1158 = (_e637.member.member_1.y - _e637.member.member.y);
+                                                    let _e1161 = (_e637.member.member_1.z - _e637.member.member.z);
+                                                    let _e1163 = select(_e1158, _e1155, (_e1155 > _e1158));
+                                                    let _e1165 = select(_e1161, _e1163, (_e1163 > _e1161));
+                                                    let _e1167 = (_e1165 < (1024f * _e162));
+                                                    if _e1167 {
+                                                        phi_1213_ = 0u;
                                                     } else {
-                                                        phi_2195_ = select(2u, 1u, (_e1132 < (2097152f * _e158)));
+                                                        phi_1213_ = select(2u, 1u, (_e1165 < (2097152f * _e162)));
                                                     }
-                                                    let _e1139 = phi_2195_;
-                                                    switch bitcast<i32>(_e1139) {
+                                                    let _e1172 = phi_1213_;
+                                                    switch bitcast<i32>(_e1172) {
                                                         case 0: {
-                                                            phi_2201_ = 1u;
+                                                            phi_1219_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_2201_ = 2u;
+                                                            phi_1219_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_2201_ = 3u;
+                                                            phi_1219_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2201_ = u32();
+                                                            phi_1219_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1142 = phi_2201_;
-                                                    switch bitcast<i32>(_e1139) {
+                                                    let _e1175 = phi_1219_;
+                                                    switch bitcast<i32>(_e1172) {
                                                         case 0: {
-                                                            phi_2211_ = 1u;
+                                                            phi_1229_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_2211_ = 2u;
+                                                            phi_1229_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_2211_ = 3u;
+                                                            phi_1229_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2211_ = u32();
+                                                            phi_1229_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1149 = phi_2211_;
-                                                    let _e1151 = ((_e632 + (_e1113.member_1 * ((3u * _e1142) + 1u))) + (3u * _e1149));
-                                                    let _e1152 = (_e1151 < _e102);
-                                                    if _e1152 {
-                                                        if _e1152 {
+                                                    let _e1182 = phi_1229_;
+                                                    let _e1184 = ((_e646 + (_e1146.member_1 * ((3u * _e1175) + 1u))) + (3u * _e1182));
+                                                    let _e1185 = (_e1184 < _e106);
+                                                    if _e1185 {
+                                                        if _e1185 {
                                                         } else {
-                                                            phi_5069_ = true;
+                                                            phi_4145_ = true;
                                                             break;
                                                         }
-                                                        let _e1154 = global_10.member[_e1151];
-                                                        phi_2227_ = _e1154;
+                                                        let _e1187 = global_10.member[_e1184];
+                                                        phi_1245_ = _e1187;
                                                     } else {
-                                                        phi_2227_ = 4294967295u;
+                                                        phi_1245_ = 4294967295u;
                                                     }
-                                                    let _e1156 = phi_2227_;
-                                                    local_4 = array<u32, 3>(_e372, _e371, _e373);
-                                                    if _e1134 {
-                                                        phi_2264_ = 0u;
+                                                    let _e1189 = phi_1245_;
+                                                    local_10 = array<u32, 3>(_e376, _e375, _e377);
+                                                    if _e1167 {
+                                                        phi_1282_ = 0u;
                                                     } else {
-                                                        phi_2264_ = select(2u, 1u, (_e1132 < (2097152f * _e158)));
+                                                        phi_1282_ = select(2u, 1u, (_e1165 < (2097152f * _e162)));
                                                     }
-                                                    let _e1162 = phi_2264_;
-                                                    switch bitcast<i32>(_e1162) {
+                                                    let _e1195 = phi_1282_;
+                                                    switch bitcast<i32>(_e1195) {
                                                         case 0: {
-                                                            phi_2270_ = 1u;
+                                                            phi_1288_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_2270_ = 2u;
+                                                            phi_1288_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_2270_ = 3u;
+                                                            phi_1288_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2270_ = u32();
+                                                            phi_1288_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1165 = phi_2270_;
-                                                    switch bitcast<i32>(_e1162) {
+                                                    let _e1198 = phi_1288_;
+                                                    switch bitcast<i32>(_e1195) {
                                                         case 0: {
-                                                            phi_2280_ = 1u;
+                                                            phi_1298_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_2280_ = 2u;
+                                                            phi_1298_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_2280_ = 3u;
+                                                            phi_1298_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_2280_ = u32();
+                                                            phi_1298_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1172 = phi_2280_;
-                                                    local_6 = array<f32, 4>(_e623.member.member.x, _e623.member.member.y, _e623.member.member.z, _e623.member.member.w);
-                                                    local_5[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_5[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_5[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                    phi_4989_ = _e1094;
-                                                    phi_2296_ = type_8(0u, 3u);
+                                                    let _e1205 = phi_1298_;
+                                                    local_12 = array<f32, 4>(_e637.member.member.x, _e637.member.member.y, _e637.member.member.z, _e637.member.member.w);
+                                                    local_11[0u] = array<f32, 3>(0f, 0f, 0f);
+                                                    local_11[1u] = array<f32, 3>(0f, 0f, 0f);
+                                                    local_11[2u] = array<f32, 3>(0f, 0f, 0f);
+                                                    phi_4065_ = _e1127;
+                                                    phi_1314_ = type_8(0u, 3u);
                                                     loop {
-                                                        let _e1186 = phi_4989_;
-                                                        let _e1188 = phi_2296_;
-                                                        if (_e1188.member < _e1188.member_1) {
-                                                            phi_2297_ = type_8((_e1188.member + 1u), _e1188.member_1);
-                                                            phi_2320_ = type_8(1u, _e1188.member);
+                                                        let _e1219 = phi_4065_;
+                                                        let _e1221 = phi_1314_;
+                                                        if (_e1221.member < _e1221.member_1) {
+                                                            phi_1315_ = type_8((_e1221.member + 1u), _e1221.member_1);
+                                                            phi_1338_ = type_8(1u, _e1221.member);
                                                         } else {
-                                                            phi_2297_ = _e1188;
-                                                            phi_2320_ = type_8(0u, type_8().member_1);
+                                                            phi_1315_ = _e1221;
+                                                            phi_1338_ = type_8(0u, type_8().member_1);
                                                         }
-                                                        let _e1201 = phi_2297_;
-                                                        let _e1203 = phi_2320_;
-                                                        let _e1207 = (bitcast<i32>(_e1203.member) != 0i);
-                                                        if _e1207 {
-                                                            let _e1209 = ((_e632 + (_e1113.member_1 * ((3u * _e1165) + 1u))) + (_e1203.member_1 * _e1172));
-                                                            let _e1210 = (_e1209 < _e102);
-                                                            if _e1210 {
-                                                                if _e1210 {
+                                                        let _e1234 = phi_1315_;
+                                                        let _e1236 = phi_1338_;
+                                                        let _e1240 = (bitcast<i32>(_e1236.member) != 0i);
+                                                        if _e1240 {
+                                                            let _e1242 = ((_e646 + (_e1146.member_1 * ((3u * _e1198) + 1u))) + (_e1236.member_1 * _e1205));
+                                                            let _e1243 = (_e1242 < _e106);
+                                                            if _e1243 {
+                                                                if _e1243 {
                                                                 } else {
-                                                                    phi_5067_ = true;
+                                                                    phi_4143_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1212 = global_10.member[_e1209];
-                                                                phi_2343_ = _e1212;
+                                                                let _e1245 = global_10.member[_e1242];
+                                                                phi_1361_ = _e1245;
                                                             } else {
-                                                                phi_2343_ = 0u;
+                                                                phi_1361_ = 0u;
                                                             }
-                                                            let _e1214 = phi_2343_;
-                                                            let _e1215 = (_e1209 + 1u);
-                                                            let _e1216 = (_e1215 < _e102);
-                                                            if _e1216 {
-                                                                if _e1216 {
+                                                            let _e1247 = phi_1361_;
+                                                            let _e1248 = (_e1242 + 1u);
+                                                            let _e1249 = (_e1248 < _e106);
+                                                            if _e1249 {
+                                                                if _e1249 {
                                                                 } else {
-                                                                    phi_5067_ = true;
+                                                                    phi_4143_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1218 = global_10.member[_e1215];
-                                                                phi_2358_ = _e1218;
+                                                                let _e1251 = global_10.member[_e1248];
+                                                                phi_1376_ = _e1251;
                                                             } else {
-                                                                phi_2358_ = 0u;
+                                                                phi_1376_ = 0u;
                                                             }
-                                                            let _e1220 = phi_2358_;
-                                                            phi_2361_ = type_8(0u, 3u);
+                                                            let _e1253 = phi_1376_;
+                                                            phi_1379_ = type_8(0u, 3u);
                                                             loop {
-                                                                let _e1222 = phi_2361_;
-                                                                if (_e1222.member < _e1222.member_1) {
-                                                                    phi_2362_ = type_8((_e1222.member + 1u), _e1222.member_1);
-                                                                    phi_2385_ = type_8(1u, _e1222.member);
+                                                                let _e1255 = phi_1379_;
+                                                                if (_e1255.member < _e1255.member_1) {
+                                                                    phi_1380_ = type_8((_e1255.member + 1u), _e1255.member_1);
+                                                                    phi_1403_ = type_8(1u, _e1255.member);
                                                                 } else {
-                                                                    phi_2362_ = _e1222;
-                                                                    phi_2385_ = type_8(0u, type_8().member_1);
+                                                                    phi_1380_ = _e1255;
+                                                                    phi_1403_ = type_8(0u, type_8().member_1);
                                                                 }
-                                                                let _e1235 = phi_2362_;
-                                                                let _e1237 = phi_2385_;
-                                                                let _e1241 = (bitcast<i32>(_e1237.member) != 0i);
-                                                                if _e1241 {
-                                                                    let _e1242 = (_e1237.member_1 < 3u);
-                                                                    if _e1242 {
+                                                                let _e1268 = phi_1380_;
+                                                                let _e1270 = phi_1403_;
+                                                                let _e1274 = (bitcast<i32>(_e1270.member) != 0i);
+                                                                if _e1274 {
+                                                                    let _e1275 = (_e1270.member_1 < 3u);
+                                                                    if _e1275 {
                                                                     } else {
-                                                                        phi_4982_ = true;
+                                                                        phi_4058_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1244 = local_4[_e1237.member_1];
-                                                                    if (_e1237.member_1 < 4u) {
+                                                                    let _e1277 = local_10[_e1270.member_1];
+                                                                    if (_e1270.member_1 < 4u) {
                                                                     } else {
-                                                                        phi_4982_ = true;
+                                                                        phi_4058_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1247 = local_6[_e1237.member_1];
-                                                                    switch bitcast<i32>(_e1162) {
+                                                                    let _e1280 = local_12[_e1270.member_1];
+                                                                    switch bitcast<i32>(_e1195) {
                                                                         case 0: {
-                                                                            phi_2455_ = (_e1247 + (f32(((_e1214 >> bitcast<u32>(((10u * _e1244) & 31u))) & 1023u)) * _e158));
+                                                                            phi_1473_ = (_e1280 + (f32(((_e1247 >> bitcast<u32>(((10u * _e1277) & 31u))) & 1023u)) * _e162));
                                                                             break;
                                                                         }
                                                                         case 1: {
-                                                                            if (_e1244 == 0u) {
-                                                                                phi_2432_ = _e1214;
+                                                                            if (_e1277 == 0u) {
+                                                                                phi_1450_ = _e1247;
                                                                             } else {
-                                                                                if (_e1244 == 1u) {
-                                                                                    phi_2431_ = ((_e1214 >> bitcast<u32>(21i)) | (_e1220 << bitcast<u32>(11i)));
+                                                                                if (_e1277 == 1u) {
+                                                                                    phi_1449_ = ((_e1247 >> bitcast<u32>(21i)) | (_e1253 << bitcast<u32>(11i)));
                                                                                 } else {
-                                                                                    phi_2431_ = (_e1220 >> bitcast<u32>(10i));
+                                                                                    phi_1449_ = (_e1253 >> bitcast<u32>(10i));
                                                                                 }
-                                                                                let _e1268 = phi_2431_;
-                                                                                phi_2432_ = _e1268;
+                                                                                let _e1301 = phi_1449_;
+                                                                                phi_1450_ = _e1301;
                                                                             }
-                                                                            let _e1270 = phi_2432_;
-                                                                            phi_2455_ = (_e1247 + (f32((_e1270 & 2097151u)) * _e158));
+                                                                            let _e1303 = phi_1450_;
+                                                                            phi_1473_ = (_e1280 + (f32((_e1303 & 2097151u)) * _e162));
                                                                             break;
                                                                         }
                                                                         case 2: {
-                                                                            let _e1249 = (_e1209 + _e1244);
-                                                                            let _e1250 = (_e1249 < _e102);
-                                                                            if _e1250 {
-                                                                                if _e1250 {
+                                                                            let _e1282 = (_e1242 + _e1277);
+                                                                            let _e1283 = (_e1282 < _e106);
+                                                                            if _e1283 {
+                                                                                if _e1283 {
                                                                                 } else {
-                                                                                    phi_4982_ = true;
+                                                                                    phi_4058_ = true;
                                                                                     break;
                                                                                 }
-                                                                                let _e1252 = global_10.member[_e1249];
-                                                                                phi_2451_ = _e1252;
+                                                                                let _e1285 = global_10.member[_e1282];
+                                                                                phi_1469_ = _e1285;
                                                                             } else {
-                                                                                phi_2451_ = 0u;
+                                                                                phi_1469_ = 0u;
                                                                             }
-                                                                            let _e1254 = phi_2451_;
-                                                                            phi_2455_ = (f32(bitcast<i32>(_e1254)) * _e158);
+                                                                            let _e1287 = phi_1469_;
+                                                                            phi_1473_ = (f32(bitcast<i32>(_e1287)) * _e162);
                                                                             break;
                                                                         }
                                                                         default: {
-                                                                            phi_2455_ = f32();
+                                                                            phi_1473_ = f32();
                                                                             break;
                                                                         }
                                                                     }
-                                                                    let _e1284 = phi_2455_;
-                                                                    if (_e1203.member_1 < 3u) {
+                                                                    let _e1317 = phi_1473_;
+                                                                    if (_e1236.member_1 < 3u) {
                                                                     } else {
-                                                                        phi_4982_ = true;
+                                                                        phi_4058_ = true;
                                                                         break;
                                                                     }
-                                                                    if _e1242 {
+                                                                    if _e1275 {
                                                                     } else {
-                                                                        phi_4982_ = true;
+                                                                        phi_4058_ = true;
                                                                         break;
                                                                     }
-                                                                    local_5[_e1203.member_1][_e1237.member_1] = _e1284;
+                                                                    local_11[_e1236.member_1][_e1270.member_1] = _e1317;
                                                                 }
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2361_ = _e1235;
-                                                                    phi_4982_ = _e1186;
-                                                                    break if !(_e1241);
+                                                                    phi_1379_ = _e1268;
+                                                                    phi_4058_ = _e1219;
+                                                                    break if !(_e1274);
                                                                 }
                                                             }
-                                                            let _e1290 = phi_4982_;
-                                                            phi_5067_ = _e1290;
-                                                            if _e1290 {
+                                                            let _e1323 = phi_4058_;
+                                                            phi_4143_ = _e1323;
+                                                            if _e1323 {
                                                                 break;
                                                             }
-                                                            phi_5068_ = _e1290;
+                                                            phi_4144_ = _e1323;
                                                         } else {
-                                                            phi_5068_ = _e1186;
+                                                            phi_4144_ = _e1219;
                                                         }
-                                                        let _e1292 = phi_5068_;
+                                                        let _e1325 = phi_4144_;
                                                         continue;
                                                         continuing {
-                                                            phi_4989_ = _e1292;
-                                                            phi_2296_ = _e1201;
-                                                            phi_5067_ = _e1292;
-                                                            break if !(_e1207);
+                                                            phi_4065_ = _e1325;
+                                                            phi_1314_ = _e1234;
+                                                            phi_4143_ = _e1325;
+                                                            break if !(_e1240);
                                                         }
                                                     }
-                                                    let _e1295 = phi_5067_;
-                                                    phi_5069_ = _e1295;
-                                                    if _e1295 {
+                                                    let _e1328 = phi_4143_;
+                                                    phi_4145_ = _e1328;
+                                                    if _e1328 {
                                                         break;
                                                     }
-                                                    let _e1296 = local_5;
-                                                    let _e1312 = (_e1296[0][2] - _e477);
-                                                    let _e1315 = (((_e1296[0][0] - _e404) * _e501) - (_e1312 * _e429));
-                                                    let _e1318 = (((_e1296[0][1] - _e441) * _e501) - (_e1312 * _e465));
-                                                    let _e1321 = (_e1296[1][2] - _e477);
-                                                    let _e1324 = (((_e1296[1][0] - _e404) * _e501) - (_e1321 * _e429));
-                                                    let _e1327 = (((_e1296[1][1] - _e441) * _e501) - (_e1321 * _e465));
-                                                    let _e1330 = (_e1296[2][2] - _e477);
-                                                    let _e1333 = (((_e1296[2][0] - _e404) * _e501) - (_e1330 * _e429));
-                                                    let _e1336 = (((_e1296[2][1] - _e441) * _e501) - (_e1330 * _e465));
-                                                    let _e1337 = (_e1333 * _e1327);
-                                                    let _e1338 = (_e1336 * _e1324);
-                                                    let _e1339 = (_e1315 * _e1336);
-                                                    let _e1340 = (_e1318 * _e1333);
-                                                    let _e1341 = (_e1324 * _e1318);
-                                                    let _e1342 = (_e1327 * _e1315);
-                                                    let _e1347 = (((_e1337 >= _e1338) && (_e1339 >= _e1340)) && (_e1341 >= _e1342));
-                                                    if (_e1347 || (((_e1337 <= _e1338) && (_e1339 <= _e1340)) && (_e1341 <= _e1342))) {
-                                                        let _e1354 = select(-1f, 1f, _e1347);
-                                                        let _e1356 = ((_e1337 - _e1338) * _e1354);
-                                                        let _e1358 = select(0f, _e1356, (_e1356 > 0f));
-                                                        let _e1360 = ((_e1339 - _e1340) * _e1354);
-                                                        let _e1362 = select(0f, _e1360, (_e1360 > 0f));
-                                                        let _e1364 = ((_e1341 - _e1342) * _e1354);
-                                                        let _e1366 = select(0f, _e1364, (_e1364 > 0f));
-                                                        let _e1368 = ((_e1358 + _e1362) + _e1366);
-                                                        if (_e1368 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_3050_ = type_21();
-                                                            phi_3051_ = true;
+                                                    let _e1329 = local_11;
+                                                    let _e1345 = (_e1329[0][2] - _e481);
+                                                    let _e1348 = (((_e1329[0][0] - _e408) * _e505) - (_e1345 * _e433));
+                                                    let _e1351 = (((_e1329[0][1] - _e445) * _e505) - (_e1345 * _e469));
+                                                    let _e1354 = (_e1329[1][2] - _e481);
+                                                    let _e1357 = (((_e1329[1][0] - _e408) * _e505) - (_e1354 * _e433));
+                                                    let _e1360 = (((_e1329[1][1] - _e445) * _e505) - (_e1354 * _e469));
+                                                    let _e1363 = (_e1329[2][2] - _e481);
+                                                    let _e1366 = (((_e1329[2][0] - _e408) * _e505) - (_e1363 * _e433));
+                                                    let _e1369 = (((_e1329[2][1] - _e445) * _e505) - (_e1363 * _e469));
+                                                    let _e1370 = (_e1366 * _e1360);
+                                                    let _e1371 = (_e1369 * _e1357);
+                                                    let _e1372 = (_e1348 * _e1369);
+                                                    let _e1373 = (_e1351 * _e1366);
+                                                    let _e1374 = (_e1357 * _e1351);
+                                                    let _e1375 = (_e1360 * _e1348);
+                                                    let _e1380 = (((_e1370 >= _e1371) && (_e1372 >= _e1373)) && (_e1374 >= _e1375));
+                                                    if (_e1380 || (((_e1370 <= _e1371) && (_e1372 <= _e1373)) && (_e1374 <= _e1375))) {
+                                                        let _e1387 = select(-1f, 1f, _e1380);
+                                                        let _e1389 = ((_e1370 - _e1371) * _e1387);
+                                                        let _e1391 = select(0f, _e1389, (_e1389 > 0f));
+                                                        let _e1393 = ((_e1372 - _e1373) * _e1387);
+                                                        let _e1395 = select(0f, _e1393, (_e1393 > 0f));
+                                                        let _e1397 = ((_e1374 - _e1375) * _e1387);
+                                                        let _e1399 = select(0f, _e1397, (_e1397 > 0f));
+                                                        let _e1401 = ((_e1391 + _e1395) + _e1399);
+                                                        if (_e1401 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2068_ = type_21();
+                                                            phi_2069_ = true;
                                                         } else {
-                                                            let _e1371 = select(_e1296[1][0], _e1296[0][0], (_e1296[0][0] < _e1296[1][0]));
-                                                            let _e1375 = select(_e1296[1][0], _e1296[0][0], (_e1296[0][0] > _e1296[1][0]));
-                                                            let _e1379 = select(_e1296[1][1], _e1296[0][1], (_e1296[0][1] < _e1296[1][1]));
-                                                            let _e1383 = select(_e1296[1][1], _e1296[0][1], (_e1296[0][1] > _e1296[1][1]));
-                                                            let _e1387 = select(_e1296[1][2], _e1296[0][2], (_e1296[0][2] < _e1296[1][2]));
-                                                            let _e1391 = select(_e1296[1][2], _e1296[0][2], (_e1296[0][2] > _e1296[1][2]));
-                                                            let _e1396 = ((select(_e1296[2][0], _e1371, (_e1371 < _e1296[2][0])) - _e427) * _e432);
-                                                            let _e1397 = ((select(_e1296[2][0], _e1375, (_e1375 > _e1296[2][0])) - _e428) * _e432);
-                                                            let _e1400 = ((select(_e1296[2][1], _e1379, (_e1379 < _e1296[2][1])) - _e463) * _e468);
-                                                            let _e1401 = ((select(_e1296[2][1], _e1383, (_e1383 > _e1296[2][1])) - _e464) * _e468);
-                                                            let _e1404 = ((select(_e1296[2][2], _e1387, (_e1387 < _e1296[2][2])) - _e499) * _e504);
-                                                            let _e1405 = ((select(_e1296[2][2], _e1391, (_e1391 > _e1296[2][2])) - _e500) * _e504);
-                                                            let _e1407 = select(_e1405, _e1404, (_e1404 < _e1405));
-                                                            let _e1409 = select(_e1405, _e1404, (_e1404 > _e1405));
-                                                            let _e1411 = select(_e1397, _e1396, (_e1396 < _e1397));
-                                                            let _e1413 = select(_e1401, _e1400, (_e1400 < _e1401));
-                                                            let _e1415 = select(_e1413, _e1411, (_e1411 > _e1413));
-                                                            let _e1417 = select(_e1407, _e1415, (_e1415 > _e1407));
-                                                            let _e1419 = select(_e1397, _e1396, (_e1396 > _e1397));
-                                                            let _e1421 = select(_e1401, _e1400, (_e1400 > _e1401));
-                                                            let _e1423 = select(_e1421, _e1419, (_e1419 < _e1421));
-                                                            let _e1425 = select(_e1409, _e1423, (_e1423 < _e1409));
-                                                            let _e1426 = -(_e1407);
-                                                            let _e1432 = select(_e550, _e1417, (_e1417 > _e550));
-                                                            if (_e1432 > (_e1425 + (select(_e1426, _e1409, (_e1409 > _e1426)) * 0.0000019073523f))) {
-                                                                phi_3045_ = type_21();
-                                                                phi_3046_ = true;
+                                                            let _e1404 = select(_e1329[1][0], _e1329[0][0], (_e1329[0][0] < _e1329[1][0]));
+                                                            let _e1408 = select(_e1329[1][0], _e1329[0][0], (_e1329[0][0] > _e1329[1][0]));
+                                                            let _e1412 = select(_e1329[1][1], _e1329[0][1], (_e1329[0][1] < _e1329[1][1]));
+                                                            let _e1416 = select(_e1329[1][1], _e1329[0][1], (_e1329[0][1] > _e1329[1][1]));
+                                                            let _e1420 = select(_e1329[1][2], _e1329[0][2], (_e1329[0][2] < _e1329[1][2]));
+                                                            let _e1424 = select(_e1329[1][2], _e1329[0][2], (_e1329[0][2] > _e1329[1][2]));
+                                                            let _e1429 = ((select(_e1329[2][0], _e1404, (_e1404 < _e1329[2][0])) - _e431) * _e436);
+                                                            let _e1430 = ((select(_e1329[2][0], _e1408, (_e1408 > _e1329[2][0])) - _e432) * _e436);
+                                                            let _e1433 = ((select(_e1329[2][1], _e1412, (_e1412 < _e1329[2][1])) - _e467) * _e472);
+                                                            let _e1434 = ((select(_e1329[2][1], _e1416, (_e1416 > _e1329[2][1])) - _e468) * _e472);
+                                                            let _e1437 = ((select(_e1329[2][2], _e1420, (_e1420 < _e1329[2][2])) - _e503) * _e508);
+                                                            let _e1438 = ((select(_e1329[2][2], _e1424, (_e1424 > _e1329[2][2])) - _e504) * _e508);
+                                                            let _e1440 = select(_e1438, _e1437, (_e1437 < _e1438));
+                                                            let _e1442 = select(_e1438, _e1437, (_e1437 > _e1438));
+                                                            let _e1444 = select(_e1430, _e1429, (_e1429 < _e1430));
+                                                            let _e1446 = select(_e1434, _e1433, (_e1433 < _e1434));
+                                                            let _e1448 = select(_e1446, _e1444, (_e1444 > _e1446));
+                                                            let _e1450 = select(_e1440, _e1448, (_e1448 > _e1440));
+                                                            let _e1452 = select(_e1430, _e1429, (_e1429 > _e1430));
+                                                            let _e1454 = select(_e1434, _e1433, (_e1433 > _e1434));
+                                                            let _e1456 = select(_e1454, _e1452, (_e1452 < _e1454));
+                                                            let _e1458 = select(_e1442, _e1456, (_e1456 < _e1442));
+                                                            let _e1459 = -(_e1440);
+                                                            let _e1465 = select(_e554, _e1450, (_e1450 > _e554));
+                                                            if (_e1465 > (_e1458 + (select(_e1459, _e1442, (_e1442 > _e1459)) * 0.0000019073523f))) {
+                                                                phi_2063_ = type_21();
+                                                                phi_2064_ = true;
                                                             } else {
-                                                                let _e1434 = (_e1432 > _e1096.member);
-                                                                if _e1434 {
-                                                                    phi_3044_ = type_21();
+                                                                let _e1467 = (_e1465 > _e1129.member);
+                                                                if _e1467 {
+                                                                    phi_2062_ = type_21();
                                                                 } else {
-                                                                    let _e1438 = (_e1296[1][0] - _e1296[0][0]);
-                                                                    let _e1439 = (_e1296[1][1] - _e1296[0][1]);
-                                                                    let _e1440 = (_e1296[1][2] - _e1296[0][2]);
-                                                                    let _e1441 = vec3<f32>(_e1438, _e1439, _e1440);
-                                                                    let _e1442 = (_e1296[2][0] - _e1296[1][0]);
-                                                                    let _e1443 = (_e1296[2][1] - _e1296[1][1]);
-                                                                    let _e1444 = (_e1296[2][2] - _e1296[1][2]);
-                                                                    let _e1445 = vec3<f32>(_e1442, _e1443, _e1444);
-                                                                    let _e1446 = (_e1296[0][0] - _e1296[2][0]);
-                                                                    let _e1447 = (_e1296[0][1] - _e1296[2][1]);
-                                                                    let _e1448 = (_e1296[0][2] - _e1296[2][2]);
-                                                                    let _e1449 = vec3<f32>(_e1446, _e1447, _e1448);
-                                                                    let _e1452 = bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u));
-                                                                    let _e1455 = bitcast<f32>((bitcast<u32>(_e1439) & 2147483647u));
-                                                                    let _e1457 = select(_e1455, _e1452, (_e1452 > _e1455));
-                                                                    let _e1460 = bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u));
-                                                                    let _e1462 = select(_e1460, _e1457, (_e1457 > _e1460));
-                                                                    let _e1465 = bitcast<f32>((bitcast<u32>(_e1442) & 2147483647u));
-                                                                    let _e1468 = bitcast<f32>((bitcast<u32>(_e1443) & 2147483647u));
-                                                                    let _e1470 = select(_e1468, _e1465, (_e1465 > _e1468));
-                                                                    let _e1473 = bitcast<f32>((bitcast<u32>(_e1444) & 2147483647u));
-                                                                    let _e1475 = select(_e1473, _e1470, (_e1470 > _e1473));
-                                                                    let _e1478 = bitcast<f32>((bitcast<u32>(_e1446) & 2147483647u));
-                                                                    let _e1481 = bitcast<f32>((bitcast<u32>(_e1447) & 2147483647u));
-                                                                    let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
-                                                                    let _e1486 = bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u));
-                                                                    let _e1488 = select(_e1486, _e1483, (_e1483 > _e1486));
-                                                                    let _e1490 = select(_e1475, _e1462, (_e1462 > _e1475));
-                                                                    let _e1492 = select(_e1488, _e1490, (_e1490 > _e1488));
-                                                                    if (_e1462 == _e1492) {
-                                                                        phi_2955_ = _e1445;
-                                                                        phi_2956_ = _e1449;
+                                                                    let _e1471 = (_e1329[1][0] - _e1329[0][0]);
+                                                                    let _e1472 = (_e1329[1][1] - _e1329[0][1]);
+                                                                    let _e1473 = (_e1329[1][2] - _e1329[0][2]);
+                                                                    let _e1474 = vec3<f32>(_e1471, _e1472, _e1473);
+                                                                    let _e1475 = (_e1329[2][0] - _e1329[1][0]);
+                                                                    let _e1476 = (_e1329[2][1] - _e1329[1][1]);
+                                                                    let _e1477 = (_e1329[2][2] - _e1329[1][2]);
+                                                                    let _e1478 = vec3<f32>(_e1475, _e1476, _e1477);
+                                                                    let _e1479 = (_e1329[0][0] - _e1329[2][0]);
+                                                                    let _e1480 = (_e1329[0][1] - _e1329[2][1]);
+                                                                    let _e1481 = (_e1329[0][2] - _e1329[2][2]);
+                                                                    let _e1482 = vec3<f32>(_e1479, _e1480, _e1481);
+                                                                    let _e1485 = bitcast<f32>((bitcast<u32>(_e1471) & 2147483647u));
+                                                                    let _e1488 = bitcast<f32>((bitcast<u32>(_e1472) & 2147483647u));
+                                                                    let _e1490 = select(_e1488, _e1485, (_e1485 > _e1488));
+                                                                    let _e1493 = bitcast<f32>((bitcast<u32>(_e1473) & 2147483647u));
+                                                                    let _e1495 = select(_e1493, _e1490, (_e1490 > _e1493));
+                                                                    let _e1498 = bitcast<f32>((bitcast<u32>(_e1475) & 2147483647u));
+                                                                    let _e1501 = bitcast<f32>((bitcast<u32>(_e1476) & 2147483647u));
+                                                                    let _e1503 = select(_e1501, _e1498, (_e1498 > _e1501));
+                                                                    let _e1506 = bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u));
+                                                                    let _e1508 = select(_e1506, _e1503, (_e1503 > _e1506));
+                                                                    let _e1511 = bitcast<f32>((bitcast<u32>(_e1479) & 2147483647u));
+                                                                    let _e1514 = bitcast<f32>((bitcast<u32>(_e1480) & 2147483647u));
+                                                                    let _e1516 = select(_e1514, _e1511, (_e1511 > _e1514));
+                                                                    let _e1519 = bitcast<f32>((bitcast<u32>(_e1481) & 2147483647u));
+                                                                    let _e1521 = select(_e1519, _e1516, (_e1516 > _e1519));
+                                                                    let _e1523 = select(_e1508, _e1495, (_e1495 > _e1508));
+                                                                    let _e1525 = select(_e1521, _e1523, (_e1523 > _e1521));
+                                                                    if (_e1495 == _e1525) {
+                                                                        phi_1973_ = _e1478;
+                                                                        phi_1974_ = _e1482;
                                                                     } else {
-                                                                        let _e1495 = vec3((_e1475 == _e1492));
-                                                                        phi_2955_ = select(_e1441, _e1449, _e1495);
-                                                                        phi_2956_ = select(_e1445, _e1441, _e1495);
+                                                                        let _e1528 = vec3((_e1508 == _e1525));
+                                                                        phi_1973_ = select(_e1474, _e1482, _e1528);
+                                                                        phi_1974_ = select(_e1478, _e1474, _e1528);
                                                                     }
-                                                                    let _e1499 = phi_2955_;
-                                                                    let _e1501 = phi_2956_;
-                                                                    let _e1508 = ((_e1499.y * _e1501.z) - (_e1501.y * _e1499.z));
-                                                                    let _e1513 = ((_e1499.z * _e1501.x) - (_e1501.z * _e1499.x));
-                                                                    let _e1516 = ((_e1499.x * _e1501.y) - (_e1501.x * _e1499.y));
-                                                                    if (_e1358 >= _e1362) {
-                                                                        phi_2987_ = select(true, false, (_e1358 >= _e1366));
+                                                                    let _e1532 = phi_1973_;
+                                                                    let _e1534 = phi_1974_;
+                                                                    let _e1541 = ((_e1532.y * _e1534.z) - (_e1534.y * _e1532.z));
+                                                                    let _e1546 = ((_e1532.z * _e1534.x) - (_e1534.z * _e1532.x));
+                                                                    let _e1549 = ((_e1532.x * _e1534.y) - (_e1534.x * _e1532.y));
+                                                                    if (_e1391 >= _e1395) {
+                                                                        phi_2005_ = select(true, false, (_e1391 >= _e1399));
                                                                     } else {
-                                                                        phi_2987_ = true;
+                                                                        phi_2005_ = true;
                                                                     }
-                                                                    let _e1521 = phi_2987_;
-                                                                    if _e1521 {
-                                                                        phi_2996_ = select(vec3<f32>(_e1296[2][0], _e1296[2][1], _e1296[2][2]), vec3<f32>(_e1296[1][0], _e1296[1][1], _e1296[1][2]), vec3((_e1362 >= _e1366)));
+                                                                    let _e1554 = phi_2005_;
+                                                                    if _e1554 {
+                                                                        phi_2014_ = select(vec3<f32>(_e1329[2][0], _e1329[2][1], _e1329[2][2]), vec3<f32>(_e1329[1][0], _e1329[1][1], _e1329[1][2]), vec3((_e1395 >= _e1399)));
                                                                     } else {
-                                                                        phi_2996_ = vec3<f32>(_e1296[0][0], _e1296[0][1], _e1296[0][2]);
+                                                                        phi_2014_ = vec3<f32>(_e1329[0][0], _e1329[0][1], _e1329[0][2]);
                                                                     }
-                                                                    let _e1526 = phi_2996_;
-                                                                    let _e1543 = ((((_e1508 * (_e1526.x - _e404)) + (_e1513 * (_e1526.y - _e441))) + (_e1516 * (_e1526.z - _e477))) / (((_e1508 * _e429) + (_e1513 * _e465)) + (_e1516 * _e501)));
-                                                                    let _e1545 = select(_e1425, _e1543, (_e1543 < _e1425));
-                                                                    let _e1547 = select(_e1417, _e1545, (_e1545 > _e1417));
-                                                                    if (_e1547 >= _e550) {
-                                                                        let _e1549 = (_e1547 <= _e1096.member);
-                                                                        if _e1549 {
-                                                                            let _e1550 = (1f / _e1368);
-                                                                            phi_3036_ = type_21(_e1547, (_e1362 * _e1550), (_e1366 * _e1550), _e1156);
+                                                                    let _e1559 = phi_2014_;
+                                                                    let _e1576 = ((((_e1541 * (_e1559.x - _e408)) + (_e1546 * (_e1559.y - _e445))) + (_e1549 * (_e1559.z - _e481))) / (((_e1541 * _e433) + (_e1546 * _e469)) + (_e1549 * _e505)));
+                                                                    let _e1578 = select(_e1458, _e1576, (_e1576 < _e1458));
+                                                                    let _e1580 = select(_e1450, _e1578, (_e1578 > _e1450));
+                                                                    if (_e1580 >= _e554) {
+                                                                        let _e1582 = (_e1580 <= _e1129.member);
+                                                                        if _e1582 {
+                                                                            let _e1583 = (1f / _e1401);
+                                                                            phi_2054_ = type_21(_e1580, (_e1395 * _e1583), (_e1399 * _e1583), _e1189);
                                                                         } else {
-                                                                            phi_3036_ = type_21();
+                                                                            phi_2054_ = type_21();
                                                                         }
-                                                                        let _e1555 = phi_3036_;
-                                                                        phi_3038_ = _e1555;
-                                                                        phi_3039_ = select(true, false, _e1549);
+                                                                        let _e1588 = phi_2054_;
+                                                                        phi_2056_ = _e1588;
+                                                                        phi_2057_ = select(true, false, _e1582);
                                                                     } else {
-                                                                        phi_3038_ = type_21();
-                                                                        phi_3039_ = true;
+                                                                        phi_2056_ = type_21();
+                                                                        phi_2057_ = true;
                                                                     }
-                                                                    let _e1558 = phi_3038_;
-                                                                    let _e1560 = phi_3039_;
-                                                                    if _e1560 {
-                                                                        phi_3043_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e1591 = phi_2056_;
+                                                                    let _e1593 = phi_2057_;
+                                                                    if _e1593 {
+                                                                        phi_2061_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_3043_ = _e1558;
+                                                                        phi_2061_ = _e1591;
                                                                     }
-                                                                    let _e1562 = phi_3043_;
-                                                                    phi_3044_ = _e1562;
+                                                                    let _e1595 = phi_2061_;
+                                                                    phi_2062_ = _e1595;
                                                                 }
-                                                                let _e1564 = phi_3044_;
-                                                                phi_3045_ = _e1564;
-                                                                phi_3046_ = _e1434;
+                                                                let _e1597 = phi_2062_;
+                                                                phi_2063_ = _e1597;
+                                                                phi_2064_ = _e1467;
                                                             }
-                                                            let _e1566 = phi_3045_;
-                                                            let _e1568 = phi_3046_;
-                                                            phi_3050_ = _e1566;
-                                                            phi_3051_ = _e1568;
+                                                            let _e1599 = phi_2063_;
+                                                            let _e1601 = phi_2064_;
+                                                            phi_2068_ = _e1599;
+                                                            phi_2069_ = _e1601;
                                                         }
-                                                        let _e1570 = phi_3050_;
-                                                        let _e1572 = phi_3051_;
-                                                        phi_3055_ = _e1570;
-                                                        phi_3056_ = _e1572;
+                                                        let _e1603 = phi_2068_;
+                                                        let _e1605 = phi_2069_;
+                                                        phi_2073_ = _e1603;
+                                                        phi_2074_ = _e1605;
                                                     } else {
-                                                        phi_3055_ = type_21();
-                                                        phi_3056_ = true;
+                                                        phi_2073_ = type_21();
+                                                        phi_2074_ = true;
                                                     }
-                                                    let _e1574 = phi_3055_;
-                                                    let _e1576 = phi_3056_;
-                                                    if _e1576 {
-                                                        phi_3060_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1607 = phi_2073_;
+                                                    let _e1609 = phi_2074_;
+                                                    if _e1609 {
+                                                        phi_2078_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_3060_ = _e1574;
+                                                        phi_2078_ = _e1607;
                                                     }
-                                                    let _e1578 = phi_3060_;
-                                                    if (_e1578.member_3 != 4294967295u) {
-                                                        if (_e1156 == _e167) {
-                                                            phi_3389_ = false;
+                                                    let _e1611 = phi_2078_;
+                                                    if (_e1611.member_3 != 4294967295u) {
+                                                        if (_e1189 == _e171) {
+                                                            phi_2407_ = false;
                                                         } else {
-                                                            let _e1582 = (_e1156 < arrayLength((&global_5.member)));
-                                                            if _e1582 {
-                                                                if _e1582 {
+                                                            let _e1615 = (_e1189 < arrayLength((&global_5.member)));
+                                                            if _e1615 {
+                                                                if _e1615 {
                                                                 } else {
-                                                                    phi_5069_ = true;
+                                                                    phi_4145_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1584 = global_5.member[_e1156];
-                                                                phi_3083_ = _e1584;
+                                                                let _e1617 = global_5.member[_e1189];
+                                                                phi_2101_ = _e1617;
                                                             } else {
-                                                                phi_3083_ = 4294967295u;
+                                                                phi_2101_ = 4294967295u;
                                                             }
-                                                            let _e1586 = phi_3083_;
-                                                            let _e1587 = (_e1586 < arrayLength((&global_6.member)));
-                                                            if _e1587 {
-                                                                if _e1587 {
+                                                            let _e1619 = phi_2101_;
+                                                            let _e1620 = (_e1619 < arrayLength((&global_6.member)));
+                                                            if _e1620 {
+                                                                if _e1620 {
                                                                 } else {
-                                                                    phi_5069_ = true;
+                                                                    phi_4145_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1589 = global_6.member[_e1586];
-                                                                phi_3097_ = _e1589;
+                                                                let _e1622 = global_6.member[_e1619];
+                                                                phi_2115_ = _e1622;
                                                             } else {
-                                                                phi_3097_ = 0i;
+                                                                phi_2115_ = 0i;
                                                             }
-                                                            let _e1591 = phi_3097_;
-                                                            let _e1592 = (_e1591 == 0i);
-                                                            if _e1592 {
-                                                                phi_3388_ = true;
+                                                            let _e1624 = phi_2115_;
+                                                            let _e1625 = (_e1624 == 0i);
+                                                            if _e1625 {
+                                                                phi_2406_ = true;
                                                             } else {
-                                                                if _e396 {
-                                                                    phi_3118_ = vec3<f32>(_e1296[0][0], _e1296[0][1], _e1296[0][2]);
+                                                                if _e400 {
+                                                                    phi_2136_ = vec3<f32>(_e1329[0][0], _e1329[0][1], _e1329[0][2]);
                                                                 } else {
-                                                                    if (_e372 == 1u) {
-                                                                        phi_3117_ = vec3<f32>(_e1296[0][2], _e1296[0][0], _e1296[0][1]);
+                                                                    if (_e376 == 1u) {
+                                                                        phi_2135_ = vec3<f32>(_e1329[0][2], _e1329[0][0], _e1329[0][1]);
                                                                     } else {
-                                                                        phi_3117_ = vec3<f32>(_e1296[0][1], _e1296[0][2], _e1296[0][0]);
+                                                                        phi_2135_ = vec3<f32>(_e1329[0][1], _e1329[0][2], _e1329[0][0]);
                                                                     }
-                                                                    let _e1597 = phi_3117_;
-                                                                    phi_3118_ = _e1597;
+                                                                    let _e1630 = phi_2135_;
+                                                                    phi_2136_ = _e1630;
                                                                 }
-                                                                let _e1600 = phi_3118_;
-                                                                if _e396 {
-                                                                    phi_3135_ = vec3<f32>(_e1296[1][0], _e1296[1][1], _e1296[1][2]);
+                                                                let _e1633 = phi_2136_;
+                                                                if _e400 {
+                                                                    phi_2153_ = vec3<f32>(_e1329[1][0], _e1329[1][1], _e1329[1][2]);
                                                                 } else {
-                                                                    if (_e372 == 1u) {
-                                                                        phi_3134_ = vec3<f32>(_e1296[1][2], _e1296[1][0], _e1296[1][1]);
+                                                                    if (_e376 == 1u) {
+                                                                        phi_2152_ = vec3<f32>(_e1329[1][2], _e1329[1][0], _e1329[1][1]);
                                                                     } else {
-                                                                        phi_3134_ = vec3<f32>(_e1296[1][1], _e1296[1][2], _e1296[1][0]);
+                                                                        phi_2152_ = vec3<f32>(_e1329[1][1], _e1329[1][2], _e1329[1][0]);
                                                                     }
-                                                                    let _e1605 = phi_3134_;
-                                                                    phi_3135_ = _e1605;
+                                                                    let _e1638 = phi_2152_;
+                                                                    phi_2153_ = _e1638;
                                                                 }
-                                                                let _e1608 = phi_3135_;
-                                                                if _e396 {
-                                                                    phi_3152_ = vec3<f32>(_e1296[2][0], _e1296[2][1], _e1296[2][2]);
+                                                                let _e1641 = phi_2153_;
+                                                                if _e400 {
+                                                                    phi_2170_ = vec3<f32>(_e1329[2][0], _e1329[2][1], _e1329[2][2]);
                                                                 } else {
-                                                                    if (_e372 == 1u) {
-                                                                        phi_3151_ = vec3<f32>(_e1296[2][2], _e1296[2][0], _e1296[2][1]);
+                                                                    if (_e376 == 1u) {
+                                                                        phi_2169_ = vec3<f32>(_e1329[2][2], _e1329[2][0], _e1329[2][1]);
                                                                     } else {
-                                                                        phi_3151_ = vec3<f32>(_e1296[2][1], _e1296[2][2], _e1296[2][0]);
+                                                                        phi_2169_ = vec3<f32>(_e1329[2][1], _e1329[2][2], _e1329[2][0]);
                                                                     }
-                                                                    let _e1613 = phi_3151_;
-                                                                    phi_3152_ = _e1613;
+                                                                    let _e1646 = phi_2169_;
+                                                                    phi_2170_ = _e1646;
                                                                 }
-                                                                let _e1616 = phi_3152_;
-                                                                let _e1619 = (_e1608.x - _e1600.x);
-                                                                let _e1622 = (_e1608.y - _e1600.y);
-                                                                let _e1625 = (_e1608.z - _e1600.z);
-                                                                let _e1627 = (_e1616.x - _e1600.x);
-                                                                let _e1629 = (_e1616.y - _e1600.y);
-                                                                let _e1631 = (_e1616.z - _e1600.z);
-                                                                if (_e239.member_1 == 1u) {
-                                                                    phi_3188_ = (vec3<f32>(_e239.member[0], _e239.member[1], _e239.member[2]) - _e1600);
+                                                                let _e1649 = phi_2170_;
+                                                                let _e1652 = (_e1641.x - _e1633.x);
+                                                                let _e1655 = (_e1641.y - _e1633.y);
+                                                                let _e1658 = (_e1641.z - _e1633.z);
+                                                                let _e1660 = (_e1649.x - _e1633.x);
+                                                                let _e1662 = (_e1649.y - _e1633.y);
+                                                                let _e1664 = (_e1649.z - _e1633.z);
+                                                                if (_e243.member_1 == 1u) {
+                                                                    phi_2206_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e1633);
                                                                 } else {
-                                                                    phi_3188_ = vec3<f32>(_e239.member[0], _e239.member[1], _e239.member[2]);
+                                                                    phi_2206_ = vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]);
                                                                 }
-                                                                let _e1646 = phi_3188_;
-                                                                let _e1652 = bitcast<f32>((bitcast<u32>((_e1619 * _e1629)) ^ _e239.member_3[0]));
-                                                                let _e1656 = bitcast<f32>((bitcast<u32>((_e1622 * _e1627)) ^ _e239.member_3[0]));
-                                                                let _e1660 = bitcast<f32>((bitcast<u32>((_e1622 * _e1631)) ^ _e239.member_3[0]));
-                                                                let _e1664 = bitcast<f32>((bitcast<u32>((_e1625 * _e1629)) ^ _e239.member_3[0]));
-                                                                let _e1668 = bitcast<f32>((bitcast<u32>((_e1625 * _e1627)) ^ _e239.member_3[0]));
-                                                                let _e1672 = bitcast<f32>((bitcast<u32>((_e1619 * _e1631)) ^ _e239.member_3[0]));
-                                                                let _e1673 = (_e1660 - _e1664);
-                                                                let _e1674 = (_e1668 - _e1672);
-                                                                let _e1675 = (_e1652 - _e1656);
-                                                                let _e1699 = (bitcast<f32>((bitcast<u32>(_e1660) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1664) & 2147483647u)));
-                                                                let _e1706 = (bitcast<f32>((bitcast<u32>(_e1668) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1672) & 2147483647u)));
-                                                                let _e1713 = (bitcast<f32>((bitcast<u32>(_e1652) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1656) & 2147483647u)));
-                                                                if (_e239.member_2 == 0f) {
-                                                                    phi_3370_ = 0f;
+                                                                let _e1679 = phi_2206_;
+                                                                let _e1685 = bitcast<f32>((bitcast<u32>((_e1652 * _e1662)) ^ _e243.member_3[0]));
+                                                                let _e1689 = bitcast<f32>((bitcast<u32>((_e1655 * _e1660)) ^ _e243.member_3[0]));
+                                                                let _e1693 = bitcast<f32>((bitcast<u32>((_e1655 * _e1664)) ^ _e243.member_3[0]));
+                                                                let _e1697 = bitcast<f32>((bitcast<u32>((_e1658 * _e1662)) ^ _e243.member_3[0]));
+                                                                let _e1701 = bitcast<f32>((bitcast<u32>((_e1658 * _e1660)) ^ _e243.member_3[0]));
+                                                                let _e1705 = bitcast<f32>((bitcast<u32>((_e1652 * _e1664)) ^ _e243.member_3[0]));
+                                                                let _e1706 = (_e1693 - _e1697);
+                                                                let _e1707 = (_e1701 - _e1705);
+                                                                let _e1708 = (_e1685 - _e1689);
+                                                                let _e1732 = (bitcast<f32>((bitcast<u32>(_e1693) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1697) & 2147483647u)));
+                                                                let _e1739 = (bitcast<f32>((bitcast<u32>(_e1701) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1705) & 2147483647u)));
+                                                                let _e1746 = (bitcast<f32>((bitcast<u32>(_e1685) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1689) & 2147483647u)));
+                                                                if (_e243.member_2 == 0f) {
+                                                                    phi_2388_ = 0f;
                                                                 } else {
-                                                                    let _e1743 = bitcast<f32>((bitcast<u32>(_e1673) & 2147483647u));
-                                                                    let _e1746 = bitcast<f32>((bitcast<u32>(_e1674) & 2147483647u));
-                                                                    let _e1749 = bitcast<f32>((bitcast<u32>(_e1675) & 2147483647u));
-                                                                    let _e1751 = select(_e1749, _e1746, (_e1746 > _e1749));
-                                                                    let _e1755 = select(_e1749, _e1746, (_e1746 < _e1749));
-                                                                    let _e1759 = select(_e1746, _e1743, (_e1743 < _e1746));
-                                                                    let _e1761 = select(_e1746, _e1743, (_e1743 > _e1746));
-                                                                    let _e1763 = select(_e1749, _e1761, (_e1761 < _e1749));
-                                                                    phi_3370_ = bitcast<f32>((bitcast<u32>((_e239.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1751, _e1743, (_e1743 > _e1751)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1763, _e1759, (_e1759 > _e1763)))) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1755, _e1743, (_e1743 < _e1755)))) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1699 + _e1706) + _e1713))) ^ _e239.member_3[0]))) * 1.0000005f)) ^ _e239.member_3[0])))) ^ _e239.member_3[0]));
+                                                                    let _e1776 = bitcast<f32>((bitcast<u32>(_e1706) & 2147483647u));
+                                                                    let _e1779 = bitcast<f32>((bitcast<u32>(_e1707) & 2147483647u));
+                                                                    let _e1782 = bitcast<f32>((bitcast<u32>(_e1708) & 2147483647u));
+                                                                    let _e1784 = select(_e1782, _e1779, (_e1779 > _e1782));
+                                                                    let _e1788 = select(_e1782, _e1779, (_e1779 < _e1782));
+                                                                    let _e1792 = select(_e1779, _e1776, (_e1776 < _e1779));
+                                                                    let _e1794 = select(_e1779, _e1776, (_e1776 > _e1779));
+                                                                    let _e1796 = select(_e1782, _e1794, (_e1794 < _e1782));
+                                                                    phi_2388_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1784, _e1776, (_e1776 > _e1784)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1796, _e1792, (_e1792 > _e1796)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1788, _e1776, (_e1776 < _e1788)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1732 + _e1739) + _e1746))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
                                                                 }
-                                                                let _e1790 = phi_3370_;
-                                                                phi_3388_ = (_e1592 || !(((((bitcast<f32>((bitcast<u32>((_e1646.x * _e1673)) ^ _e239.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1646.y * _e1674)) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1646.z * _e1675)) ^ _e239.member_3[0]))) * f32(-(_e1591))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1646.x) & 2147483647u)) * _e1699)) ^ _e239.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1646.y) & 2147483647u)) * _e1706)) ^ _e239.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1646.z) & 2147483647u)) * _e1713)) ^ _e239.member_3[0]))))) ^ _e239.member_3[0])) + _e1790) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1823 = phi_2388_;
+                                                                phi_2406_ = (_e1625 || !(((((bitcast<f32>((bitcast<u32>((_e1679.x * _e1706)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1679.y * _e1707)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1679.z * _e1708)) ^ _e243.member_3[0]))) * f32(-(_e1624))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1679.x) & 2147483647u)) * _e1732)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1679.y) & 2147483647u)) * _e1739)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1679.z) & 2147483647u)) * _e1746)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e1823) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1804 = phi_3388_;
-                                                            phi_3389_ = _e1804;
+                                                            let _e1837 = phi_2406_;
+                                                            phi_2407_ = _e1837;
                                                         }
-                                                        let _e1806 = phi_3389_;
-                                                        if _e1806 {
-                                                            phi_3394_ = type_41(_e1096.member, true);
+                                                        let _e1839 = phi_2407_;
+                                                        if _e1839 {
+                                                            phi_2412_ = type_42(_e1129.member, true);
                                                         } else {
-                                                            phi_3394_ = _e1096;
+                                                            phi_2412_ = _e1129;
                                                         }
-                                                        let _e1811 = phi_3394_;
-                                                        phi_3395_ = _e1811;
+                                                        let _e1844 = phi_2412_;
+                                                        phi_2413_ = _e1844;
                                                     } else {
-                                                        phi_3395_ = _e1096;
+                                                        phi_2413_ = _e1129;
                                                     }
-                                                    let _e1813 = phi_3395_;
-                                                    phi_5070_ = _e1295;
-                                                    phi_2129_ = _e1813;
+                                                    let _e1846 = phi_2413_;
+                                                    phi_4146_ = _e1328;
+                                                    phi_1147_ = _e1846;
                                                 } else {
-                                                    phi_5070_ = _e1094;
-                                                    phi_2129_ = type_41();
+                                                    phi_4146_ = _e1127;
+                                                    phi_1147_ = type_42();
                                                 }
-                                                let _e1815 = phi_5070_;
-                                                let _e1817 = phi_2129_;
+                                                let _e1848 = phi_4146_;
+                                                let _e1850 = phi_1147_;
                                                 continue;
                                                 continuing {
-                                                    phi_5004_ = _e1815;
-                                                    phi_2128_ = _e1817;
-                                                    phi_2131_ = _e1111;
-                                                    phi_5069_ = _e1815;
-                                                    break if !(_e1117);
+                                                    phi_4080_ = _e1848;
+                                                    phi_1146_ = _e1850;
+                                                    phi_1149_ = _e1144;
+                                                    phi_4145_ = _e1848;
+                                                    break if !(_e1150);
                                                 }
                                             }
-                                            let _e1820 = phi_5069_;
-                                            phi_5145_ = _e1820;
-                                            if _e1820 {
+                                            let _e1853 = phi_4145_;
+                                            phi_4221_ = _e1853;
+                                            if _e1853 {
                                                 break;
                                             }
-                                            let _e1822 = local_7;
-                                            phi_5149_ = _e1820;
-                                            let _e2034 = local_9;
-                                            phi_4734_ = _e2034;
-                                            phi_4735_ = _e623;
-                                            phi_4736_ = false;
-                                            phi_4737_ = select(_e627, 0u, _e1822.member_1);
+                                            let _e1855 = local_13;
+                                            phi_4225_ = _e1853;
+                                            let _e2067 = local_15;
+                                            phi_3796_ = _e2067;
+                                            phi_3797_ = _e637;
+                                            phi_3798_ = false;
+                                            phi_3799_ = select(_e641, 0u, _e1855.member_1);
                                         } else {
-                                            if (_e623.member_1 >= _e99) {
-                                                phi_4334_ = type_63(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_60(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e637.member_1 >= _e103) {
+                                                phi_3352_ = type_62(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_61(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_61(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e623.member_1 < _e99) {
+                                                if (_e637.member_1 < _e103) {
                                                 } else {
-                                                    phi_5145_ = true;
+                                                    phi_4221_ = true;
                                                     break;
                                                 }
-                                                let _e641 = ((1u + (_e372 * 2u)) % 7u);
-                                                if (_e641 < 7u) {
+                                                let _e655 = ((1u + (_e376 * 2u)) % 7u);
+                                                if (_e655 < 7u) {
                                                 } else {
-                                                    phi_5145_ = true;
+                                                    phi_4221_ = true;
                                                     break;
                                                 }
-                                                let _e646 = global_8.member[_e623.member_1][_e641];
-                                                let _e649 = ((1u + (_e371 * 2u)) % 7u);
-                                                if (_e649 < 7u) {
+                                                let _e660 = global_8.member[_e637.member_1][_e655];
+                                                let _e663 = ((1u + (_e375 * 2u)) % 7u);
+                                                if (_e663 < 7u) {
                                                 } else {
-                                                    phi_5145_ = true;
+                                                    phi_4221_ = true;
                                                     break;
                                                 }
-                                                let _e654 = global_8.member[_e623.member_1][_e649];
-                                                let _e657 = ((1u + (_e373 * 2u)) % 7u);
-                                                if (_e657 < 7u) {
+                                                let _e668 = global_8.member[_e637.member_1][_e663];
+                                                let _e671 = ((1u + (_e377 * 2u)) % 7u);
+                                                if (_e671 < 7u) {
                                                 } else {
-                                                    phi_5145_ = true;
+                                                    phi_4221_ = true;
                                                     break;
                                                 }
-                                                let _e662 = global_8.member[_e623.member_1][_e657];
-                                                let _e665 = (((_e372 + 1u) * 2u) % 7u);
-                                                if (_e665 < 7u) {
+                                                let _e676 = global_8.member[_e637.member_1][_e671];
+                                                let _e679 = (((_e376 + 1u) * 2u) % 7u);
+                                                if (_e679 < 7u) {
                                                 } else {
-                                                    phi_5145_ = true;
+                                                    phi_4221_ = true;
                                                     break;
                                                 }
-                                                let _e670 = global_8.member[_e623.member_1][_e665];
-                                                let _e673 = (((_e371 + 1u) * 2u) % 7u);
-                                                if (_e673 < 7u) {
+                                                let _e684 = global_8.member[_e637.member_1][_e679];
+                                                let _e687 = (((_e375 + 1u) * 2u) % 7u);
+                                                if (_e687 < 7u) {
                                                 } else {
-                                                    phi_5145_ = true;
+                                                    phi_4221_ = true;
                                                     break;
                                                 }
-                                                let _e678 = global_8.member[_e623.member_1][_e673];
-                                                let _e681 = (((_e373 + 1u) * 2u) % 7u);
-                                                if (_e681 < 7u) {
+                                                let _e692 = global_8.member[_e637.member_1][_e687];
+                                                let _e695 = (((_e377 + 1u) * 2u) % 7u);
+                                                if (_e695 < 7u) {
                                                 } else {
-                                                    phi_5145_ = true;
+                                                    phi_4221_ = true;
                                                     break;
                                                 }
-                                                let _e686 = global_8.member[_e623.member_1][_e681];
-                                                let _e709 = (bitcast<f32>((bitcast<u32>((_e623.member.member_1.x - _e623.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e710 = (bitcast<f32>((bitcast<u32>((_e623.member.member_1.y - _e623.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e711 = (bitcast<f32>((bitcast<u32>((_e623.member.member_1.z - _e623.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e713 = select(_e158, _e709, (_e709 > _e158));
-                                                let _e715 = select(_e158, _e710, (_e710 > _e158));
-                                                let _e717 = select(_e158, _e711, (_e711 > _e158));
-                                                let _e742 = bitcast<u32>((f32(bitcast<i32>((_e646 & 2097151u))) * _e713));
-                                                let _e747 = (bitcast<i32>((_e646 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e750 = bitcast<f32>((_e742 & bitcast<u32>(_e747)));
-                                                let _e751 = bitcast<u32>((f32(bitcast<i32>((_e654 & 2097151u))) * _e715));
-                                                let _e756 = (bitcast<i32>((_e654 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e759 = bitcast<f32>((_e751 & bitcast<u32>(_e756)));
-                                                let _e760 = bitcast<u32>((f32(bitcast<i32>((_e662 & 2097151u))) * _e717));
-                                                let _e765 = (bitcast<i32>((_e662 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e768 = bitcast<f32>((_e760 & bitcast<u32>(_e765)));
-                                                let _e772 = bitcast<f32>((_e742 & bitcast<u32>(~(_e747))));
-                                                let _e776 = bitcast<f32>((_e751 & bitcast<u32>(~(_e756))));
-                                                let _e780 = bitcast<f32>((_e760 & bitcast<u32>(~(_e765))));
-                                                let _e781 = bitcast<u32>((f32(bitcast<i32>((_e670 & 2097151u))) * _e713));
-                                                let _e786 = (bitcast<i32>((_e670 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e789 = bitcast<f32>((_e781 & bitcast<u32>(_e786)));
-                                                let _e790 = bitcast<u32>((f32(bitcast<i32>((_e678 & 2097151u))) * _e715));
-                                                let _e795 = (bitcast<i32>((_e678 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e798 = bitcast<f32>((_e790 & bitcast<u32>(_e795)));
-                                                let _e799 = bitcast<u32>((f32(bitcast<i32>((_e686 & 2097151u))) * _e717));
-                                                let _e804 = (bitcast<i32>((_e686 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e807 = bitcast<f32>((_e799 & bitcast<u32>(_e804)));
-                                                let _e811 = bitcast<f32>((_e781 & bitcast<u32>(~(_e786))));
-                                                let _e815 = bitcast<f32>((_e790 & bitcast<u32>(~(_e795))));
-                                                let _e819 = bitcast<f32>((_e799 & bitcast<u32>(~(_e804))));
-                                                let _e820 = (_e623.member.member.x + _e750);
-                                                let _e821 = (_e623.member.member.y + _e759);
-                                                let _e822 = (_e623.member.member.z + _e768);
-                                                let _e825 = (_e623.member.member_1.x - _e789);
-                                                let _e826 = (_e623.member.member_1.y - _e798);
-                                                let _e827 = (_e623.member.member_1.z - _e807);
-                                                let _e846 = (_e825 - _e820);
-                                                let _e847 = (_e826 - _e821);
-                                                let _e848 = (_e827 - _e822);
-                                                let _e850 = select(_e847, _e846, (_e846 > _e847));
-                                                let _e852 = select(_e848, _e850, (_e850 > _e848));
-                                                if (_e852 < (1024f * _e158)) {
-                                                    phi_4035_ = 0u;
+                                                let _e700 = global_8.member[_e637.member_1][_e695];
+                                                let _e723 = (bitcast<f32>((bitcast<u32>((_e637.member.member_1.x - _e637.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e724 = (bitcast<f32>((bitcast<u32>((_e637.member.member_1.y - _e637.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e725 = (bitcast<f32>((bitcast<u32>((_e637.member.member_1.z - _e637.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e727 = select(_e162, _e723, (_e723 > _e162));
+                                                let _e729 = select(_e162, _e724, (_e724 > _e162));
+                                                let _e731 = select(_e162, _e725, (_e725 > _e162));
+                                                let _e756 = bitcast<u32>((f32(bitcast<i32>((_e660 & 2097151u))) * _e727));
+                                                let _e761 = (bitcast<i32>((_e660 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e764 = bitcast<f32>((_e756 & bitcast<u32>(_e761)));
+                                                let _e765 = bitcast<u32>((f32(bitcast<i32>((_e668 & 2097151u))) * _e729));
+                                                let _e770 = (bitcast<i32>((_e668 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e773 = bitcast<f32>((_e765 & bitcast<u32>(_e770)));
+                                                let _e774 = bitcast<u32>((f32(bitcast<i32>((_e676 & 2097151u))) * _e731));
+                                                let _e779 = (bitcast<i32>((_e676 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e782 = bitcast<f32>((_e774 & bitcast<u32>(_e779)));
+                                                let _e786 = bitcast<f32>((_e756 & bitcast<u32>(~(_e761))));
+                                                let _e790 = bitcast<f32>((_e765 & bitcast<u32>(~(_e770))));
+                                                let _e794 = bitcast<f32>((_e774 & bitcast<u32>(~(_e779))));
+                                                let _e795 = bitcast<u32>((f32(bitcast<i32>((_e684 & 2097151u))) * _e727));
+                                                let _e800 = (bitcast<i32>((_e684 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e803 = bitcast<f32>((_e795 & bitcast<u32>(_e800)));
+                                                let _e804 = bitcast<u32>((f32(bitcast<i32>((_e692 & 2097151u))) * _e729));
+                                                let _e809 = (bitcast<i32>((_e692 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e812 = bitcast<f32>((_e804 & bitcast<u32>(_e809)));
+                                                let _e813 = bitcast<u32>((f32(bitcast<i32>((_e700 & 2097151u))) * _e731));
+                                                let _e818 = (bitcast<i32>((_e700 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e821 = bitcast<f32>((_e813 & bitcast<u32>(_e818)));
+                                                let _e825 = bitcast<f32>((_e795 & bitcast<u32>(~(_e800))));
+                                                let _e829 = bitcast<f32>((_e804 & bitcast<u32>(~(_e809))));
+                                                let _e833 = bitcast<f32>((_e813 & bitcast<u32>(~(_e818))));
+                                                let _e834 = (_e637.member.member.x + _e764);
+                                                let _e835 = (_e637.member.member.y + _e773);
+                                                let _e836 = (_e637.member.member.z + _e782);
+                                                let _e839 = (_e637.member.member_1.x - _e803);
+                                                let _e840 = (_e637.member.member_1.y - _e812);
+                                                let _e841 = (_e637.member.member_1.z - _e821);
+                                                let _e860 = (_e839 - _e834);
+                                                let _e861 = (_e840 - _e835);
+                                                let _e862 = (_e841 - _e836);
+                                                let _e864 = select(_e861, _e860, (_e860 > _e861));
+                                                let _e866 = select(_e862, _e864, (_e864 > _e862));
+                                                if (_e866 < (1024f * _e162)) {
+                                                    phi_3053_ = 0u;
                                                 } else {
-                                                    phi_4035_ = select(2u, 1u, (_e852 < (2097152f * _e158)));
+                                                    phi_3053_ = select(2u, 1u, (_e866 < (2097152f * _e162)));
                                                 }
-                                                let _e859 = phi_4035_;
-                                                switch bitcast<i32>(_e859) {
+                                                let _e873 = phi_3053_;
+                                                switch bitcast<i32>(_e873) {
                                                     case 0: {
-                                                        phi_4041_ = 1u;
+                                                        phi_3059_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_4041_ = 2u;
+                                                        phi_3059_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_4041_ = 3u;
+                                                        phi_3059_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_4041_ = u32();
+                                                        phi_3059_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e862 = phi_4041_;
-                                                let _e868 = global_8.member[_e623.member_1][0u];
-                                                let _e872 = global_8.member[_e623.member_1][2u];
-                                                let _e876 = global_8.member[_e623.member_1][4u];
-                                                let _e880 = global_8.member[_e623.member_1][6u];
-                                                let _e892 = (((_e872 >> bitcast<u32>(22i)) | ((_e876 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e880 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e893 = (_e868 & 268435455u);
-                                                let _e894 = (_e892 & 268435455u);
-                                                let _e897 = ((_e868 >> bitcast<u32>(28u)) & 7u);
-                                                let _e905 = ((_e868 >> bitcast<u32>(31i)) | (((_e892 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e906 = (_e897 != 0u);
-                                                if (_e897 == 0u) {
-                                                    phi_4296_ = _e893;
+                                                let _e876 = phi_3059_;
+                                                let _e882 = global_8.member[_e637.member_1][0u];
+                                                let _e886 = global_8.member[_e637.member_1][2u];
+                                                let _e890 = global_8.member[_e637.member_1][4u];
+                                                let _e894 = global_8.member[_e637.member_1][6u];
+                                                let _e906 = (((_e886 >> bitcast<u32>(22i)) | ((_e890 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e894 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e907 = (_e882 & 268435455u);
+                                                let _e908 = (_e906 & 268435455u);
+                                                let _e911 = ((_e882 >> bitcast<u32>(28u)) & 7u);
+                                                let _e919 = ((_e882 >> bitcast<u32>(31i)) | (((_e906 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e920 = (_e911 != 0u);
+                                                if (_e911 == 0u) {
+                                                    phi_3314_ = _e907;
                                                 } else {
-                                                    if (_e897 == 7u) {
-                                                        phi_4295_ = 2147483648u;
+                                                    if (_e911 == 7u) {
+                                                        phi_3313_ = 2147483648u;
                                                     } else {
-                                                        phi_4295_ = ((2147483648u | (_e897 << bitcast<u32>(28u))) | (_e894 & 268435455u));
+                                                        phi_3313_ = ((2147483648u | (_e911 << bitcast<u32>(28u))) | (_e908 & 268435455u));
                                                     }
-                                                    let _e915 = phi_4295_;
-                                                    phi_4296_ = _e915;
+                                                    let _e929 = phi_3313_;
+                                                    phi_3314_ = _e929;
                                                 }
-                                                let _e917 = phi_4296_;
-                                                if _e906 {
-                                                    let _e918 = (_e897 != 7u);
-                                                    if _e918 {
-                                                        phi_4306_ = (_e894 + (_e897 * ((3u * _e862) + 1u)));
+                                                let _e931 = phi_3314_;
+                                                if _e920 {
+                                                    let _e932 = (_e911 != 7u);
+                                                    if _e932 {
+                                                        phi_3324_ = (_e908 + (_e911 * ((3u * _e876) + 1u)));
                                                     } else {
-                                                        phi_4306_ = u32();
+                                                        phi_3324_ = u32();
                                                     }
-                                                    let _e922 = phi_4306_;
-                                                    phi_4308_ = _e922;
-                                                    phi_4309_ = select(true, false, _e918);
+                                                    let _e936 = phi_3324_;
+                                                    phi_3326_ = _e936;
+                                                    phi_3327_ = select(true, false, _e932);
                                                 } else {
-                                                    phi_4308_ = u32();
-                                                    phi_4309_ = true;
+                                                    phi_3326_ = u32();
+                                                    phi_3327_ = true;
                                                 }
-                                                let _e925 = phi_4308_;
-                                                let _e927 = phi_4309_;
-                                                if (_e905 == 0u) {
-                                                    phi_4330_ = (_e893 + select(0u, 1u, !(_e906)));
+                                                let _e939 = phi_3326_;
+                                                let _e941 = phi_3327_;
+                                                if (_e919 == 0u) {
+                                                    phi_3348_ = (_e907 + select(0u, 1u, !(_e920)));
                                                 } else {
-                                                    if (_e905 == 7u) {
-                                                        phi_4329_ = 2147483648u;
+                                                    if (_e919 == 7u) {
+                                                        phi_3347_ = 2147483648u;
                                                     } else {
-                                                        phi_4329_ = ((2147483648u | (_e905 << bitcast<u32>(28u))) | (select(_e925, _e894, _e927) & 268435455u));
+                                                        phi_3347_ = ((2147483648u | (_e919 << bitcast<u32>(28u))) | (select(_e939, _e908, _e941) & 268435455u));
                                                     }
-                                                    let _e940 = phi_4329_;
-                                                    phi_4330_ = _e940;
+                                                    let _e954 = phi_3347_;
+                                                    phi_3348_ = _e954;
                                                 }
-                                                let _e942 = phi_4330_;
-                                                phi_4334_ = type_63(array<vec4<f32>, 3>(vec4<f32>(_e820, (_e623.member.member.x + _e772), _e825, (_e623.member.member_1.x - _e811)), vec4<f32>(_e821, (_e623.member.member.y + _e776), _e826, (_e623.member.member_1.y - _e815)), vec4<f32>(_e822, (_e623.member.member.z + _e780), _e827, (_e623.member.member_1.z - _e819))), type_60(type_30((_e623.member.member + vec4<f32>(_e750, _e759, _e768, 0f)), (_e623.member.member_1 - vec4<f32>(_e789, _e798, _e807, 0f))), _e917), type_60(type_30((_e623.member.member + vec4<f32>(_e772, _e776, _e780, 0f)), (_e623.member.member_1 - vec4<f32>(_e811, _e815, _e819, 0f))), _e942));
+                                                let _e956 = phi_3348_;
+                                                phi_3352_ = type_62(array<vec4<f32>, 3>(vec4<f32>(_e834, (_e637.member.member.x + _e786), _e839, (_e637.member.member_1.x - _e825)), vec4<f32>(_e835, (_e637.member.member.y + _e790), _e840, (_e637.member.member_1.y - _e829)), vec4<f32>(_e836, (_e637.member.member.z + _e794), _e841, (_e637.member.member_1.z - _e833))), type_61(type_30((_e637.member.member + vec4<f32>(_e764, _e773, _e782, 0f)), (_e637.member.member_1 - vec4<f32>(_e803, _e812, _e821, 0f))), _e931), type_61(type_30((_e637.member.member + vec4<f32>(_e786, _e790, _e794, 0f)), (_e637.member.member_1 - vec4<f32>(_e825, _e829, _e833, 0f))), _e956));
                                             }
-                                            let _e947 = phi_4334_;
-                                            let _e959 = ((_e947.member[0].x - _e427) * _e432);
-                                            let _e960 = ((_e947.member[0].y - _e427) * _e432);
-                                            let _e961 = ((_e947.member[0].z - _e428) * _e432);
-                                            let _e962 = ((_e947.member[0].w - _e428) * _e432);
-                                            let _e972 = ((_e947.member[1].x - _e463) * _e468);
-                                            let _e973 = ((_e947.member[1].y - _e463) * _e468);
-                                            let _e974 = ((_e947.member[1].z - _e464) * _e468);
-                                            let _e975 = ((_e947.member[1].w - _e464) * _e468);
-                                            let _e985 = ((_e947.member[2].x - _e499) * _e504);
-                                            let _e986 = ((_e947.member[2].y - _e499) * _e504);
-                                            let _e987 = ((_e947.member[2].z - _e500) * _e504);
-                                            let _e988 = ((_e947.member[2].w - _e500) * _e504);
-                                            let _e990 = select(_e987, _e985, (_e985 < _e987));
-                                            let _e992 = select(_e988, _e986, (_e986 < _e988));
-                                            let _e994 = select(_e987, _e985, (_e985 > _e987));
-                                            let _e996 = select(_e988, _e986, (_e986 > _e988));
-                                            let _e998 = select(_e961, _e959, (_e959 < _e961));
-                                            let _e1000 = select(_e962, _e960, (_e960 < _e962));
-                                            let _e1002 = select(_e974, _e972, (_e972 < _e974));
-                                            let _e1004 = select(_e975, _e973, (_e973 < _e975));
-                                            let _e1006 = select(_e1002, _e998, (_e998 > _e1002));
-                                            let _e1008 = select(_e1004, _e1000, (_e1000 > _e1004));
-                                            let _e1010 = select(_e990, _e1006, (_e1006 > _e990));
-                                            let _e1012 = select(_e992, _e1008, (_e1008 > _e992));
-                                            let _e1014 = select(_e961, _e959, (_e959 > _e961));
-                                            let _e1016 = select(_e962, _e960, (_e960 > _e962));
-                                            let _e1018 = select(_e974, _e972, (_e972 > _e974));
-                                            let _e1020 = select(_e975, _e973, (_e973 > _e975));
-                                            let _e1022 = select(_e1018, _e1014, (_e1014 < _e1018));
-                                            let _e1024 = select(_e1020, _e1016, (_e1016 < _e1020));
-                                            let _e1029 = -(_e990);
-                                            let _e1030 = -(_e992);
-                                            let _e1037 = (select(_e994, _e1022, (_e1022 < _e994)) + (select(_e1029, _e994, (_e994 > _e1029)) * 0.0000019073523f));
-                                            let _e1038 = (select(_e996, _e1024, (_e1024 < _e996)) + (select(_e1030, _e996, (_e996 > _e1030)) * 0.0000019073523f));
-                                            let _e1040 = select(_e550, _e1010, (_e1010 > _e550));
-                                            let _e1042 = select(_e550, _e1012, (_e1012 > _e550));
-                                            let _e1047 = (_e1040 <= select(_e594.member, _e1037, (_e1037 < _e594.member)));
-                                            let _e1048 = (_e1042 <= select(_e594.member, _e1038, (_e1038 < _e594.member)));
-                                            let _e1049 = (_e1040 <= _e1042);
-                                            if _e1047 {
-                                                if _e1048 {
-                                                    if _e1049 {
-                                                        phi_4678_ = _e947.member_2;
+                                            let _e961 = phi_3352_;
+                                            let _e973 = ((_e961.member[0].x - _e431) * _e436);
+                                            let _e974 = ((_e961.member[0].y - _e431) * _e436);
+                                            let _e975 = ((_e961.member[0].z - _e432) * _e436);
+                                            let _e976 = ((_e961.member[0].w - _e432) * _e436);
+                                            let _e986 = ((_e961.member[1].x - _e467) * _e472);
+                                            let _e987 = ((_e961.member[1].y - _e467) * _e472);
+                                            let _e988 = ((_e961.member[1].z - _e468) * _e472);
+                                            let _e989 = ((_e961.member[1].w - _e468) * _e472);
+                                            let _e999 = ((_e961.member[2].x - _e503) * _e508);
+                                            let _e1000 = ((_e961.member[2].y - _e503) * _e508);
+                                            let _e1001 = ((_e961.member[2].z - _e504) * _e508);
+                                            let _e1002 = ((_e961.member[2].w - _e504) * _e508);
+                                            let _e1004 = select(_e1001, _e999, (_e999 < _e1001));
+                                            let _e1006 = select(_e1002, _e1000, (_e1000 < _e1002));
+                                            let _e1008 = select(_e1001, _e999, (_e999 > _e1001));
+                                            let _e1010 = select(_e1002, _e1000, (_e1000 > _e1002));
+                                            let _e1012 = select(_e975, _e973, (_e973 < _e975));
+                                            let _e1014 = select(_e976, _e974, (_e974 < _e976));
+                                            let _e1016 = select(_e988, _e986, (_e986 < _e988));
+                                            let _e1018 = select(_e989, _e987, (_e987 < _e989));
+                                            let _e1020 = select(_e1016, _e1012, (_e1012 > _e1016));
+                                            let _e1022 = select(_e1018, _e1014, (_e1014 > _e1018));
+                                            let _e1024 = select(_e1004, _e1020, (_e1020 > _e1004));
+                                            let _e1026 = select(_e1006, _e1022, (_e1022 > _e1006));
+                                            let _e1028 = select(_e975, _e973, (_e973 > _e975));
+                                            let _e1030 = select(_e976, _e974, (_e974 > _e976));
+                                            let _e1032 = select(_e988, _e986, (_e986 > _e988));
+                                            let _e1034 = select(_e989, _e987, (_e987 > _e989));
+                                            let _e1036 = select(_e1032, _e1028, (_e1028 < _e1032));
+                                            let _e1038 = select(_e1034, _e1030, (_e1030 < _e1034));
+                                            let _e1043 = -(_e1004);
+                                            let _e1044 = -(_e1006);
+                                            let _e1051 = (select(_e1008, _e1036, (_e1036 < _e1008)) + (select(_e1043, _e1008, (_e1008 > _e1043)) * 0.0000019073523f));
+                                            let _e1052 = (select(_e1010, _e1038, (_e1038 < _e1010)) + (select(_e1044, _e1010, (_e1010 > _e1044)) * 0.0000019073523f));
+                                            let _e1054 = select(_e554, _e1024, (_e1024 > _e554));
+                                            let _e1056 = select(_e554, _e1026, (_e1026 > _e554));
+                                            let _e1061 = (_e1054 <= select(_e598.member, _e1051, (_e1051 < _e598.member)));
+                                            let _e1062 = (_e1056 <= select(_e598.member, _e1052, (_e1052 < _e598.member)));
+                                            let _e1063 = (_e1054 <= _e1056);
+                                            if _e1061 {
+                                                if _e1062 {
+                                                    if _e1063 {
+                                                        phi_3696_ = _e961.member_2;
                                                     } else {
-                                                        phi_4678_ = _e947.member_1;
+                                                        phi_3696_ = _e961.member_1;
                                                     }
-                                                    let _e1053 = phi_4678_;
-                                                    let _e1054 = (_e627 % 128u);
-                                                    let _e1055 = (_e1054 < 128u);
-                                                    if _e1055 {
+                                                    let _e1067 = phi_3696_;
+                                                    let _e1089 = (_e641 % 128u);
+                                                    let _e1090 = (_e1089 < 128u);
+                                                    if _e1090 {
                                                     } else {
-                                                        phi_5145_ = true;
+                                                        phi_4221_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1054] = type_60(type_30(_e1053.member.member, _e1053.member.member_1), _e1053.member_1);
-                                                    if _e1055 {
+                                                    local_8[_e1089] = _e1067.member_1;
+                                                    if _e1090 {
                                                     } else {
-                                                        phi_5145_ = true;
+                                                        phi_4221_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1054] = select(_e1042, _e1040, (_e1040 > _e1042));
-                                                    if _e1049 {
-                                                        phi_4711_ = _e947.member_1;
+                                                    local_7[_e1089] = _e1067.member.member.x;
+                                                    if _e1090 {
                                                     } else {
-                                                        phi_4711_ = _e947.member_2;
+                                                        phi_4221_ = true;
+                                                        break;
                                                     }
-                                                    let _e1070 = phi_4711_;
-                                                    phi_4712_ = _e1070;
-                                                    phi_4713_ = (_e627 + 1u);
+                                                    local_6[_e1089] = _e1067.member.member.y;
+                                                    if _e1090 {
+                                                    } else {
+                                                        phi_4221_ = true;
+                                                        break;
+                                                    }
+                                                    local_5[_e1089] = _e1067.member.member.z;
+                                                    if _e1090 {
+                                                    } else {
+                                                        phi_4221_ = true;
+                                                        break;
+                                                    }
+                                                    local_4[_e1089] = _e1067.member.member_1.x;
+                                                    if _e1090 {
+                                                    } else {
+                                                        phi_4221_ = true;
+                                                        break;
+                                                    }
+                                                    local_3[_e1089] = _e1067.member.member_1.y;
+                                                    if _e1090 {
+                                                    } else {
+                                                        phi_4221_ = true;
+                                                        break;
+                                                    }
+                                                    local_2[_e1089] = _e1067.member.member_1.z;
+                                                    if _e1090 {
+                                                    } else {
+                                                        phi_4221_ = true;
+                                                        break;
+                                                    }
+                                                    local_9[_e1089] = select(_e1056, _e1054, (_e1054 > _e1056));
+                                                    if _e1063 {
+                                                        phi_3773_ = _e961.member_1;
+                                                    } else {
+                                                        phi_3773_ = _e961.member_2;
+                                                    }
+                                                    let _e1103 = phi_3773_;
+                                                    phi_3774_ = _e1103;
+                                                    phi_3775_ = (_e641 + 1u);
                                                 } else {
-                                                    phi_4712_ = type_60();
-                                                    phi_4713_ = u32();
+                                                    phi_3774_ = type_61();
+                                                    phi_3775_ = u32();
                                                 }
-                                                let _e1072 = phi_4712_;
-                                                let _e1074 = phi_4713_;
-                                                phi_4715_ = _e1072;
-                                                phi_4716_ = _e1074;
-                                                phi_4717_ = select(true, false, _e1048);
+                                                let _e1105 = phi_3774_;
+                                                let _e1107 = phi_3775_;
+                                                phi_3777_ = _e1105;
+                                                phi_3778_ = _e1107;
+                                                phi_3779_ = select(true, false, _e1062);
                                             } else {
-                                                phi_4715_ = type_60();
-                                                phi_4716_ = u32();
-                                                phi_4717_ = true;
+                                                phi_3777_ = type_61();
+                                                phi_3778_ = u32();
+                                                phi_3779_ = true;
                                             }
-                                            let _e1077 = phi_4715_;
-                                            let _e1079 = phi_4716_;
-                                            let _e1081 = phi_4717_;
-                                            if _e1081 {
-                                                if _e1047 {
-                                                    phi_4726_ = _e947.member_1;
+                                            let _e1110 = phi_3777_;
+                                            let _e1112 = phi_3778_;
+                                            let _e1114 = phi_3779_;
+                                            if _e1114 {
+                                                if _e1061 {
+                                                    phi_3788_ = _e961.member_1;
                                                 } else {
-                                                    phi_4726_ = _e947.member_2;
+                                                    phi_3788_ = _e961.member_2;
                                                 }
-                                                let _e1085 = phi_4726_;
-                                                phi_4731_ = _e1085;
-                                                phi_4732_ = select(_e1048, true, _e1047);
+                                                let _e1118 = phi_3788_;
+                                                phi_3793_ = _e1118;
+                                                phi_3794_ = select(_e1062, true, _e1061);
                                             } else {
-                                                phi_4731_ = _e1077;
-                                                phi_4732_ = _e625;
+                                                phi_3793_ = _e1110;
+                                                phi_3794_ = _e639;
                                             }
-                                            let _e1088 = phi_4731_;
-                                            let _e1090 = phi_4732_;
-                                            phi_5149_ = _e592;
-                                            phi_4734_ = _e594;
-                                            phi_4735_ = _e1088;
-                                            phi_4736_ = _e1090;
-                                            phi_4737_ = select(_e1079, _e627, _e1081);
+                                            let _e1121 = phi_3793_;
+                                            let _e1123 = phi_3794_;
+                                            phi_4225_ = _e596;
+                                            phi_3796_ = _e598;
+                                            phi_3797_ = _e1121;
+                                            phi_3798_ = _e1123;
+                                            phi_3799_ = select(_e1112, _e641, _e1114);
                                         }
-                                        let _e1826 = phi_5149_;
-                                        let _e1828 = phi_4734_;
-                                        let _e1830 = phi_4735_;
-                                        let _e1832 = phi_4736_;
-                                        let _e1834 = phi_4737_;
-                                        phi_5148_ = _e1826;
-                                        phi_4738_ = _e1828;
-                                        phi_4739_ = _e1830;
-                                        phi_4740_ = (_e598 - 1u);
-                                        phi_4741_ = _e1832;
-                                        phi_4742_ = _e1834;
+                                        let _e1859 = phi_4225_;
+                                        let _e1861 = phi_3796_;
+                                        let _e1863 = phi_3797_;
+                                        let _e1865 = phi_3798_;
+                                        let _e1867 = phi_3799_;
+                                        phi_4224_ = _e1859;
+                                        phi_3800_ = _e1861;
+                                        phi_3801_ = _e1863;
+                                        phi_3802_ = (_e602 - 1u);
+                                        phi_3803_ = _e1865;
+                                        phi_3804_ = _e1867;
                                     } else {
-                                        phi_5148_ = _e592;
-                                        phi_4738_ = _e594;
-                                        phi_4739_ = _e623;
-                                        phi_4740_ = _e598;
-                                        phi_4741_ = _e625;
-                                        phi_4742_ = _e627;
+                                        phi_4224_ = _e596;
+                                        phi_3800_ = _e598;
+                                        phi_3801_ = _e637;
+                                        phi_3802_ = _e602;
+                                        phi_3803_ = _e639;
+                                        phi_3804_ = _e641;
                                     }
-                                    let _e1836 = phi_5148_;
-                                    let _e1838 = phi_4738_;
-                                    let _e1840 = phi_4739_;
-                                    let _e1842 = phi_4740_;
-                                    let _e1844 = phi_4741_;
-                                    let _e1846 = phi_4742_;
-                                    phi_5147_ = _e1836;
-                                    phi_4743_ = _e1838;
-                                    phi_4744_ = _e1840;
-                                    phi_4745_ = _e1842;
-                                    phi_4746_ = _e1844;
-                                    phi_4747_ = _e1846;
+                                    let _e1869 = phi_4224_;
+                                    let _e1871 = phi_3800_;
+                                    let _e1873 = phi_3801_;
+                                    let _e1875 = phi_3802_;
+                                    let _e1877 = phi_3803_;
+                                    let _e1879 = phi_3804_;
+                                    phi_4223_ = _e1869;
+                                    phi_3805_ = _e1871;
+                                    phi_3806_ = _e1873;
+                                    phi_3807_ = _e1875;
+                                    phi_3808_ = _e1877;
+                                    phi_3809_ = _e1879;
                                 } else {
-                                    phi_5147_ = _e592;
-                                    phi_4743_ = type_41();
-                                    phi_4744_ = type_60();
-                                    phi_4745_ = u32();
-                                    phi_4746_ = bool();
-                                    phi_4747_ = u32();
+                                    phi_4223_ = _e596;
+                                    phi_3805_ = type_42();
+                                    phi_3806_ = type_61();
+                                    phi_3807_ = u32();
+                                    phi_3808_ = bool();
+                                    phi_3809_ = u32();
                                 }
-                                let _e1848 = phi_5147_;
-                                let _e1850 = phi_4743_;
-                                let _e1852 = phi_4744_;
-                                let _e1854 = phi_4745_;
-                                let _e1856 = phi_4746_;
-                                let _e1858 = phi_4747_;
-                                phi_5146_ = _e1848;
-                                phi_2051_ = _e1850;
-                                phi_2054_ = _e1852;
-                                phi_2056_ = _e1854;
-                                phi_2058_ = _e1856;
-                                phi_2060_ = _e1858;
-                                phi_4748_ = _e606;
+                                let _e1881 = phi_4223_;
+                                let _e1883 = phi_3805_;
+                                let _e1885 = phi_3806_;
+                                let _e1887 = phi_3807_;
+                                let _e1889 = phi_3808_;
+                                let _e1891 = phi_3809_;
+                                phi_4222_ = _e1881;
+                                phi_1020_ = _e1883;
+                                phi_1023_ = _e1885;
+                                phi_1025_ = _e1887;
+                                phi_1027_ = _e1889;
+                                phi_1029_ = _e1891;
+                                phi_3810_ = _e610;
                             } else {
-                                phi_5146_ = _e592;
-                                phi_2051_ = type_41();
-                                phi_2054_ = type_60();
-                                phi_2056_ = u32();
-                                phi_2058_ = bool();
-                                phi_2060_ = u32();
-                                phi_4748_ = false;
+                                phi_4222_ = _e596;
+                                phi_1020_ = type_42();
+                                phi_1023_ = type_61();
+                                phi_1025_ = u32();
+                                phi_1027_ = bool();
+                                phi_1029_ = u32();
+                                phi_3810_ = false;
                             }
-                            let _e1860 = phi_5146_;
-                            let _e1862 = phi_2051_;
-                            let _e1864 = phi_2054_;
-                            let _e1866 = phi_2056_;
-                            let _e1868 = phi_2058_;
-                            let _e1870 = phi_2060_;
-                            let _e1872 = phi_4748_;
+                            let _e1893 = phi_4222_;
+                            let _e1895 = phi_1020_;
+                            let _e1897 = phi_1023_;
+                            let _e1899 = phi_1025_;
+                            let _e1901 = phi_1027_;
+                            let _e1903 = phi_1029_;
+                            let _e1905 = phi_3810_;
                             continue;
                             continuing {
-                                phi_5007_ = _e1860;
-                                phi_2050_ = _e1862;
-                                phi_2053_ = _e1864;
-                                phi_2055_ = _e1866;
-                                phi_2057_ = _e1868;
-                                phi_2059_ = _e1870;
-                                phi_5145_ = _e1860;
-                                break if !(_e1872);
+                                phi_4083_ = _e1893;
+                                phi_1019_ = _e1895;
+                                phi_1022_ = _e1897;
+                                phi_1024_ = _e1899;
+                                phi_1026_ = _e1901;
+                                phi_1028_ = _e1903;
+                                phi_4221_ = _e1893;
+                                break if !(_e1905);
                             }
                         }
-                        let _e1875 = phi_5145_;
-                        if _e1875 {
+                        let _e1908 = phi_4221_;
+                        if _e1908 {
                             break;
                         }
-                        let _e1877 = local_8;
-                        if _e1877.member_1 {
+                        let _e1910 = local_14;
+                        if _e1910.member_1 {
                         } else {
-                            if _e240 {
+                            if _e244 {
                             } else {
                                 break;
                             }
-                            let _e1881 = global_2.member[_e146];
-                            if _e161 {
+                            let _e1914 = global_2.member[_e150];
+                            if _e165 {
                             } else {
                                 break;
                             }
-                            let _e1885 = global_9.member[_e146].member_1;
-                            if _e240 {
+                            let _e1918 = global_9.member[_e150].member_1;
+                            if _e244 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e146] = type_23(_e1881.member, _e1881.member_1, _e1881.member_2, array<f32, 3>((_e1881.member_3[0] + (_e1885[0] * _e1881.member_1[0])), (_e1881.member_3[1] + (_e1885[1] * _e1881.member_1[1])), (_e1881.member_3[2] + (_e1885[2] * _e1881.member_1[2]))), _e1881.member_4);
+                            global_2.member[_e150] = type_23(_e1914.member, _e1914.member_1, _e1914.member_2, array<f32, 3>((_e1914.member_3[0] + (_e1918[0] * _e1914.member_1[0])), (_e1914.member_3[1] + (_e1918[1] * _e1914.member_1[1])), (_e1914.member_3[2] + (_e1918[2] * _e1914.member_1[2]))), _e1914.member_4);
                         }
                     }
                 }

@@ -9,9 +9,7 @@ use slimbvh_core::encode::{
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::trace::{
-    ClosestOrAny, Collector, LeafTriangles, NodeSource, PlainNodes, Stack, traverse_with,
-};
+use slimbvh_core::trace::{ClosestOrAny, Collector, LeafTriangles, Stack, traverse_with};
 use slimbvh_core::{LeafTriangle, NodeRef};
 use std::cell::RefCell;
 
@@ -255,9 +253,9 @@ pub struct Stacks {
 impl Stacks {
     /// Nothing waits.
     pub const NEW: Self = Self {
-        plain: Stack::new(PlainNodes::UNUSED),
-        printed: Stack::new(PrintedNodes::UNUSED),
-        lattice: Stack::new(LatticeNodes::<10, 4, false>::UNUSED),
+        plain: Stack::EMPTY,
+        printed: Stack::EMPTY,
+        lattice: Stack::EMPTY,
     };
 }
 

@@ -26,7 +26,7 @@ use super::links::Links;
 use crate::lattice::LatticeBox;
 use crate::node::NodeRef;
 use crate::slab::PlanePair;
-use crate::trace::{Children, LeafRun, NodeSource};
+use crate::trace::{BoxColumns, Children, Cursor, LeafRun, NodeSource};
 use glam::Vec4;
 
 /// Words of an axis.
@@ -280,6 +280,30 @@ pub struct LatticeCursor {
 
 const _: () = assert!(size_of::<LatticeCursor>() == 48);
 
+impl Cursor for LatticeCursor {
+    type Columns = BoxColumns;
+    const EMPTY: BoxColumns = BoxColumns::EMPTY;
+
+    #[inline(always)]
+    fn put(self, columns: &mut BoxColumns, place: usize) {
+        let LatticeFrame { min, max } = self.bounds;
+        let (min, max) = ([min.x, min.y, min.z], [max.x, max.y, max.z]);
+        columns.put(place, self.node, min, max);
+    }
+
+    #[inline(always)]
+    fn at(columns: &BoxColumns, place: usize) -> Self {
+        let ([a, b, c], [x, y, z]) = (columns.min(place), columns.max(place));
+        Self {
+            bounds: LatticeFrame {
+                min: Vec4::new(a, b, c, 0.0),
+                max: Vec4::new(x, y, z, 0.0),
+            },
+            node: columns.node(place),
+        }
+    }
+}
+
 /// Nodes of the lattice codec, the root first. `MIXED` where leaves hold triangles of the lattice codec, whose size follows
 /// from their box.
 #[derive(Clone, Copy)]
@@ -363,10 +387,6 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
 {
     type Cursor = LatticeCursor;
     type Frame = LatticeFrame;
-    const UNUSED: LatticeCursor = LatticeCursor {
-        node: NodeRef::inner(0),
-        bounds: LatticeFrame::ZERO,
-    };
 
     #[inline(always)]
     fn root(&self, axes: [u32; 3]) -> LatticeCursor {

@@ -8,7 +8,7 @@ use crate::node::{Node, NodeRef};
 use crate::orientation::product;
 use crate::ray::NO_PRIMITIVE;
 use crate::slab::PlanePair;
-use crate::trace::{Children, LeafRun, NodeSource, Place, TriangleSource};
+use crate::trace::{BoxColumns, Children, Cursor, LeafRun, NodeSource, Place, TriangleSource};
 use crate::triangle::LeafTriangle;
 use bytemuck::{Pod, Zeroable};
 
@@ -195,6 +195,27 @@ pub struct PrintedCursor {
     pub bounds: PrintedBox,
 }
 
+impl Cursor for PrintedCursor {
+    type Columns = BoxColumns;
+    const EMPTY: BoxColumns = BoxColumns::EMPTY;
+
+    #[inline(always)]
+    fn put(self, columns: &mut BoxColumns, place: usize) {
+        columns.put(place, self.node, self.bounds.min, self.bounds.max);
+    }
+
+    #[inline(always)]
+    fn at(columns: &BoxColumns, place: usize) -> Self {
+        Self {
+            node: columns.node(place),
+            bounds: PrintedBox {
+                min: columns.min(place),
+                max: columns.max(place),
+            },
+        }
+    }
+}
+
 /// Nodes of the printed codec, the root first.
 #[derive(Clone, Copy)]
 pub struct PrintedNodes<'a> {
@@ -209,10 +230,6 @@ pub struct PrintedNodes<'a> {
 impl NodeSource for PrintedNodes<'_> {
     type Cursor = PrintedCursor;
     type Frame = PrintedBox;
-    const UNUSED: PrintedCursor = PrintedCursor {
-        node: NodeRef::inner(0),
-        bounds: PrintedBox::ZERO,
-    };
 
     #[inline(always)]
     fn root(&self, axes: [u32; 3]) -> PrintedCursor {

@@ -13,7 +13,6 @@ pub struct PlainNodes<'a>(pub &'a [Node]);
 impl NodeSource for PlainNodes<'_> {
     type Cursor = NodeRef;
     type Frame = ();
-    const UNUSED: NodeRef = NodeRef::inner(0);
 
     #[inline(always)]
     fn root(&self, _axes: [u32; 3]) -> NodeRef {
@@ -74,7 +73,6 @@ pub struct BruteForce(pub u32);
 impl NodeSource for BruteForce {
     type Cursor = ();
     type Frame = ();
-    const UNUSED: () = ();
 
     #[inline(always)]
     fn root(&self, _axes: [u32; 3]) {}
