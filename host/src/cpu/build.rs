@@ -317,8 +317,9 @@ impl Builder {
         if self.config.nodes != NodeCodec::F32 {
             let codecs = (self.config.nodes, self.config.mesh);
             stages.time("encode", || {
-                let nodes = &self.connections.nodes;
-                self.encoder.encode(codecs, bvh, (nodes, &self.pyramid));
+                let connections = &self.connections;
+                self.encoder
+                    .encode(codecs, bvh, (connections, &self.pyramid));
             });
             return;
         }

@@ -3,6 +3,7 @@
 //! A node's descendants lie together: those of the left child before the right child, those of the right child from there on.
 //! So both halves can be filled at once, each in its part of the lists.
 
+use super::topology::Connections;
 use crate::Bvh;
 use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
 use crate::coded::{Coded, CodedNodes, CodedTriangles};
@@ -42,11 +43,12 @@ impl Encoder {
         &mut self,
         (nodes, mesh): (NodeCodec, MeshCodec),
         bvh: &mut Bvh,
-        (connections, pyramid): (&[Connection], &[PyramidBox]),
+        (connections, pyramid): (&Connections, &[PyramidBox]),
     ) {
         let leaves = bvh.triangles.as_slice();
         let tree = Tree {
-            nodes: connections,
+            nodes: &connections.nodes,
+            splits: &connections.splits,
             leaves,
             pyramid,
         };
@@ -109,27 +111,20 @@ const TASK: u32 = 8192;
 /// A tree on its way into a codec: its nodes have no boxes, which are found from the pyramid when their turn comes.
 struct Tree<'a> {
     nodes: &'a [Connection],
+    /// The last triangle of each node's left child.
+    splits: &'a [u32],
     leaves: &'a [LeafTriangle],
     pyramid: &'a [PyramidBox],
 }
 
 impl Tree<'_> {
-    /// The last triangle of a node's left child.
-    fn split(&self, node: &Connection) -> u32 {
-        if node.left.is_leaf() {
-            (node.left.first() + node.left.count()).saturating_sub(1)
-        } else {
-            self.nodes[node.left.index() as usize].last
-        }
-    }
-
     /// A node with its boxes.
     fn node(&self, index: u32) -> Node {
-        let bare = &self.nodes[index as usize];
+        let (bare, split) = (&self.nodes[index as usize], self.splits[index as usize]);
         if self.leaves.is_empty() {
             return bare.into();
         }
-        refit_node(bare.into(), self.split(bare), self.leaves, self.pyramid)
+        refit_node(bare.into(), split, self.leaves, self.pyramid)
     }
 
     /// The root's box, decoded.
@@ -165,7 +160,7 @@ impl<'a, N, T, B> Part<'a, N, T, B> {
         } else {
             node.right.index() as usize
         };
-        let triangle = tree.split(node) + 1;
+        let triangle = tree.splits[self.node as usize].wrapping_add(1);
         let (left_nodes, right_nodes) = self.nodes.split_at_mut(middle - self.first_node);
         let middle_triangle = if self.triangles.is_empty() {
             self.first_triangle

@@ -4,6 +4,7 @@ use super::{Mesh, MeshError};
 use rayon::prelude::*;
 use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
+use slimbvh_core::encode::FINEST_STEP;
 use slimbvh_core::float::scale_by_power_of_two;
 use slimbvh_core::lattice::to_lattice;
 
@@ -17,7 +18,7 @@ impl Mesh {
     #[must_use]
     pub fn finest_step(&self) -> i32 {
         let bounds = self.bounds().unwrap_or(Aabb::EMPTY);
-        -24 - scene_exponent(&bounds)
+        FINEST_STEP - scene_exponent(&bounds)
     }
 
     /// Moves every vertex to the nearest point of the lattice whose step is 2 to this power, at most half a step along each
