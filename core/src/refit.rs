@@ -5,7 +5,7 @@
 //! order among the nodes, no atomics. `min` and `max` are exact, so any grouping gives the same bits.
 
 use crate::aabb::Aabb;
-use crate::node::Node;
+use crate::node::{Node, NodeRef};
 use crate::triangle::LeafTriangle;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec4;
@@ -184,7 +184,7 @@ pub fn split_of(node: &Node, left_last: u32) -> u32 {
 }
 
 /// One thread per node. Reads the triangles and the pyramid. Returns the node with its children's boxes. `split` is the
-/// last triangle of the left child.
+/// last triangle of the left child. The node of a tree over nothing stays as it is.
 #[inline]
 #[must_use]
 pub fn refit_node(
@@ -193,7 +193,31 @@ pub fn refit_node(
     triangles: &[LeafTriangle],
     pyramid: &[PyramidBox],
 ) -> Node {
+    if node.left.0 == NodeRef::NOTHING.0 {
+        return node;
+    }
     let left = range_bounds(node.first, split, triangles, pyramid);
     let right = range_bounds(split + 1, node.last, triangles, pyramid);
     node.with_boxes(left, right)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topology::{Codes30, internal_node, kept_nodes};
+
+    #[test]
+    fn a_node_over_nothing_stays_as_it_is() {
+        let codes = Codes30 {
+            codes: &[0; 4],
+            count: 0,
+        };
+        let kept = kept_nodes(0, &codes);
+        let (node, split) = internal_node(0, &codes, &[kept], &[0]);
+        let stale = [LeafTriangle::NOTHING; 8];
+        let pyramid = [PyramidBox::default(); 3];
+        // A range up to `split` would have 2^32 triangles.
+        assert_eq!(split, u32::MAX);
+        assert_eq!(refit_node(node, split, &stale, &pyramid), node);
+    }
 }

@@ -32,18 +32,13 @@ fn pyramid_size(level_count: usize) -> usize {
     size
 }
 
-/// Nodes with the boxes of their children. Where there are no triangles, nothing has a box.
+/// Nodes with the boxes of their children.
 pub fn fill_boxes(
     triangles: &[LeafTriangle],
     pyramid: &[PyramidBox],
     connections: &Connections,
     nodes: &mut Vec<Node>,
 ) {
-    if triangles.is_empty() {
-        nodes.clear();
-        nodes.extend(connections.nodes.iter().map(Node::from));
-        return;
-    }
     nodes.resize(connections.nodes.len(), Node::EMPTY);
     let bare = connections.nodes.par_chunks(BLOCK);
     let bare = bare.zip(connections.splits.par_chunks(BLOCK));
